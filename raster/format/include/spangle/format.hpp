@@ -1,0 +1,57 @@
+// What a pixel, a rectangle and a set of touched rows are. Shapes only, no behaviour: the rasterizer, the HAL and
+// the simulator agree on these and on nothing else.
+#pragma once
+
+#include <cstdint>
+
+namespace spangle {
+
+/// Layout of one pixel in memory and on the wire, first byte first.
+enum class PixelFormat : std::uint8_t {
+    rgb565_be, ///< RRRRRGGG GGGBBBBB: what ILI9341, ST7789 and ST7735 take after COLMOD 55h.
+    rgb565_le, ///< GGGBBBBB RRRRRGGG: a little-endian uint16_t.
+    rgb888,    ///< R, G, B bytes.
+    rgba8888,  ///< R, G, B, A bytes.
+};
+
+struct FormatInfo {
+    std::uint8_t bytes_per_pixel;
+    std::uint8_t red_bits, green_bits, blue_bits, alpha_bits;
+};
+
+/// Bits and bytes of each format, indexed by PixelFormat.
+constexpr FormatInfo format_info(PixelFormat format) {
+    constexpr FormatInfo table[] = {{2, 5, 6, 5, 0}, {2, 5, 6, 5, 0}, {3, 8, 8, 8, 0}, {4, 8, 8, 8, 8}};
+    return table[static_cast<unsigned>(format)];
+}
+
+enum class DepthFormat : std::uint8_t {
+    none,
+    z16,   ///< uint16_t, host order, k / 65535.
+    z24s8, ///< uint32_t, host order: depth k / (2^24 - 1) in bits 31..8, stencil in bits 7..0.
+};
+
+/// Half-open rectangle: x .. x+w-1, y .. y+h-1. Empty when w or h is <= 0.
+struct Rect {
+    std::int32_t x = 0, y = 0, w = 0, h = 0;
+    friend constexpr bool operator==(const Rect&, const Rect&) = default;
+};
+
+/// Half-open interval of columns of one row; empty when begin >= end.
+struct RowSpan {
+    std::int16_t begin = INT16_MAX;
+    std::int16_t end = 0;
+    friend constexpr bool operator==(const RowSpan&, const RowSpan&) = default;
+};
+
+/// Columns touched in each row of a surface since its last present, in memory order (row 0 is the first row in
+/// memory). The rasterizer widens them, the display reads and resets them. `rows` has `height` elements.
+/// A full clear (no scissor, all channels) empties the rows and sets `cleared`: the rows then tell what was drawn since.
+struct RowExtents {
+    RowSpan* rows = nullptr;
+    std::int32_t height = 0;
+    bool cleared = false;
+    std::uint32_t clear_value = 0; ///< equal for equal fill patterns
+};
+
+} // namespace spangle

@@ -1,0 +1,33 @@
+// Window-space primitives to fragments: the one interface between GL and pixels. A band recorder can stand in for it.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/primitive/vertex.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/surface/surface.hpp"
+
+namespace spangle::raster {
+
+/// Twice the signed area of a window-space triangle, n.16; positive = counter-clockwise with y up. Exact.
+constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
+                                   std::int32_t cx, std::int32_t cy) {
+    return static_cast<std::int64_t>(bx - ax) * (cy - ay) - static_cast<std::int64_t>(cx - ax) * (by - ay);
+}
+
+/// V is FixedVertex, DoubleVertex or ShadowVertex; the fixed one is compiled into firmware, the others on hosts only.
+/// `provoking` gives the colour when state.flat; area2 = signed_area of the three (never 0).
+template <class V>
+void draw_triangle(const DrawState& state, const Surface& target, const V& a, const V& b, const V& c,
+                   const V& provoking, std::int64_t area2);
+
+/// Diamond-exit line, width in whole pixels >= 1 (GL 1.3, 3.4). The last fragment is not drawn.
+template <class V>
+void draw_line(const DrawState& state, const Surface& target, const V& a, const V& b, const V& provoking,
+               std::int32_t width);
+
+/// Aliased point, size in whole pixels >= 1 (GL 1.3, 3.3).
+template <class V>
+void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);
+
+} // namespace spangle::raster
