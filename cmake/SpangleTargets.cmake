@@ -1,0 +1,27 @@
+# How every Spangle target is compiled. The core is freestanding-ish C++20: no exceptions, no RTTI, no guards.
+
+function(spangle_common target)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${SPANGLE_WERROR}>:-Werror>)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                          POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# Code that also runs in firmware.
+function(spangle_core target)
+    spangle_common(${target})
+    target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+endfunction()
+
+# Code in double that must give the same bits everywhere.
+function(spangle_reference target)
+    spangle_common(${target})
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+function(spangle_features target)
+    foreach(feature LISTS LIGHTING FOG GET_PROC_ADDRESS)
+        target_compile_definitions(${target} PUBLIC SPANGLE_FEATURE_${feature}=$<BOOL:${SPANGLE_FEATURE_${feature}}>)
+    endforeach()
+endfunction()
