@@ -1,0 +1,37 @@
+// Set-up that several scenes share.
+#pragma once
+
+#include <initializer_list>
+
+#include "boards/scenes/gl.hpp"
+
+namespace spangle::scenes {
+
+/// The clear colour of every scene.
+inline void clear_color() {
+    glClearColor(0.125f, 0.25f, 0.375f, 1.0f);
+}
+
+/// Viewport of the whole picture and a perspective with x in -1..1 on the near plane, then a fresh modelview.
+inline void perspective(int width, int height, float z_near, float z_far) {
+    const float h = static_cast<float>(height) / static_cast<float>(width);
+    glViewport(0, 0, width, height);
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-1.0, 1.0, static_cast<GLdouble>(-h), static_cast<GLdouble>(h), static_cast<GLdouble>(z_near),
+              static_cast<GLdouble>(z_far));
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+}
+
+/// One unit per pixel, y down, as user interfaces count.
+inline void pixels(int width, int height) {
+    glViewport(0, 0, width, height);
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glOrtho(0.0, width, height, 0.0, -1.0, 1.0);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+}
+
+} // namespace spangle::scenes
