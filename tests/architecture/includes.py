@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Holds the rooms of the house to who may include whom (docs/architecture.md).
+
+usage: includes.py BUILD_DIR
+
+Reads the compiler's own dependency records of a Ninja build (`ninja -t deps`), so macros and generated includes count.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+NUMERIC, FORMAT = {"raster/numeric"}, {"raster/format"}
+SURFACE = NUMERIC | FORMAT | {"raster/surface"}
+SPAN = SURFACE | {"raster/span"}
+RASTER = SPAN | {"raster/primitive", "raster/include"}
+HAL_BUS = FORMAT | {"hal/bus"}
+HAL_PANEL = HAL_BUS | {"hal/panel"}
+HAL_DISPLAY = HAL_PANEL | {"hal/display"}
+HAL = HAL_DISPLAY | {"hal/include"}
+GL = RASTER | {"gl/api", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/include"}
+PUBLIC = {"gl/include", "hal/include", "raster/include", "raster/format", "hal/bus", "hal/panel", "hal/display"}
+EVERYTHING = GL | HAL | {"gl/egl", "boards", "boards/scenes", "host_sim"}
+
+MAY_INCLUDE = {
+    "raster/numeric": NUMERIC,
+    "raster/format": FORMAT,
+    "raster/surface": SURFACE,
+    "raster/span": SPAN,
+    "raster/primitive": RASTER,
+    "hal/bus": HAL_BUS | {"hal/include"},
+    "hal/panel": HAL_PANEL | {"hal/include"},
+    "hal/display": HAL,
+    "gl/api": GL, "gl/context": GL, "gl/vertex": GL, "gl/pixel": GL, "gl/texture": GL, "gl/list": GL,
+    "gl/egl": GL | {"gl/egl", "hal/bus", "hal/panel", "hal/display", "hal/include"},
+    "boards/scenes": PUBLIC | {"boards/scenes"},
+    "boards": PUBLIC | {"boards", "boards/scenes"},
+    "host_sim": EVERYTHING,
+}
+
+
+def room_of(path):
+    """The longest known room that holds this repository path, or None for files of no room (tests, system)."""
+    parts = path.split("/")
+    for n in range(len(parts) - 1, 0, -1):
+        room = "/".join(parts[:n])
+        if room in MAY_INCLUDE or room in {"raster/include", "gl/include", "hal/include"}:
+            return room
+    return None
+
+
+def records(build):
+    out = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
+    for block in out.split("\n\n"):
+        lines = [line.strip() for line in block.splitlines()]
+        if lines and ": #deps" in lines[0]:
+            inside = []
+            for line in lines[1:]:
+                path = pathlib.Path(line)
+                path = path if path.is_absolute() else pathlib.Path(build) / path
+                try:
+                    inside.append(str(path.resolve().relative_to(ROOT)))
+                except ValueError:
+                    pass  # a system header
+            yield lines[0].split(": #deps")[0], inside
+
+
+def main():
+    if len(sys.argv) != 2:
+        print(__doc__.strip())
+        return 2
+    bad, checked = set(), 0
+    for target, files in records(sys.argv[1]):
+        source = next((f for f in files if re.search(r"\.(cpp|c)$", f)), None)
+        room = room_of(source) if source else None
+        if room is None or source.startswith("tests/") or source.startswith("build/"):
+            continue
+        checked += 1
+        for used in files:
+            other = room_of(used)
+            if other is not None and other != room and other not in MAY_INCLUDE[room]:
+                bad.add(f"{source} ({room}) may not include {used} ({other})")
+    for line in sorted(bad):
+        print(line)
+    print(f"{checked} compilations checked, {len(bad)} forbidden includes")
+    return 1 if bad or checked == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
