@@ -1,0 +1,6 @@
+// The whole HAL: displays, buses, panels and what they are made of.
+#pragma once
+
+#include <spangle/hal/bus.hpp>
+#include <spangle/hal/display.hpp>
+#include <spangle/hal/result.hpp>

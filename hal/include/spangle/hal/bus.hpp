@@ -1,0 +1,69 @@
+// The bus: who moves bytes to a display controller. A transfer is one list of operations submitted with a token; D/C is
+// part of the operation, so that every back end chooses how to carry it (GPIO, 9-bit words, register).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/result.hpp>
+
+namespace spangle::hal {
+
+struct Op {
+    enum class Kind : std::uint8_t {
+        command, ///< one command byte, then `length` parameter bytes from `data`
+        pixels,  ///< `rows` rows of `length` bytes, `stride` bytes apart, from `data` (bus-owned memory)
+        repeat,  ///< the `length` (<= 4) bytes at `data`, sent `rows` times
+        delay,   ///< wait `micros`
+        wait_te, ///< wait for the tearing-effect edge, at most `micros`
+        read,    ///< command byte, `dummy_bits` clocks, then `length` bytes into `into`, at the read clock;
+                 ///< a parallel bus takes `dummy_bits / 8` dummy read cycles instead
+        reset,   ///< hardware reset line low for `micros`, then high
+    };
+    Kind kind = Kind::delay;
+    std::uint8_t command = 0;
+    std::uint8_t dummy_bits = 0;
+    const std::uint8_t* data = nullptr;
+    std::uint8_t* into = nullptr;
+    std::uint32_t length = 0;
+    std::uint32_t rows = 1;
+    std::int32_t stride = 0;
+    std::uint32_t micros = 0;
+};
+
+struct BusCaps {
+    std::uint32_t write_hz = 0;        ///< serial clock, or write cycles per second of a parallel bus
+    std::uint32_t read_hz = 0;         ///< 0: cannot read
+    std::uint8_t bits_per_cycle = 1;   ///< 1 for SPI, 8 for an 8-bit 8080 bus
+    bool has_te = false;
+    std::uint32_t max_transfer = 0;    ///< bytes of one operation; 0 = no limit
+    std::uint32_t command_cost_ns = 0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
+};
+
+/// Names one submitted list; tokens of one bus increase.
+struct Token {
+    std::uint32_t id = 0;
+};
+
+/// DMA-safe memory that belongs to the bus.
+struct Buffer {
+    std::uint8_t* bytes = nullptr;
+    std::size_t size = 0;
+};
+
+class Bus {
+  public:
+    virtual BusCaps caps() const = 0;
+    /// Hands out `size` bytes for the life of the bus.
+    virtual Result<Buffer> acquire(std::size_t size) = 0;
+    /// Starts the whole list or nothing. The ops are copied; what they point to must stay until the token is done.
+    virtual Result<Token> submit(const Op* ops, std::size_t count) = 0;
+    virtual bool done(Token token) const = 0;
+    /// Returns when the token is done, or the error its transfer ended with.
+    virtual Result<void> wait(Token token, std::uint32_t timeout_micros) = 0;
+
+  protected:
+    ~Bus() = default;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,40 @@
+// A display as GL's window system sees it: a buffer to draw into, and a present that carries what changed.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+#include <spangle/hal/result.hpp>
+
+namespace spangle::hal {
+
+struct DisplayInfo {
+    const char* name = "";
+    std::int32_t width = 0, height = 0;
+    PixelFormat format = PixelFormat::rgb565_be;
+};
+
+/// The buffer of the frame being drawn, top row first, in the panel's wire format.
+struct Frame {
+    std::uint8_t* pixels = nullptr;
+    std::int32_t stride = 0;        ///< bytes from one row to the next one down
+    std::int32_t age = 0;           ///< 0: contents undefined; n: as n frames ago (EGL_EXT_buffer_age)
+    RowExtents* extents = nullptr;  ///< what the rasterizer touches this frame
+};
+
+class Display {
+  public:
+    virtual DisplayInfo info() const = 0;
+    /// Resets and initialises the controller. Must succeed before the others are called.
+    virtual Result<void> init() = 0;
+    /// The buffer to draw the next frame into; the same until present() succeeds.
+    virtual Result<Frame> acquire() = 0;
+    /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the next
+    /// present sends it again.
+    virtual Result<void> present() = 0;
+
+  protected:
+    ~Display() = default;
+};
+
+} // namespace spangle::hal
