@@ -1,0 +1,126 @@
+// Integer words: leading zeros, high products, shifts that round, values that saturate. Defined for every
+// argument.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+/// For kernels whose call would cost more than their body.
+#define SPANGLE_INLINE [[gnu::always_inline]] inline
+
+namespace spangle::numeric {
+
+/// Leading zeros; 32 for 0.
+SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
+    return std::countl_zero(v);
+}
+
+/// Leading zeros; 64 for 0.
+SPANGLE_INLINE constexpr int clz64(std::uint64_t v) {
+    return std::countl_zero(v);
+}
+
+/// |v|; 2^31 for INT32_MIN.
+SPANGLE_INLINE constexpr std::uint32_t abs_u32(std::int32_t v) {
+    const auto u = static_cast<std::uint32_t>(v);
+    return v < 0 ? 0u - u : u;
+}
+
+/// |v|; 2^63 for INT64_MIN.
+SPANGLE_INLINE constexpr std::uint64_t abs_u64(std::int64_t v) {
+    const auto u = static_cast<std::uint64_t>(v);
+    return v < 0 ? std::uint64_t{0} - u : u;
+}
+
+/// Bits needed for the value without its sign: |v| < 2^n for v >= 0, |v| <= 2^n for v < 0; 0 for 0 and -1.
+SPANGLE_INLINE constexpr int signed_width32(std::int32_t v) {
+    return 32 - clz32(static_cast<std::uint32_t>(v ^ (v >> 31)));
+}
+
+SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{a} * b;
+}
+SPANGLE_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32_t b) {
+    return std::int64_t{a} * b;
+}
+
+/// floor(a * b / 2^32).
+SPANGLE_INLINE constexpr std::uint32_t mul_high_u32(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint32_t>(mul_u32(a, b) >> 32);
+}
+SPANGLE_INLINE constexpr std::int32_t mul_high_s32(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(mul_s32(a, b) >> 32);
+}
+
+/// Nearest to v / 2^n, halves up; n <= 0 leaves v as it is, no n overflows.
+SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
+    if (n <= 0)
+        return v;
+    if (n > 31)
+        return 0;
+    return (v >> n) + ((v >> (n - 1)) & 1);
+}
+SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
+    if (n <= 0)
+        return v;
+    if (n > 63)
+        return 0;
+    return (v >> n) + ((v >> (n - 1)) & 1);
+}
+
+/// Nearest to v / 2^n, ties to even; n >= 0.
+constexpr std::uint64_t shift_right_even(std::uint64_t v, int n) {
+    if (n <= 0)
+        return v;
+    if (n > 64)
+        return 0;
+    constexpr std::uint64_t half = std::uint64_t{1} << 63;
+    if (n == 64)
+        return v > half ? 1 : 0;
+    const std::uint64_t quotient = v >> n;
+    const std::uint64_t rest = v << (64 - n);
+    return quotient + (rest > half || (rest == half && (quotient & 1) != 0) ? 1u : 0u);
+}
+
+/// v / 2^n rounded down with every lost bit kept as one in the lowest place ("sticky"): rounding stays exact
+/// later.
+constexpr std::uint64_t shift_right_sticky(std::uint64_t v, int n) {
+    if (n <= 0)
+        return v;
+    if (n > 63)
+        return v != 0 ? 1u : 0u;
+    return (v >> n) | ((v << (64 - n)) != 0 ? 1u : 0u);
+}
+
+SPANGLE_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
+    constexpr std::int64_t low = std::numeric_limits<std::int32_t>::min();
+    constexpr std::int64_t high = std::numeric_limits<std::int32_t>::max();
+    return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
+}
+
+/// v * 2^n as int32: left shifts saturate, right shifts round to nearest (halves up).
+constexpr std::int32_t scale_saturate(std::int64_t v, int n) {
+    if (n <= 0)
+        return saturate_i32(shift_right_round(v, -n));
+    const std::int32_t limit =
+        v < 0 ? std::numeric_limits<std::int32_t>::min() : std::numeric_limits<std::int32_t>::max();
+    if (v == 0)
+        return 0;
+    if (n >= 32 || v > std::numeric_limits<std::int32_t>::max() ||
+        v < std::numeric_limits<std::int32_t>::min())
+        return limit;
+    return saturate_i32(static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << n));
+}
+
+/// -v, with -INT32_MIN = INT32_MAX.
+SPANGLE_INLINE constexpr std::int32_t negate_saturate(std::int32_t v) {
+    return saturate_i32(-std::int64_t{v});
+}
+
+/// min(max(v, low), high).
+template <class T> SPANGLE_INLINE constexpr T clamp(T v, T low, T high) {
+    return v < low ? low : v > high ? high : v;
+}
+
+} // namespace spangle::numeric

@@ -1,0 +1,325 @@
+// A scalar of GL's API: the 32 bits of a float, computed with integers only. Conversions and arithmetic round
+// to nearest even; NaN enters as 0, infinities and overflow as the largest finite value (GL 1.3, 2.1.1: no
+// such input may do harm).
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::numeric {
+
+/// Always finite: every function below keeps it so. Denormals and -0 are kept.
+struct Real {
+    std::uint32_t bits = 0;
+};
+
+inline constexpr Real real_zero{0};
+inline constexpr Real real_one{0x3F800000};
+inline constexpr Real real_max{0x7F7FFFFF};
+
+namespace detail {
+
+/// |v| = mantissa * 2^exponent; mantissa < 2^24.
+struct Unpacked {
+    std::uint32_t mantissa;
+    std::int32_t exponent;
+    bool negative;
+};
+
+SPANGLE_INLINE constexpr Unpacked unpack(Real v) {
+    const std::uint32_t biased = (v.bits >> 23) & 0xFF;
+    const std::uint32_t fraction = v.bits & 0x7FFFFF;
+    return {biased == 0 ? fraction : fraction | 0x800000,
+            static_cast<std::int32_t>(biased == 0 ? 1 : biased) - 150, (v.bits >> 31) != 0};
+}
+
+} // namespace detail
+
+/// The Real nearest to +-magnitude * 2^exponent. A sticky lowest bit in a magnitude of 26 bits or more stands
+/// for "and more".
+constexpr Real pack_real(bool negative, std::uint64_t magnitude, std::int32_t exponent) {
+    const std::uint32_t sign = negative ? 0x80000000u : 0u;
+    if (magnitude == 0)
+        return {sign};
+    const int zeros = clz64(magnitude);
+    const std::int32_t top = exponent + 63 - zeros; // 2^top <= |v| < 2^(top+1)
+    if (top > 127)
+        return {sign | real_max.bits};
+    const std::int32_t least = top < -126 ? -149 : top - 23; // exponent of the result's last bit
+    const std::uint64_t mantissa = shift_right_even(magnitude << zeros, least - (exponent - zeros));
+    // A normal mantissa brings 1 to the exponent field, a carry out of it one more.
+    const std::uint32_t bits =
+        (static_cast<std::uint32_t>(least + 149) << 23) + static_cast<std::uint32_t>(mantissa);
+    return {sign | (bits > real_max.bits ? real_max.bits : bits)};
+}
+
+// --- entry
+// ---------------------------------------------------------------------------------------------------------
+
+constexpr Real from_float_bits(std::uint32_t bits) {
+    const std::uint32_t magnitude = bits & 0x7FFFFFFF;
+    if (magnitude > 0x7F800000)
+        return real_zero;
+    return {magnitude == 0x7F800000 ? (bits & 0x80000000) | real_max.bits : bits};
+}
+
+constexpr Real from_double_bits(std::uint64_t bits) {
+    const bool negative = (bits >> 63) != 0;
+    const auto biased = static_cast<std::int32_t>((bits >> 52) & 0x7FF);
+    const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+    if (biased == 0x7FF)
+        return fraction != 0 ? real_zero : Real{(negative ? 0x80000000u : 0u) | real_max.bits};
+    return pack_real(negative, biased == 0 ? fraction : fraction | std::uint64_t{1} << 52,
+                     (biased == 0 ? 1 : biased) - 1075);
+}
+
+/// A move between registers, no arithmetic.
+constexpr Real from_float(float v) {
+    return from_float_bits(std::bit_cast<std::uint32_t>(v));
+}
+constexpr Real from_double(double v) {
+    return from_double_bits(std::bit_cast<std::uint64_t>(v));
+}
+
+constexpr Real from_u32(std::uint32_t v) {
+    return pack_real(false, v, 0);
+}
+constexpr Real from_i32(std::int32_t v) {
+    return pack_real(v < 0, abs_u32(v), 0);
+}
+/// v / 2^fraction_bits.
+constexpr Real from_fixed(std::int64_t v, int fraction_bits) {
+    return pack_real(v < 0, abs_u64(v), -fraction_bits);
+}
+/// GLfixed, S15.16.
+constexpr Real from_fixed16(std::int32_t v) {
+    return from_fixed(v, 16);
+}
+
+namespace detail {
+
+/// Nearest Real to +-numerator / denominator, numerator <= denominator < 2^33.
+constexpr Real ratio(bool negative, std::uint64_t numerator, std::uint64_t denominator) {
+    std::uint64_t quotient = 0; // 27 bits after the first one, and a sticky bit
+    std::int32_t exponent = 0;
+    if (numerator == 0)
+        return real_zero;
+    while (numerator < denominator)
+        numerator <<= 1, --exponent; // at most 32 steps
+    for (int i = 0; i < 27; ++i) {
+        const bool bit = numerator >= denominator;
+        quotient = quotient << 1 | (bit ? 1u : 0u);
+        numerator = (bit ? numerator - denominator : numerator) << 1;
+    }
+    return pack_real(negative, quotient << 1 | (numerator != 0 ? 1u : 0u), exponent - 27);
+}
+
+constexpr Real signed_unit(std::int32_t c, std::uint32_t all_ones) {
+    const std::int64_t v = 2 * std::int64_t{c} + 1;
+    return ratio(v < 0, abs_u64(v), all_ones);
+}
+
+} // namespace detail
+
+/// Integers as components (GL 1.3, table 2.6): c / (2^b - 1) and (2c + 1) / (2^b - 1).
+constexpr Real normalized_ubyte(std::uint8_t c) {
+    return detail::ratio(false, c, 0xFF);
+}
+constexpr Real normalized_ushort(std::uint16_t c) {
+    return detail::ratio(false, c, 0xFFFF);
+}
+constexpr Real normalized_uint(std::uint32_t c) {
+    return detail::ratio(false, c, 0xFFFFFFFF);
+}
+constexpr Real normalized_byte(std::int8_t c) {
+    return detail::signed_unit(c, 0xFF);
+}
+constexpr Real normalized_short(std::int16_t c) {
+    return detail::signed_unit(c, 0xFFFF);
+}
+constexpr Real normalized_int(std::int32_t c) {
+    return detail::signed_unit(c, 0xFFFFFFFF);
+}
+
+// --- order
+// ---------------------------------------------------------------------------------------------------------
+
+constexpr bool is_zero(Real v) {
+    return (v.bits << 1) == 0;
+}
+constexpr bool is_negative(Real v) {
+    return (v.bits >> 31) != 0 && !is_zero(v);
+}
+constexpr bool to_bool(Real v) {
+    return !is_zero(v);
+}
+
+namespace detail {
+/// Integers in the order of the values; +0 and -0 are equal.
+constexpr std::int32_t order(Real v) {
+    const auto magnitude = static_cast<std::int32_t>(v.bits & 0x7FFFFFFF);
+    return (v.bits >> 31) != 0 ? -magnitude : magnitude;
+}
+} // namespace detail
+
+constexpr bool operator==(Real a, Real b) {
+    return detail::order(a) == detail::order(b);
+}
+constexpr bool operator<(Real a, Real b) {
+    return detail::order(a) < detail::order(b);
+}
+constexpr bool operator>(Real a, Real b) {
+    return b < a;
+}
+constexpr bool operator<=(Real a, Real b) {
+    return !(b < a);
+}
+constexpr bool operator>=(Real a, Real b) {
+    return !(a < b);
+}
+
+constexpr Real operator-(Real v) {
+    return {v.bits ^ 0x80000000};
+}
+constexpr Real abs(Real v) {
+    return {v.bits & 0x7FFFFFFF};
+}
+constexpr Real clamp01(Real v) {
+    return v < real_zero ? real_zero : real_one < v ? real_one : v;
+}
+
+// --- arithmetic: IEEE 754 results, overflow to the largest finite value
+// ------------------------------------------------
+
+constexpr Real add(Real a, Real b) {
+    if (detail::order(abs(a)) < detail::order(abs(b))) {
+        const Real larger = b;
+        b = a;
+        a = larger;
+    }
+    const detail::Unpacked x = detail::unpack(a), y = detail::unpack(b);
+    constexpr int guard = 38; // 24 + 38 bits leave one for the carry; what falls off is sticky
+    const std::uint64_t large = std::uint64_t{x.mantissa} << guard;
+    const std::uint64_t small =
+        shift_right_sticky(std::uint64_t{y.mantissa} << guard, x.exponent - y.exponent);
+    const std::uint64_t sum = x.negative == y.negative ? large + small : large - small;
+    // x - x is +0 in round to nearest; -0 + -0 stays -0.
+    const bool negative = sum == 0 ? x.negative && y.negative : x.negative;
+    return pack_real(negative, sum, x.exponent - guard);
+}
+
+constexpr Real sub(Real a, Real b) {
+    return add(a, -b);
+}
+
+constexpr Real mul(Real a, Real b) {
+    const detail::Unpacked x = detail::unpack(a), y = detail::unpack(b);
+    return pack_real(x.negative != y.negative, mul_u32(x.mantissa, y.mantissa), x.exponent + y.exponent);
+}
+
+/// v / 0 is the largest finite value with the sign of v, 0 / 0 is 0.
+constexpr Real div(Real a, Real b) {
+    const detail::Unpacked x = detail::unpack(a), y = detail::unpack(b);
+    const bool negative = x.negative != y.negative;
+    if (x.mantissa == 0)
+        return {negative ? 0x80000000u : 0u};
+    if (y.mantissa == 0)
+        return {(negative ? 0x80000000u : 0u) | real_max.bits};
+    const int up_x = clz32(x.mantissa), up_y = clz32(y.mantissa);
+    std::uint32_t rest = x.mantissa << up_x >> 1; // both in [2^30, 2^31): one bit of room for the shift
+    const std::uint32_t divisor = y.mantissa << up_y >> 1;
+    std::uint32_t quotient = 0;
+    for (int i = 0; i < 27; ++i) { // digit by digit: 32-bit words only, no division helper
+        const bool bit = rest >= divisor;
+        quotient = quotient << 1 | (bit ? 1u : 0u);
+        rest = (bit ? rest - divisor : rest) << 1;
+    }
+    return pack_real(negative, quotient << 1 | (rest != 0 ? 1u : 0u),
+                     x.exponent - up_x - y.exponent + up_y - 27);
+}
+
+// --- exit
+// ----------------------------------------------------------------------------------------------------------
+
+constexpr std::uint32_t to_float_bits(Real v) {
+    return v.bits;
+}
+constexpr float to_float(Real v) {
+    return std::bit_cast<float>(v.bits);
+}
+
+constexpr std::uint64_t to_double_bits(Real v) {
+    const detail::Unpacked u = detail::unpack(v);
+    const std::uint64_t sign = std::uint64_t{v.bits >> 31} << 63;
+    if (u.mantissa == 0)
+        return sign;
+    const int up = clz32(u.mantissa) - 8; // to 24 bits, so that denormals become normal doubles
+    const std::uint64_t fraction = std::uint64_t{(u.mantissa << up) & 0x7FFFFF} << 29;
+    return sign | static_cast<std::uint64_t>(u.exponent - up + 23 + 1023) << 52 | fraction;
+}
+constexpr double to_double(Real v) {
+    return std::bit_cast<double>(to_double_bits(v));
+}
+
+namespace detail {
+constexpr std::int32_t with_sign(bool negative, std::uint64_t magnitude) {
+    constexpr std::uint64_t limit = 0x80000000u;
+    if (negative)
+        return static_cast<std::int32_t>(-static_cast<std::int64_t>(magnitude > limit ? limit : magnitude));
+    return static_cast<std::int32_t>(magnitude >= limit ? limit - 1 : magnitude);
+}
+} // namespace detail
+
+/// v * 2^fraction_bits, nearest even, saturated (D3D11.3 functional specification, 3.2.4.1, for floats to
+/// fixed).
+constexpr std::int32_t to_fixed(Real v, int fraction_bits) {
+    const detail::Unpacked u = detail::unpack(v);
+    const std::int32_t shift = u.exponent + fraction_bits;
+    if (shift > 31)
+        return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
+    return detail::with_sign(u.negative, shift >= 0 ? std::uint64_t{u.mantissa} << shift
+                                                    : shift_right_even(u.mantissa, -shift));
+}
+constexpr std::int32_t to_fixed16(Real v) {
+    return to_fixed(v, 16);
+}
+
+/// Nearest integer, halves away from zero, saturated: GetIntegerv of a float (GL 1.3, 6.1.2).
+constexpr std::int32_t to_i32_round(Real v) {
+    const detail::Unpacked u = detail::unpack(v);
+    if (u.exponent > 31)
+        return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
+    if (u.exponent >= 0)
+        return detail::with_sign(u.negative, std::uint64_t{u.mantissa} << u.exponent);
+    if (u.exponent < -24)
+        return 0;
+    return detail::with_sign(u.negative, ((u.mantissa >> (-u.exponent - 1)) + 1) >> 1);
+}
+
+/// Nearest integer to clamp01(v) * (2^bits - 1), bits <= 32, halves up (GL 1.3, 2.13.9 and 2.10.1).
+constexpr std::uint32_t to_unit(Real v, int bits) {
+    const detail::Unpacked u = detail::unpack(clamp01(v));
+    const std::uint64_t ones = (std::uint64_t{1} << bits) - 1;
+    const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
+    if (drop > 63)
+        return 0;
+    return static_cast<std::uint32_t>((((u.mantissa * ones) >> (drop - 1)) + 1) >> 1);
+}
+
+/// Colours, normals, depth range as integers: ((2^32 - 1) v - 1) / 2 with v clamped to [-1, 1] (GL 1.3,
+/// table 4.7).
+constexpr std::int32_t to_normalized_int(Real v) {
+    const Real clamped = v < -real_one ? -real_one : real_one < v ? real_one : v;
+    const detail::Unpacked u = detail::unpack(clamped);
+    const std::int32_t drop = -u.exponent; // >= 23
+    // 32 fraction bits are plenty to round twice the wanted number, an integer plus a fraction of 2^-149 at
+    // the finest.
+    const std::uint64_t product = u.mantissa * std::uint64_t{0xFFFFFFFF};               // 56 bits
+    const std::uint64_t fixed = drop > 63 ? 0 : shift_right_sticky(product << 7, drop); // Q.7 and sticky
+    const std::int64_t twice =
+        (u.negative ? -static_cast<std::int64_t>(fixed) : static_cast<std::int64_t>(fixed)) - 128;
+    return saturate_i32(shift_right_round(twice, 8));
+}
+
+} // namespace spangle::numeric
