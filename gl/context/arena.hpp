@@ -1,0 +1,60 @@
+// Memory handed over by the board, given out in bounded time: a two-level segregated fit with immediate coalescing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace spangle::gl {
+
+/// allocate, free and shrink take constant time whatever was allocated before. Exhaustion gives null and changes
+/// nothing: a caller stores the replacement first and frees the old block after.
+class Arena {
+  public:
+    static constexpr std::size_t alignment = 8;
+
+    Arena() = default;
+    Arena(const Arena&) = delete;
+    Arena& operator=(const Arena&) = delete;
+
+    /// Takes over `bytes` bytes at `memory`. May be called again: regions never merge with each other.
+    void give(void* memory, std::size_t bytes);
+
+    /// Aligned to `alignment`; the contents are undefined. 0 bytes give a unique block, as malloc may.
+    void* allocate(std::size_t bytes);
+
+    /// Null is ignored.
+    void free(void* block);
+
+    /// Gives the tail of a block back, in place. Never fails; a tail too small to be of use stays.
+    void shrink(void* block, std::size_t bytes);
+
+    std::size_t used() const { return used_; }         ///< bytes in allocated blocks, their headers included
+    std::size_t peak() const { return peak_; }         ///< the most `used` has been
+    std::size_t capacity() const { return capacity_; } ///< bytes given that can be handed out
+
+    /// Walks every region and every free list; false when a link, a size or a flag disagrees. For tests.
+    bool consistent() const;
+
+  private:
+    struct Block;
+    static constexpr int second_bits = 4;
+    static constexpr int second_count = 1 << second_bits;
+    static constexpr int first_count = sizeof(std::size_t) == 4 ? 24 : 34; ///< regions up to 128 MiB / 1 TiB
+
+    struct Slot {
+        unsigned first, second;
+    };
+    static Slot slot_of(std::size_t size);
+    void insert(Block* block);
+    void remove(Block* block);
+    void split(Block* block, std::size_t size);
+    Block* find(std::size_t size);
+
+    std::uint64_t first_map_ = 0;
+    std::uint16_t second_map_[first_count] = {};
+    Block* free_[first_count][second_count] = {};
+    Block* regions_ = nullptr;
+    std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
+};
+
+} // namespace spangle::gl

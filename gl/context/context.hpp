@@ -1,0 +1,81 @@
+// One context: chapters of state, the door they are reached through, and what it shares.
+#pragma once
+
+#include <cstdint>
+
+#include "gl/context/error.hpp"
+#include "gl/context/types.hpp"
+#include "gl/list/list_state.hpp"
+#include "gl/pixel/fog_state.hpp"
+#include "gl/pixel/fragment_ops_state.hpp"
+#include "gl/pixel/hint_state.hpp"
+#include "gl/pixel/pixel_store_state.hpp"
+#include "gl/texture/texture_state.hpp"
+#include "gl/vertex/arrays_state.hpp"
+#include "gl/vertex/current_state.hpp"
+#include "gl/vertex/lighting_state.hpp"
+#include "gl/vertex/polygon_state.hpp"
+#include "gl/vertex/transform_state.hpp"
+#include "raster/surface/surface.hpp"
+
+namespace spangle::gl {
+
+class Arena;
+struct ShareGroup;
+struct Engine; // gl/vertex/engine.hpp: the vertex pipeline of one numeric policy
+
+/// Why a wrapper may not simply run its command. One byte, so that the usual call costs one test.
+enum Gate : std::uint8_t {
+    gate_inside = 1,    ///< between Begin and End: set by cmd::Begin, cleared by cmd::End
+    gate_compiling = 2, ///< between NewList and EndList
+};
+
+/// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
+struct Drawable {
+    raster::Surface surface;
+    bool double_buffered = false;
+    bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
+};
+
+struct Context {
+    std::uint8_t gate = 0;
+    GLenum error_code = GL_NO_ERROR;
+
+    CurrentState current;
+    TransformState transform;
+    LightingState lighting;
+    ArraysState arrays;
+    PolygonState polygon;
+    FragmentOpsState fragment_ops;
+    FogState fog;
+    TextureState texture;
+    PixelStoreState pixel_store;
+    HintState hint;
+    ListState list;
+
+    Drawable drawable;
+    raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
+    const Engine* engine = nullptr;
+    Arena* arena = nullptr;
+    ShareGroup* share = nullptr;
+
+    bool inside_begin_end() const { return (gate & gate_inside) != 0; }
+};
+
+/// The context of this thread (of the program, in firmware), or null.
+inline Context* current_context();
+
+/// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.
+void set_current_context(Context* context);
+
+#if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
+#define SPANGLE_THREAD_LOCAL __thread // constant-initialised: no guard, no wrapper function
+#else
+#define SPANGLE_THREAD_LOCAL
+#endif
+namespace detail {
+extern SPANGLE_THREAD_LOCAL Context* current;
+}
+inline Context* current_context() { return detail::current; }
+
+} // namespace spangle::gl

@@ -1,0 +1,43 @@
+// The words commands are made of once the wrappers have converted their arguments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/GL/gl.h>
+
+#include "raster/numeric/real.hpp"
+
+namespace spangle::gl {
+
+using numeric::Real;
+
+/// Texture units of GL; arrays over units are sized by it. 1 until MultiTexCoord and ActiveTexture exist.
+inline constexpr int texture_units = 1;
+
+/// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are Reals, an
+/// enum, a boolean and a level are integers).
+struct Param {
+    std::uint32_t word = 0;
+
+    static constexpr Param from(Real value) { return {value.bits}; }
+    static constexpr Param from_integer(std::uint32_t value) { return {value}; }
+    constexpr Real real() const { return {word}; }
+    constexpr GLint integer() const { return static_cast<GLint>(word); }
+    constexpr GLenum token() const { return word; }
+};
+
+/// The value of a Light/Material/Fog/TexParameter... command, and what their queries give back. `count` is what the
+/// pname needs, or 0: the pname is unknown, or takes a vector and was given through the scalar form; both are
+/// INVALID_ENUM (GL 1.3, 2.5), so a command only has to ask for count == 0. A query leaves 0 after an error.
+struct Params {
+    Param v[4];
+    std::uint32_t count = 0;
+};
+
+/// A matrix as given, column-major: element (row i, column j) is m[4 * j + i].
+struct Matrix16 {
+    Real m[16];
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,17 @@
+// How primitives become fragments: shading, facing, culling, sizes (GL 1.3, 2.13.7, 3.3 to 3.5).
+#pragma once
+
+#include "gl/context/types.hpp"
+
+namespace spangle::gl {
+
+struct PolygonState {
+    GLenum shade_model = GL_SMOOTH;
+    GLenum front_face = GL_CCW;
+    GLenum cull_face_mode = GL_BACK;
+    bool cull_face = false;
+    Real point_size = numeric::real_one; ///< as set; clamped and rounded only in use
+    Real line_width = numeric::real_one;
+};
+
+} // namespace spangle::gl
