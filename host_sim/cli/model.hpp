@@ -1,0 +1,58 @@
+// A 3D model that somebody else made, read by libassimp and flattened to what GL 1.x draws.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace spangle::cli {
+
+struct ModelVertex {
+    float position[3];
+    float normal[3];
+    float texcoord[2];
+};
+
+struct ModelImage {
+    int width = 0, height = 0;      ///< powers of two, at most 256
+    std::vector<std::uint8_t> rgba; ///< row 0 is t = 0
+    bool translucent = false;
+};
+
+struct ModelPart {
+    enum class Kind : std::uint8_t { points, lines, triangles };
+    Kind kind = Kind::triangles;
+    std::vector<ModelVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::array<float, 4> diffuse{0.8f, 0.8f, 0.8f, 1.0f};
+    std::array<float, 4> specular{0.0f, 0.0f, 0.0f, 1.0f};
+    std::array<float, 4> emission{0.0f, 0.0f, 0.0f, 1.0f};
+    float shininess = 0.0f; ///< 0 .. 128
+    int image = -1;         ///< index into Model::images, or -1
+    bool two_sided = true;
+};
+
+struct Model {
+    std::string name;
+    std::vector<ModelPart> parts;
+    std::vector<ModelImage> images;
+    std::vector<std::string>
+        notes; ///< what was left out, in plain words (a texture that cannot be read, ...)
+    std::size_t triangles = 0;
+};
+
+/// A model, or why there is none.
+struct ModelResult {
+    Model model;
+    std::string error; ///< empty on success
+};
+
+/// Reads a file of any format libassimp knows and scales it into the unit sphere around the origin.
+ModelResult load_model(const std::string& path);
+
+/// Sets up GL for the model in a fresh context, then draws frame f of its turn (360 frames, 2 degrees each).
+void setup_model(const Model& model, int width, int height);
+void draw_model(const Model& model, int frame);
+
+} // namespace spangle::cli

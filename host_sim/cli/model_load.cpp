@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <SDL2/SDL_image.h>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "host_sim/cli/model.hpp"
+
+namespace spangle::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int largest_texture = 256;              // what a display board would hold
+constexpr std::size_t most_triangles = 2'000'000; // beyond this no board, and no patience, follows
+
+/// Box-filters an RGBA surface to powers of two no larger than `largest_texture`.
+ModelImage shrink(const SDL_Surface& s) {
+    ModelImage out;
+    const auto fit = [](int n) {
+        return static_cast<int>(
+            std::min(std::bit_floor(static_cast<unsigned>(n)), unsigned{largest_texture}));
+    };
+    out.width = fit(s.w);
+    out.height = fit(s.h);
+    out.rgba.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4);
+    const auto* pixels = static_cast<const std::uint8_t*>(s.pixels);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const int x0 = x * s.w / out.width, x1 = std::max(x0 + 1, (x + 1) * s.w / out.width);
+            const int y0 = y * s.h / out.height, y1 = std::max(y0 + 1, (y + 1) * s.h / out.height);
+            unsigned sum[4] = {};
+            for (int v = y0; v < y1; ++v)
+                for (int u = x0; u < x1; ++u)
+                    for (int c = 0; c < 4; ++c)
+                        sum[c] += pixels[v * s.pitch + 4 * u + c];
+            const auto n = static_cast<unsigned>((x1 - x0) * (y1 - y0));
+            // GL's t runs upwards, image files downwards.
+            std::uint8_t* to =
+                &out.rgba[static_cast<std::size_t>(((out.height - 1 - y) * out.width + x) * 4)];
+            for (int c = 0; c < 4; ++c)
+                to[c] = static_cast<std::uint8_t>((sum[c] + n / 2) / n);
+            out.translucent = out.translucent || to[3] != 255;
+        }
+    return out;
+}
+
+class Reader {
+  public:
+    Reader(const aiScene& scene, const fs::path& file, Model& model)
+        : scene_(scene), folder_(file.parent_path()), model_(model) {}
+
+    void read() { node(*scene_.mRootNode, aiMatrix4x4()); }
+
+  private:
+    const aiScene& scene_;
+    fs::path folder_;
+    Model& model_;
+    std::map<std::string, int> images_;
+
+    void node(const aiNode& n, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 world = parent * n.mTransformation;
+        for (unsigned i = 0; i < n.mNumMeshes; ++i)
+            mesh(*scene_.mMeshes[n.mMeshes[i]], world);
+        for (unsigned i = 0; i < n.mNumChildren; ++i)
+            node(*n.mChildren[i], world);
+    }
+
+    void mesh(const aiMesh& m, const aiMatrix4x4& world) {
+        ModelPart part;
+        aiMatrix3x3 turn(world);
+        turn.Inverse().Transpose();
+        for (unsigned i = 0; i < m.mNumVertices; ++i) {
+            const aiVector3D p = world * m.mVertices[i];
+            aiVector3D n = m.HasNormals() ? turn * m.mNormals[i] : aiVector3D(0, 0, 1);
+            if (n.SquareLength() > 0)
+                n.Normalize();
+            const aiVector3D t = m.HasTextureCoords(0) ? m.mTextureCoords[0][i] : aiVector3D(0, 0, 0);
+            part.vertices.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {t.x, t.y}});
+        }
+        material(*scene_.mMaterials[m.mMaterialIndex], part);
+        if (!m.HasTextureCoords(0))
+            part.image = -1;
+        ModelPart by_kind[3] = {part, part, part};
+        for (unsigned i = 0; i < m.mNumFaces; ++i) {
+            const aiFace& face = m.mFaces[i];
+            if (face.mNumIndices < 1 || face.mNumIndices > 3)
+                continue;
+            auto& indices = by_kind[face.mNumIndices - 1].indices;
+            indices.insert(indices.end(), face.mIndices, face.mIndices + face.mNumIndices);
+        }
+        for (unsigned kind = 0; kind < 3; ++kind)
+            if (!by_kind[kind].indices.empty()) {
+                by_kind[kind].kind = static_cast<ModelPart::Kind>(kind);
+                if (kind == 2)
+                    model_.triangles += by_kind[kind].indices.size() / 3;
+                model_.parts.push_back(std::move(by_kind[kind]));
+            }
+    }
+
+    void material(const aiMaterial& m, ModelPart& part) {
+        const auto color = [&m](const char* key, unsigned type, unsigned index, std::array<float, 4>& into) {
+            aiColor4D c;
+            if (m.Get(key, type, index, c) == AI_SUCCESS)
+                into = {c.r, c.g, c.b, c.a};
+        };
+        color(AI_MATKEY_COLOR_DIFFUSE, part.diffuse);
+        color(AI_MATKEY_COLOR_SPECULAR, part.specular);
+        color(AI_MATKEY_COLOR_EMISSIVE, part.emission);
+        float value = 0.0f;
+        if (m.Get(AI_MATKEY_SHININESS, value) == AI_SUCCESS)
+            part.shininess = std::clamp(value, 0.0f, 128.0f);
+        if (m.Get(AI_MATKEY_OPACITY, value) == AI_SUCCESS)
+            part.diffuse[3] = std::clamp(value, 0.0f, 1.0f);
+        aiString name;
+        if (m.GetTexture(aiTextureType_DIFFUSE, 0, &name) == AI_SUCCESS ||
+            m.GetTexture(aiTextureType_BASE_COLOR, 0, &name) == AI_SUCCESS)
+            part.image = image(name.C_Str());
+    }
+
+    int image(const std::string& name) {
+        if (const auto known = images_.find(name); known != images_.end())
+            return known->second;
+        int index = -1;
+        if (SDL_Surface* raw = decode(name)) {
+            SDL_Surface* rgba = SDL_ConvertSurfaceFormat(raw, SDL_PIXELFORMAT_RGBA32, 0);
+            SDL_FreeSurface(raw);
+            if (rgba != nullptr && rgba->w > 0 && rgba->h > 0) {
+                index = static_cast<int>(model_.images.size());
+                model_.images.push_back(shrink(*rgba));
+            }
+            SDL_FreeSurface(rgba);
+        }
+        if (index < 0)
+            model_.notes.push_back("texture " + name + " cannot be read; drawn without it");
+        return images_[name] = index;
+    }
+
+    SDL_Surface* decode(const std::string& name) const {
+        if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str())) {
+            if (t->mHeight == 0)
+                return IMG_Load_RW(SDL_RWFromConstMem(t->pcData, static_cast<int>(t->mWidth)), 1);
+            return SDL_CreateRGBSurfaceWithFormatFrom(
+                t->pcData, static_cast<int>(t->mWidth), static_cast<int>(t->mHeight), 32,
+                static_cast<int>(t->mWidth * 4), SDL_PIXELFORMAT_BGRA32);
+        }
+        // Exporters leave Windows paths, absolute paths and odd case behind: look for the bare name near the
+        // model.
+        std::string bare = name;
+        std::replace(bare.begin(), bare.end(), '\\', '/');
+        const fs::path leaf = fs::path(bare).filename();
+        for (const fs::path& candidate :
+             {folder_ / bare, folder_ / leaf, folder_ / ".." / leaf, folder_ / "textures" / leaf})
+            if (std::error_code ignored; fs::is_regular_file(candidate, ignored))
+                if (SDL_Surface* s = IMG_Load(candidate.c_str()))
+                    return s;
+        return nullptr;
+    }
+};
+
+bool finite(const ModelVertex& v) {
+    return std::isfinite(v.position[0]) && std::isfinite(v.position[1]) && std::isfinite(v.position[2]);
+}
+
+/// Moves and scales the model into the unit sphere; false when it has no extent at all.
+bool fit(Model& model) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (const ModelPart& part : model.parts)
+        for (const ModelVertex& v : part.vertices)
+            if (finite(v))
+                for (int i = 0; i < 3; ++i) {
+                    low[i] = std::min(low[i], static_cast<double>(v.position[i]));
+                    high[i] = std::max(high[i], static_cast<double>(v.position[i]));
+                }
+    double radius2 = 0.0;
+    for (int i = 0; i < 3; ++i)
+        radius2 += (high[i] - low[i]) * (high[i] - low[i]) / 4.0;
+    if (!(radius2 > 0.0) || !std::isfinite(radius2))
+        return false;
+    const double scale = 1.0 / std::sqrt(radius2);
+    for (ModelPart& part : model.parts)
+        for (ModelVertex& v : part.vertices)
+            for (int i = 0; i < 3; ++i)
+                v.position[i] =
+                    finite(v) ? static_cast<float>(
+                                    (static_cast<double>(v.position[i]) - (low[i] + high[i]) / 2.0) * scale)
+                              : 0.0f;
+    return true;
+}
+
+} // namespace
+
+ModelResult load_model(const std::string& path) {
+    ModelResult result;
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) {
+        result.error = "cannot read model '" + path + "': no such file";
+        return result;
+    }
+    Assimp::Importer importer;
+    const aiScene* scene = nullptr;
+    try {
+        scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals |
+                                            aiProcess_JoinIdenticalVertices | aiProcess_FindDegenerates |
+                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    } catch (const std::exception& problem) {
+        result.error = "cannot read model '" + path + "': " + problem.what();
+        return result;
+    }
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        result.error = "cannot read model '" + path + "': " + importer.GetErrorString();
+        return result;
+    }
+    result.model.name = fs::path(path).filename().string();
+    Reader(*scene, path, result.model).read();
+    if (result.model.parts.empty())
+        result.error = "model '" + path + "' holds nothing to draw";
+    else if (result.model.triangles > most_triangles)
+        result.error = "model '" + path + "' has " + std::to_string(result.model.triangles) +
+                       " triangles; at most 2000000 are drawn";
+    else if (!fit(result.model))
+        result.error = "model '" + path + "' has no extent";
+    return result;
+}
+
+} // namespace spangle::cli
