@@ -14,9 +14,9 @@ struct Real {
     std::uint32_t bits = 0;
 };
 
-inline constexpr Real real_zero{0};
-inline constexpr Real real_one{0x3F800000};
-inline constexpr Real real_max{0x7F7FFFFF};
+inline constexpr Real zero{0};
+inline constexpr Real one{0x3F800000};
+inline constexpr Real largest{0x7F7FFFFF};
 
 namespace detail {
 
@@ -45,13 +45,13 @@ constexpr Real pack_real(bool negative, std::uint64_t magnitude, std::int32_t ex
     const int zeros = clz64(magnitude);
     const std::int32_t top = exponent + 63 - zeros; // 2^top <= |v| < 2^(top+1)
     if (top > 127)
-        return {sign | real_max.bits};
+        return {sign | largest.bits};
     const std::int32_t least = top < -126 ? -149 : top - 23; // exponent of the result's last bit
     const std::uint64_t mantissa = shift_right_even(magnitude << zeros, least - (exponent - zeros));
     // A normal mantissa brings 1 to the exponent field, a carry out of it one more.
     const std::uint32_t bits =
         (static_cast<std::uint32_t>(least + 149) << 23) + static_cast<std::uint32_t>(mantissa);
-    return {sign | (bits > real_max.bits ? real_max.bits : bits)};
+    return {sign | (bits > largest.bits ? largest.bits : bits)};
 }
 
 // --- entry
@@ -60,8 +60,8 @@ constexpr Real pack_real(bool negative, std::uint64_t magnitude, std::int32_t ex
 constexpr Real from_float_bits(std::uint32_t bits) {
     const std::uint32_t magnitude = bits & 0x7FFFFFFF;
     if (magnitude > 0x7F800000)
-        return real_zero;
-    return {magnitude == 0x7F800000 ? (bits & 0x80000000) | real_max.bits : bits};
+        return zero;
+    return {magnitude == 0x7F800000 ? (bits & 0x80000000) | largest.bits : bits};
 }
 
 constexpr Real from_double_bits(std::uint64_t bits) {
@@ -69,7 +69,7 @@ constexpr Real from_double_bits(std::uint64_t bits) {
     const auto biased = static_cast<std::int32_t>((bits >> 52) & 0x7FF);
     const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
     if (biased == 0x7FF)
-        return fraction != 0 ? real_zero : Real{(negative ? 0x80000000u : 0u) | real_max.bits};
+        return fraction != 0 ? zero : Real{(negative ? 0x80000000u : 0u) | largest.bits};
     return pack_real(negative, biased == 0 ? fraction : fraction | std::uint64_t{1} << 52,
                      (biased == 0 ? 1 : biased) - 1075);
 }
@@ -104,7 +104,7 @@ constexpr Real ratio(bool negative, std::uint64_t numerator, std::uint64_t denom
     std::uint64_t quotient = 0; // 27 bits after the first one, and a sticky bit
     std::int32_t exponent = 0;
     if (numerator == 0)
-        return real_zero;
+        return zero;
     while (numerator < denominator)
         numerator <<= 1, --exponent; // at most 32 steps
     for (int i = 0; i < 27; ++i) {
@@ -186,7 +186,7 @@ constexpr Real abs(Real v) {
     return {v.bits & 0x7FFFFFFF};
 }
 constexpr Real clamp01(Real v) {
-    return v < real_zero ? real_zero : real_one < v ? real_one : v;
+    return v < zero ? zero : one < v ? one : v;
 }
 
 // --- arithmetic: IEEE 754 results, overflow to the largest finite value
@@ -225,7 +225,7 @@ constexpr Real div(Real a, Real b) {
     if (x.mantissa == 0)
         return {negative ? 0x80000000u : 0u};
     if (y.mantissa == 0)
-        return {(negative ? 0x80000000u : 0u) | real_max.bits};
+        return {(negative ? 0x80000000u : 0u) | largest.bits};
     const int up_x = clz32(x.mantissa), up_y = clz32(y.mantissa);
     std::uint32_t rest = x.mantissa << up_x >> 1; // both in [2^30, 2^31): one bit of room for the shift
     const std::uint32_t divisor = y.mantissa << up_y >> 1;
@@ -310,7 +310,7 @@ constexpr std::uint32_t to_unit(Real v, int bits) {
 /// Colours, normals, depth range as integers: ((2^32 - 1) v - 1) / 2 with v clamped to [-1, 1] (GL 1.3,
 /// table 4.7).
 constexpr std::int32_t to_normalized_int(Real v) {
-    const Real clamped = v < -real_one ? -real_one : real_one < v ? real_one : v;
+    const Real clamped = v < -one ? -one : one < v ? one : v;
     const detail::Unpacked u = detail::unpack(clamped);
     const std::int32_t drop = -u.exponent; // >= 23
     // 32 fraction bits are plenty to round twice the wanted number, an integer plus a fraction of 2^-149 at

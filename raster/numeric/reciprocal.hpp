@@ -1,0 +1,101 @@
+// 1/a by a table and Newton steps, the same integers on every instruction set; exact 64 / 32 bit division on
+// top of it.
+//
+// Cost in instructions, gcc 12 -O2: reciprocal about 25 on Cortex-M4 (four long multiplications); Cortex-M0+
+// has no long multiplication, there every product is a call to __aeabi_lmul (about 24), so about 150.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::numeric {
+
+namespace detail {
+
+/// Q1.15 of 1/a at the middle of each of the 256 intervals of [1/2, 1): 2^25 / (513 + 2i), rounded.
+struct ReciprocalTable {
+    std::uint16_t at[256];
+    constexpr ReciprocalTable() : at{} {
+        for (std::uint32_t i = 0; i < 256; ++i)
+            at[i] = static_cast<std::uint16_t>(((1u << 26) / (513 + 2 * i) + 1) / 2);
+    }
+};
+inline constexpr ReciprocalTable reciprocal_table;
+
+/// Q2.30 from the table alone, relative error <= 2^-8.99.
+SPANGLE_INLINE constexpr std::uint32_t reciprocal_seed(std::uint32_t a) {
+    return std::uint32_t{reciprocal_table.at[(a >> 23) & 255]} << 15;
+}
+
+} // namespace detail
+
+/// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
+/// 2^-30].
+SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
+    const std::uint32_t r = detail::reciprocal_seed(a);
+    const std::uint32_t product = mul_high_u32(a, r); // Q2.30, near 1
+    return static_cast<std::uint32_t>(mul_u32(r, 0x80000000u - product) >> 30);
+}
+
+/// Two Newton steps: Q2.30 of 1/a, in (1, 2] as (2^30, 2^31]. Absolute error <= 0.51 ulp, so relative <=
+/// 2^-30.9. The second step works on the residual 1 - a*r, of which the 31 bits that count fit one word.
+SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
+    const std::uint32_t r = reciprocal_1(a);
+    const std::uint64_t product = mul_u32(a, r); // Q.62, 1 - 2^-17.9 .. 1 + 2^-30
+    const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>( // Q.48
+        ((std::uint64_t{1} << 62) - product) >> 14));
+    // r < 2^31, |residual| < 2^30.2: the correction with 8 fraction bits, rounded to whole ulps.
+    const std::int64_t step = (static_cast<std::int64_t>(r) * residual + (std::int64_t{1} << 47)) >> 48;
+    return r + static_cast<std::uint32_t>(step);
+}
+
+struct Quotient {
+    std::uint64_t quotient;
+    std::uint32_t remainder;
+};
+
+/// n / d and n % d, exact; d = 0 gives {0, 0}. Where words have 32 bits the quotient comes from reciprocal()
+/// and is corrected by its remainder, so that no 64-bit division is linked.
+constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
+    if (d == 0)
+        return {0, 0};
+    if constexpr (sizeof(void*) > 4)
+        return {n / d, static_cast<std::uint32_t>(n % d)};
+    const auto high = static_cast<std::uint32_t>(n >> 32);
+    std::uint64_t quotient = 0;
+    if (high >= d) { // school division: first digit by the hardware's or libgcc's 32-bit divide
+        quotient = std::uint64_t{high / d} << 32;
+        n -= quotient * d;
+    }
+    if ((n >> 32) == 0) {
+        const auto low = static_cast<std::uint32_t>(n);
+        return {quotient + low / d, low % d};
+    }
+    const int zeros = clz32(d);
+    const std::uint32_t r = reciprocal(d << zeros);
+    // n / d = (n << zeros) / 2^32 * r / 2^30, with n < d * 2^32: the top word is below 2^32.
+    const auto top = static_cast<std::uint32_t>((n << zeros) >> 32);
+    std::uint64_t digit = mul_u32(top, r) >> 30;
+    digit = digit < 4 ? 0 : digit - 4; // never too large: r is within an ulp, worth at most 4 here
+    std::uint64_t rest = n - digit * d;
+    while (rest >= d)
+        rest -= d, ++digit; // at most 9 times
+    return {quotient + digit, static_cast<std::uint32_t>(rest)};
+}
+
+struct FloorQuotient {
+    std::int64_t quotient;
+    std::uint32_t remainder; ///< 0 .. d - 1
+};
+
+/// floor(n / d) and n - d * floor(n / d), exact; d = 0 gives {0, 0}.
+constexpr FloorQuotient floor_divide(std::int64_t n, std::uint32_t d) {
+    const Quotient q = divide(abs_u64(n), d);
+    if (n >= 0)
+        return {static_cast<std::int64_t>(q.quotient), q.remainder};
+    const auto down = static_cast<std::int64_t>(std::uint64_t{0} - q.quotient);
+    return q.remainder == 0 ? FloorQuotient{down, 0} : FloorQuotient{down - 1, d - q.remainder};
+}
+
+} // namespace spangle::numeric

@@ -1,0 +1,56 @@
+// 1/sqrt(a) by a table and Newton steps.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::numeric {
+
+namespace detail {
+
+/// Largest x with x * x <= v.
+constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
+    std::uint32_t root = 0;
+    for (std::uint32_t bit = 0x80000000u; bit != 0; bit >>= 1)
+        if (std::uint64_t{root | bit} * (root | bit) <= v)
+            root |= bit;
+    return root;
+}
+
+/// Q1.15 of 1/sqrt(a) at the middle of each 2^-9 of [1/4, 1): a = (257 + 2i) / 1024.
+struct RsqrtTable {
+    std::uint16_t at[384];
+    constexpr RsqrtTable() : at{} {
+        for (std::uint32_t i = 0; i < 384; ++i) {
+            const std::uint64_t square = (std::uint64_t{1} << 42) / (257 + 2 * i); // Q.32 of 1/a
+            at[i] = static_cast<std::uint16_t>((integer_sqrt(square) + 1) / 2);
+        }
+    }
+};
+inline constexpr RsqrtTable rsqrt_table;
+
+} // namespace detail
+
+/// One Newton step: Q2.30 of 1/sqrt(a), a in [2^30, 2^32) standing for [1/4, 1). Relative error in [-2^-17.3,
+/// 2^-29].
+SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
+    const std::uint32_t seed = detail::rsqrt_table.at[(a >> 23) - 128]; // Q1.15
+    const std::uint32_t square = seed * seed;                           // Q2.30, exact
+    const std::uint32_t product = mul_high_u32(a, square);              // Q2.30, near 1
+    return static_cast<std::uint32_t>(mul_u32(seed << 15, 0xC0000000u - product) >>
+                                      31); // seed * (3 - a seed^2) / 2
+}
+
+/// Two Newton steps: Q2.30 of 1/sqrt(a), in (1, 2] as (2^30, 2^31]. Relative error <= 2^-29.9.
+SPANGLE_INLINE constexpr std::uint32_t rsqrt(std::uint32_t a) {
+    const std::uint32_t r = rsqrt_1(a);
+    const auto square = static_cast<std::uint32_t>((mul_u32(r, r) + (1u << 29)) >> 30); // Q2.30, <= 2^32 - 1
+    const std::uint64_t product = mul_u32(a, square);                                   // Q.62, near 1
+    const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(         // Q.47, halved: Q.48
+        ((std::uint64_t{1} << 62) - product) >> 15));
+    const std::int64_t step = (static_cast<std::int64_t>(r) * residual + (std::int64_t{1} << 47)) >> 48;
+    return r + static_cast<std::uint32_t>(step);
+}
+
+} // namespace spangle::numeric
