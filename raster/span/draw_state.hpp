@@ -1,0 +1,68 @@
+// DrawState: everything a primitive needs to become pixels, immutable once compiled. GL compiles one when
+// state changed and hands it to draw_triangle, draw_line and draw_point with each primitive.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/span/fragment_state.hpp"
+#include "raster/span/key.hpp"
+#include "raster/span/span.hpp"
+#include "raster/surface/surface.hpp"
+
+namespace spangle::raster {
+
+/// What was drawn, for whoever asks. Wraps.
+struct Counters {
+    std::uint32_t triangles = 0; ///< triangles, lines and points rasterized
+    std::uint32_t fragments = 0; ///< inside the scissor rectangle
+    std::uint32_t passed = 0;    ///< past all tests; only where FragmentState::count
+};
+
+/// A function of some signature: void(const Span<P>&) for a span, void(Packet<N>&, const Span<P>&) for a
+/// stage of the chain. Whoever fills it in and whoever calls it agree on P and N.
+using AnyFunction = void (*)();
+
+inline constexpr int max_stages = 14;
+
+/// The list of stages of one kind of primitive.
+struct Variant {
+    AnyFunction run = nullptr;              ///< a fused span, or the runner of `chain`
+    AnyFunction chain[max_stages + 1] = {}; ///< ends with null
+    std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
+};
+
+/// Attributes set-up interpolates: nothing that no stage reads.
+struct Needs {
+    bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
+    bool unit[max_texture_units] = {};
+};
+
+/// Fog coordinate c of a vertex at eye distance d, as a number with 24 fraction bits; the fog stage makes the
+/// factor: LINEAR c = (end - d) / (end - start), f = c; EXP c = density d log2 e, f = 2^-c; EXP2 c = density
+/// d sqrt(log2 e), f = 2^-(c c). c = offset + d * scale * 2^scale_exponent.
+struct FogConstants {
+    std::int32_t scale = 0;
+    std::int32_t scale_exponent = 0;
+    std::int64_t offset = 0;
+};
+
+struct DrawState {
+    FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
+    FogConstants fog;
+    Needs needs;
+    Tier tier = Tier::exact;
+    PixelFormat format{};
+    DepthFormat depth_format{};
+    Counters* counters = nullptr; ///< may be null
+    Variant variant[kind_count];
+    /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
+    bool nothing = false;
+};
+
+/// V: the vertex type of the policy. The fixed one is compiled into firmware, the others on hosts only.
+template <class V> DrawState compile(const FragmentState& fragment, const Surface& target);
+
+/// The key of one kind; what `compile` looks fused spans up by.
+Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);
+
+} // namespace spangle::raster

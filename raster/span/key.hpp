@@ -1,0 +1,49 @@
+// The state key: which stages and modes a draw needs, canonical (two states that draw the same bytes by the
+// same stages have one key). Fused spans are found by it.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+
+#include "raster/span/fragment_state.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster {
+
+/// Number system of the list (number.hpp).
+enum class Number : std::uint8_t { raw565, balanced, exact, reference };
+
+/// One texture unit. `general`: modes are read from the state while drawing, and the fields behind it are 0.
+struct UnitKey {
+    bool on = false, general = false;
+    TexelFormat texels{};
+    BaseFormat base{};
+    Filter filter{};
+    TexEnv env{};
+    friend constexpr bool operator==(const UnitKey&, const UnitKey&) = default;
+};
+
+struct Key {
+    Number number{};
+    Kind kind{};
+    PixelFormat format{};
+    DepthFormat depth_format{}; ///< none unless depth or stencil is used
+    UnitKey unit[max_texture_units];
+    bool color = true; ///< a primary colour is looked at
+    bool color_sum = false;
+    bool fog = false;
+    FogMode fog_mode{};
+    Compare alpha = Compare::always;
+    bool stencil = false;
+    Compare depth = Compare::always;
+    bool depth_write = false;
+    bool blend = false;
+    BlendFactor blend_src = BlendFactor::one, blend_dst = BlendFactor::zero;
+    bool dither = false;
+    bool masked = false; ///< some colour channel is not written
+    bool count = false;
+    friend constexpr bool operator==(const Key&, const Key&) = default;
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,133 @@
+// How many fragments a stage handles at once: 1 on microcontrollers, in the chain and for tails; 8 in fused
+// spans on hosts, through vector extensions of gcc and clang. A U16 holds values below 2^16, so both give the
+// same bits.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::raster {
+
+template <int Count> struct Lanes;
+
+template <> struct Lanes<1> {
+    static constexpr int count = 1;
+    using U16 = std::uint32_t;
+    using U32 = std::uint32_t;
+    using Mask = bool;
+
+    static constexpr Mask all = true;
+    SPANGLE_INLINE static U16 splat(std::uint32_t v) { return v; }
+    SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return v; }
+    /// start, start + step, ... one per lane.
+    SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t) { return start; }
+    SPANGLE_INLINE static U16 high_half(U32 v) { return v >> 16; }
+    SPANGLE_INLINE static U16 low_half(U32 v) { return v & 0xFFFF; }
+    /// floor(a b / 2^16).
+    SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) { return (a * b) >> 16; }
+    SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return a < b ? a : b; }
+    SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return a < b ? b : a; }
+    SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return m ? a : b; }
+    SPANGLE_INLINE static U16 swap_bytes(U16 v) { return ((v << 8) & 0xFF00) | (v >> 8); }
+    SPANGLE_INLINE static bool any(Mask m) { return m; }
+    SPANGLE_INLINE static Mask less(U16 a, U16 b) { return a < b; }
+    SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return a == b; }
+    SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a && b; }
+    SPANGLE_INLINE static Mask negate(Mask m) { return !m; }
+    /// 16-bit words in memory, host order, one per lane; `p` is 2-aligned.
+    SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
+        std::uint16_t v;
+        std::memcpy(&v, __builtin_assume_aligned(p, 2), 2);
+        return v;
+    }
+    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) {
+        const auto word = static_cast<std::uint16_t>(v);
+        std::memcpy(__builtin_assume_aligned(p, 2), &word, 2);
+    }
+    /// One element per lane.
+    SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
+    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
+    SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
+};
+
+/// Little-endian hosts only (draw_state.hpp decides). Even and odd lanes of a U32 lie in two vectors, so that
+/// the high halves of all eight are a shift, a mask and an or.
+template <> struct Lanes<8> {
+    static constexpr int count = 8;
+    using U16 [[gnu::vector_size(16)]] = std::uint16_t;
+    using Words [[gnu::vector_size(16)]] = std::uint32_t;
+    using Signed [[gnu::vector_size(16)]] = std::int16_t;
+    using Mask = U16; ///< all ones: the lane lives
+
+    struct U32 {
+        Words even, odd;
+        SPANGLE_INLINE U32& operator+=(const U32& v) {
+            even += v.even;
+            odd += v.odd;
+            return *this;
+        }
+        SPANGLE_INLINE friend U32 operator+(U32 a, const U32& b) { return a += b; }
+        SPANGLE_INLINE friend U32 operator-(const U32& a, const U32& b) {
+            return {a.even - b.even, a.odd - b.odd};
+        }
+        SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
+            return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
+        }
+        SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
+    };
+
+    static constexpr Mask all = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+    SPANGLE_INLINE static U16 splat(std::uint32_t v) {
+        const auto w = static_cast<std::uint16_t>(v);
+        return U16{w, w, w, w, w, w, w, w};
+    }
+    SPANGLE_INLINE static U32 splat32(std::uint32_t v) {
+        const Words w = {v, v, v, v};
+        return {w, w};
+    }
+    SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) {
+        return {Words{start, start + 2 * step, start + 4 * step, start + 6 * step},
+                Words{start + step, start + 3 * step, start + 5 * step, start + 7 * step}};
+    }
+    SPANGLE_INLINE static U16 high_half(const U32& v) {
+        return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));
+    }
+    SPANGLE_INLINE static U16 low_half(const U32& v) {
+        return std::bit_cast<U16>((v.even & 0xFFFFu) | (v.odd << 16));
+    }
+    SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) {
+        U16 r;
+        for (int i = 0; i < 8; ++i) // both compilers make one instruction of this
+            r[i] = static_cast<std::uint16_t>((std::uint32_t{a[i]} * b[i]) >> 16);
+        return r;
+    }
+    SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }
+    SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return select(less(a, b), b, a); }
+    SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return (m & a) | (~m & b); }
+    SPANGLE_INLINE static U16 swap_bytes(U16 v) { return (v << 8) | (v >> 8); }
+    SPANGLE_INLINE static bool any(Mask m) {
+        using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+        const auto halves = std::bit_cast<Halves>(m);
+        return (halves[0] | halves[1]) != 0;
+    }
+    SPANGLE_INLINE static Mask less(U16 a, U16 b) { return std::bit_cast<Mask>(a < b); }
+    SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return std::bit_cast<Mask>(a == b); }
+    SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a & b; }
+    SPANGLE_INLINE static Mask negate(Mask m) { return ~m; }
+    SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
+        U16 v;
+        std::memcpy(&v, p, 16);
+        return v;
+    }
+    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { std::memcpy(p, &v, 16); }
+    SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
+        return U16{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
+    }
+    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { std::memcpy(to, &v, 16); }
+    SPANGLE_INLINE static bool lane(Mask m, int i) { return m[i] != 0; }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,141 @@
+// Number systems of the stages: what a colour is and how it is combined. A tier of accuracy is the choice of
+// one (design 3). Every system has the members that Exact documents; lists of stages are templates over it.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/span/lanes.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster {
+
+template <class T> struct Rgba { T r, g, b, a; };
+
+/// Texture coordinates of one unit, one per lane. With Wrap::repeat 2^32 is one repeat (the word wraps as the
+/// texture does; texel = s >> (32 - log2 size)); with the other wraps a signed word, `clamped_coord_bits`
+/// fraction bits, saturated.
+template <class T, int Count> struct TexCoords { T s[Count], t[Count]; };
+inline constexpr int clamped_coord_bits = 28;
+
+/// Exact tier, and the order of things for the others: 255ths with 20 fraction bits.
+struct Exact {
+    using Policy = Fixed;
+    static constexpr int lanes = 1;
+    using L = Lanes<1>;
+    using T = std::uint32_t; ///< a component, 0 .. one
+    using Color = Rgba<T>;
+    using Coord = TexCoords<std::uint32_t, 1>;
+    using Fog = std::uint32_t; ///< s7.24, two's complement
+    static constexpr T one = color_one;
+
+    /// k / 255, and back rounded to nearest.
+    SPANGLE_INLINE static T from8(L::U16 k) { return k << color_fraction_bits; }
+    SPANGLE_INLINE static L::U16 to8(T v) {
+        return (v + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
+    }
+    /// k / 31, k / 63.
+    SPANGLE_INLINE static T from5(L::U16 k) { return (k * color_one + 15) / 31; }
+    SPANGLE_INLINE static T from6(L::U16 k) {
+        return static_cast<T>((numeric::mul_u32(k, color_one) + 31) / 63);
+    }
+    /// A constant in colour units (vertex.hpp).
+    SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
+    /// An interpolated colour of a span.
+    SPANGLE_INLINE static T from_affine(L::U32 v) {
+        constexpr std::uint32_t bias = 1u << 15; // added in set-up; what rounding took below it is 0
+        const std::uint32_t c = v < bias ? 0 : (v - bias) >> (24 - color_fraction_bits);
+        return c < one ? c : one;
+    }
+    /// a b, with 1 as the neutral element: (a b + half) / (255 2^20), relative error below 2^-28 of one.
+    SPANGLE_INLINE static T mul(T a, T b) {
+        const auto high = static_cast<std::uint32_t>(numeric::mul_u32(a, b) >> 24);
+        return static_cast<T>((numeric::mul_u32(high, 0x01010101u) + (1u << 27)) >> 28); // 16 2^28 / 255
+    }
+    /// a (1 - k) + b k
+    SPANGLE_INLINE static T lerp(T a, T b, T k) {
+        const T sum = mul(a, one - k) + mul(b, k);
+        return sum < one ? sum : one;
+    }
+    SPANGLE_INLINE static T add(T a, T b) { return L::minimum(a + b, one); }
+    SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
+    /// A factor with 24 fraction bits, 0 .. 2^24 (fog).
+    SPANGLE_INLINE static T from_fraction24(L::U32 f) {
+        return static_cast<T>((numeric::mul_u32(f, color_one) + (1u << 23)) >> 24);
+    }
+    /// floor(v (2^Bits - 1) + t), t given in 32nds, odd: exact steps stay (GL 1.3, 4.1.8).
+    template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
+        // Up to 2^Bits - 1 steps of 2^(32 - Bits); the threshold is at most 31/32 of one, so nothing wraps.
+        constexpr std::uint64_t factor =
+            ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
+        const auto steps = static_cast<std::uint32_t>((v * factor) >> 32);
+        return (steps + (threshold32 << (27 - Bits))) >> (32 - Bits);
+    }
+};
+
+/// Balanced tier: 255ths with 8 fraction bits in 16 bits (0 .. 65280), the same bits with one lane and with
+/// eight.
+template <int Count> struct Balanced {
+    using Policy = Fixed;
+    static constexpr int lanes = Count;
+    using L = Lanes<Count>;
+    using T = typename L::U16;
+    using Color = Rgba<T>;
+    using Coord = TexCoords<std::uint32_t, Count>;
+    using Fog = typename L::U32;
+    static constexpr std::uint32_t one = 255u << 8;
+
+    SPANGLE_INLINE static T from8(T k) { return k << 8; }
+    SPANGLE_INLINE static T to8(T v) { return (v + 128) >> 8; }
+    SPANGLE_INLINE static T from5(T k) { return k * 2105 + (k * 26 >> 5); }
+    SPANGLE_INLINE static T from6(T k) { return k * 1036 + (k * 13 >> 6); }
+    SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
+    /// The half that rounds to 8.8 was added in set-up.
+    SPANGLE_INLINE static T from_affine(const typename L::U32& v) {
+        return L::minimum(L::high_half(v), L::splat(one));
+    }
+    /// At most one 256th of a 255th from a b.
+    SPANGLE_INLINE static T mul(T a, T b) { return unit(L::mul_high(a, b)); }
+    SPANGLE_INLINE static T lerp(T a, T b, T k) {
+        return unit(L::mul_high(a, L::splat(one) - k) + L::mul_high(b, k));
+    }
+    SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
+    SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
+    SPANGLE_INLINE static T from_fraction24(const typename L::U32& f) {
+        const typename L::U32 w = f >> 8;
+        return L::low_half(w - (w >> 8));
+    }
+    template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
+        // Steps of 2^(16 - Bits). Exact steps come out at most 3 too small; the least threshold is 32 or
+        // more.
+        constexpr std::uint32_t factor = (((1u << Bits) - 1) << 16 << (16 - Bits)) / one + 1;
+        return (L::mul_high(v, L::splat(factor)) + (threshold32 << (11 - Bits))) >> (16 - Bits);
+    }
+
+  private:
+    /// A product of two 8.8 numbers, shifted down by 16, is in 65025ths; 255 / 256 of that is missing to one.
+    SPANGLE_INLINE static T unit(T product) { return product + ((product + 255) >> 8); }
+};
+
+/// Colour that nothing combines: it is the 16 bits R5 G6 B5 from its source to the surface.
+template <int Count> struct Raw565 {
+    using Policy = Fixed;
+    static constexpr int lanes = Count;
+    using L = Lanes<Count>;
+    using T = typename L::U16;
+    struct Color {
+        T word;
+    };
+    using Coord = TexCoords<std::uint32_t, Count>;
+    using Fog = typename L::U32;
+    /// Rounded to 8 bits (half a 255th was added in set-up), then the top bits.
+    SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
+                                            const typename L::U32& b) {
+        return {(L::high_half(r) & 0xF800) | ((L::high_half(g) >> 5) & 0x07E0) | (L::high_half(b) >> 11)};
+    }
+};
+
+/// Systems whose colour has components that can be combined.
+template <class N> inline constexpr bool is_raw = false;
+template <int Count> inline constexpr bool is_raw<Raw565<Count>> = true;
+
+} // namespace spangle::raster

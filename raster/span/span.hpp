@@ -1,0 +1,87 @@
+// A span: one row of one primitive, as set-up hands it to the stages. The numeric policy says in which
+// numbers.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/primitive/vertex.hpp"
+
+namespace spangle::raster {
+
+struct DrawState;
+
+/// The policy of the product.
+///
+/// Affine:     mod 2^32 (unsigned, so wrap is defined). z: depth code in the top bits, half a code added;
+/// colours: 8.24
+///             255ths, half an 8.8 step added (half a 255th where DrawState::color_bias says so); texture s,
+///             t: see Coord; fog: s7.24.
+/// Projective: mod 2^64 two's complement, 30-bit values with 16 guard bits below, normalised per primitive.
+struct Fixed {
+    using Vertex = FixedVertex;
+    using Affine = std::uint32_t;
+    using Projective = std::uint64_t;
+};
+
+inline constexpr int guard_bits = 16;
+
+/// Value at the centre of pixel 0 (the anchor) and difference from pixel to pixel. `at` is exact: no error
+/// accumulates and any pixel can be first.
+template <class T> struct Interpolant {
+    T value, dx;
+    constexpr T at(std::int32_t x) const { return value + static_cast<T>(x) * dx; }
+};
+
+/// Which attributes vary how over a primitive. Every stage list exists once per kind; set-up picks the
+/// cheapest kind whose error is within the bounds of the tier (design 3).
+enum class Kind : std::uint8_t {
+    flat,     ///< one colour (state without projective texture or fog)
+    affine,   ///< everything affine: 1/w is constant, or the bound is met over the whole primitive
+    textured, ///< texture coordinates and fog projective, colours affine
+    full,     ///< everything projective
+};
+inline constexpr int kind_count = 4;
+
+/// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
+/// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte
+/// (design 2).
+template <class P> struct Span {
+    using Affine = Interpolant<typename P::Affine>;
+    using Projective = Interpolant<typename P::Projective>;
+
+    const DrawState* state;
+    std::uint8_t* color;     ///< pixel `begin` of the span in memory
+    std::uint8_t* depth;     ///< same, in the depth plane; null without one
+    std::int32_t begin, end; ///< pixels to draw, 0 <= begin < end <= length
+    std::int32_t length;     ///< of the unscissored row
+    std::int32_t x, y;       ///< window position of pixel 0
+    Kind kind;
+    std::uint32_t flat_word; ///< Kind::flat: the colour as stored in a 16-bit surface
+
+    Affine z;
+    Affine color_value[4]; ///< RGBA
+    Affine secondary[3];   ///< RGB
+    Affine fog;
+    Affine s[max_texture_units], t[max_texture_units];
+
+    Projective q;          ///< 1/w, > 0, largest vertex in [2^29, 2^30)
+    Projective color_q[4]; ///< colour * 1/w
+    Projective secondary_q[3];
+    Projective fog_q;
+    struct Unit {
+        Projective s, t;                         ///< s/w and t/w
+        Projective q;                            ///< q/w; not written when `shares_q`
+        typename P::Projective s_dy, t_dy, q_dy; ///< differences from row to row, for the level of detail
+        std::int32_t exponent;                   ///< (s/w) / (q/w) * 2^exponent = s in repeats of the texture
+        std::int32_t s_base,
+            t_base;    ///< whole repeats taken off before interpolation (clamping wraps add them back)
+        bool shares_q; ///< q is 1 at every vertex: use Span::q
+    } unit[max_texture_units];
+    typename P::Projective q_dy;
+    std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
+};
+
+/// Runs of the perspective correction: at most 16 pixels, starting at multiples of their length.
+inline constexpr std::int32_t run_length = 16;
+
+} // namespace spangle::raster

@@ -1,0 +1,86 @@
+// What a stage is, and the two ways to run a list of them: fused into one loop, or as a chain of packets.
+//
+// A stage is a struct with
+//   Stage(const Span<P>& span, std::int32_t x)  its state at pixel x of the span, by multiplication: any x
+//   can be first; bool operator()(Px<N>& p)                   one group of lanes; false = no fragment of the
+//   group is left alive; void step()                                 on to the next group of N::lanes pixels;
+//   std::int32_t begin(std::int32_t x)          only if `runs` (one lane only): called at the constructor's x
+//   before the
+//                                               first fragment, then whenever x reaches a value some stage
+//                                               returned; returns the end of the run that holds x, at most x
+//                                               + run_length;
+//   static in, out                              fields of Px it reads and writes (Field); out counts only
+//   where it
+//                                               writes every lane that is alive;
+//   static kill, effect, runs                   it can drop fragments; it writes memory (or counts); it works
+//   in runs.
+// With more than one lane a stage drops fragments by clearing lanes of p.live, and one with an effect honours
+// p.live. With one lane p.live need not be looked at or written: the result of operator() says it. The order
+// of the list is the order of operations of GL; a stage never writes outside pixels [begin, end).
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "raster/span/number.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster {
+
+enum Field : unsigned {
+    field_color = 1,
+    field_coord = 2, ///< of unit 0; unit 1: field_coord << 1
+    field_lod = 8,   ///< of unit 0; unit 1: field_lod << 1
+    field_fog = 32,
+};
+
+/// The fragment(s) a list works on. Locals only: registers in a fused span, loaded and stored by field in the
+/// chain.
+template <class N> struct Px {
+    std::int32_t i; ///< first pixel of the group, counted from the span's `begin`
+    typename N::L::Mask live;
+    typename N::Color color;
+    typename N::Coord coord[max_texture_units];
+    std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
+    typename N::Fog fog;                           ///< fog coordinate (draw_state.hpp)
+};
+
+/// Defaults of a stage.
+struct StageBase {
+    static constexpr unsigned in = 0, out = 0;
+    static constexpr bool kill = false, effect = false, runs = false;
+    SPANGLE_INLINE void step() {}
+};
+
+/// Stages in a row are a stage again. `S` are distinct types (a second texture unit has another template
+/// argument).
+template <class N, class... S> struct Seq : S... {
+    static constexpr unsigned out = (S::out | ... | 0u);
+    static constexpr unsigned in = [] {
+        unsigned have = 0, need = 0;
+        ((need |= S::in & ~have, have |= S::out), ...);
+        return need;
+    }();
+    static constexpr bool kill = (S::kill || ... || false);
+    static constexpr bool effect = (S::effect || ... || false);
+    static constexpr bool runs = (S::runs || ... || false);
+    using Policy = typename N::Policy;
+
+    SPANGLE_INLINE Seq(const Span<Policy>& span, std::int32_t x) : S(span, x)... {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) { return (static_cast<S&>(*this)(p) && ...); }
+    SPANGLE_INLINE void step() { (S::step(), ...); }
+    /// Nearest end of a run.
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
+        std::int32_t next = x + run_length;
+        const auto one = [&]<class T>(T& stage) {
+            if constexpr (T::runs) {
+                const std::int32_t end = stage.begin(x);
+                next = end < next ? end : next;
+            }
+        };
+        (one(static_cast<S&>(*this)), ...);
+        return next;
+    }
+};
+
+} // namespace spangle::raster
