@@ -1,0 +1,508 @@
+#!/usr/bin/env python3
+"""Turns the command table (commands/*.json) into everything that would otherwise be written by hand once per entry
+point: the public header, the wrappers, the name table of GetProcAddress, the table the tests and fuzzers walk, and
+the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail when the committed output is stale)
+
+One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
+  name, row     the family and its row of the feature matrix
+  kind          plain (default), components, matrix, rect, params, get_params
+  args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
+                A "real" is given once per entry of "types"
+  types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
+                suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
+  inside        legal between Begin and End
+  list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
+  feature       optional system it belongs to
+  pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try
+"""
+import json
+import re
+import sys
+from pathlib import Path
+
+API = Path(__file__).resolve().parent
+ROOT = API.parent.parent
+CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list"]
+NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, not this.\n"
+
+C_TYPES = {"b": "GLbyte", "s": "GLshort", "i": "GLint", "f": "GLfloat", "d": "GLdouble", "ub": "GLubyte",
+           "us": "GLushort", "ui": "GLuint", "x": "GLfixed", "cf": "GLclampf", "cd": "GLclampd", "cx": "GLclampx"}
+CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
+INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
+
+
+class Arg:
+    """One argument of a plain or params family."""
+
+    def __init__(self, text, groups):
+        declaration, _, accepted = text.partition("=")
+        self.type, self.name = declaration.rsplit(" ", 1)
+        self.pointer = "*" in self.type
+        self.accepted, self.good, self.low, self.high = [], "0", None, None
+        self.parse(accepted, groups)
+
+    def parse(self, text, groups):
+        bounds = re.fullmatch(r"(-?\d+)\.\.(-?\d*)", text)
+        if bounds:
+            self.low, self.high, self.good = bounds[1], bounds[2] or None, bounds[1]
+        elif re.fullmatch(r"-?\d+", text):
+            self.good = text
+        elif text:
+            first = None
+            for word in text.split():
+                if word.startswith("@"):
+                    group, _, wish = word[1:].partition(":")
+                    first = first or wish or None
+                    self.accepted += groups[group].split()
+                else:
+                    self.accepted.append(word)
+            self.good = "GL_" + (first or self.accepted[0])
+
+    @property
+    def c_type(self):
+        return re.sub(r"\b(?!const|void)([a-z]+)", r"GL\1", self.type).replace("GL ", "")
+
+
+class Entry:
+    """One entry point: its C signature and how its arguments reach the family's function."""
+
+    def __init__(self, family, name, params, body, tries):
+        self.family, self.name, self.params, self.body, self.tries = family, name, params, body, tries
+
+    @property
+    def prototype(self):
+        return f"{self.family.returns} GLAPIENTRY {self.name}({self.c_params})"
+
+    @property
+    def c_params(self):
+        return ", ".join(f"{t}{'' if t.endswith('*') else ' '}{n}" for t, n in self.params) or "void"
+
+
+class Family:
+    def __init__(self, data, groups, by_name):
+        self.name, self.row = data["name"], data["row"]
+        self.kind = data.get("kind", "plain")
+        self.args = [Arg(text, groups) for text in data.get("args", [])]
+        self.inside, self.feature = data.get("inside", False), data.get("feature")
+        self.listing = {True: "words", False: "never"}.get(data.get("list", True), data.get("list"))
+        if self.kind == "get_params":
+            self.listing = "never"
+        self.returns = "GL" + data["returns"] if "returns" in data else "void"
+        self.returns = self.returns.replace("GLconst ", "const GL")
+        self.types = [self.type_suffix(word) for word in data.get("types", "").split()]
+        self.data, self.by_name = data, by_name
+        self.pnames = dict(by_name[data["of"]].pnames if "of" in data else {}, **data.get("pnames", {}))
+        self.pnames.pop(data.get("without"), None)
+        self.entries = list(getattr(self, "entries_" + self.kind)())
+
+    @staticmethod
+    def type_suffix(word):
+        code, colon, suffix = word.partition(":")
+        return code, suffix if colon else ("xOES" if code in ("x", "cx") else code)
+
+    # --- entry points ------------------------------------------------------------------------------------------
+
+    def entry(self, name, params, call, tries, null=None):
+        """`call` are the canonical arguments; `null` names a pointer that must not be null."""
+        text = ", ".join(call)
+        guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}\"));\n" if null else ""
+        verb = "return ask" if self.returns != "void" else "issue"
+        return Entry(self, name, params, f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
+
+    def entries_plain(self):
+        for code, suffix in self.types or [("", "")]:
+            params, call, tries = [], [], []
+            for arg in self.args:
+                if arg.type == "real":
+                    params.append((C_TYPES[code], arg.name))
+                    call.append(cast(code, arg.name))
+                    tries.append(("real", arg))
+                else:
+                    params.append((arg.c_type, arg.name))
+                    call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
+                    tries.append((arg.type, arg))
+            yield self.entry("gl" + self.name + suffix, params, call, tries)
+
+    def entries_components(self):
+        pad = ["numeric::real_one" if p == "1" else "numeric::real_zero" for p in self.data["pad"].split()]
+        names = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"),
+                 "Normal": ["nx", "ny", "nz"]}.get(self.name, list("xyzw"))
+        for size in self.data["sizes"]:
+            for code, suffix in self.types:
+                convert = normalize if self.data["integers"] == "normalize" else cast
+                rest = pad[size:]
+                one = [convert(code, n) for n in names[:size]] + rest
+                many = [convert(code, f"v[{i}]") for i in range(size)] + rest
+                stem, c = f"gl{self.name}{size}", C_TYPES[code]
+                vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+                value = Arg("real value", {})
+                yield self.entry(stem + suffix, [(c, n) for n in names[:size]], one, [("real", value)] * size)
+                yield self.entry(stem + vector, [(f"const {c}*", "v")], many, [("values", value)], "v")
+
+    def entries_rect(self):
+        for code, suffix in self.types:
+            c, value = C_TYPES[code], Arg("real value", {})
+            vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+            names = ["x1", "y1", "x2", "y2"]
+            yield self.entry("glRect" + suffix, [(c, n) for n in names], [cast(code, n) for n in names],
+                             [("real", value)] * 4)
+            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")],
+                             [cast(code, n) for n in ("v1[0]", "v1[1]", "v2[0]", "v2[1]")], [("values", value)] * 2,
+                             null="v1 == nullptr || v2")
+
+    def entries_matrix(self):
+        for code, suffix in self.types:
+            yield self.entry(f"gl{self.name}{suffix}", [(f"const {C_TYPES[code]}*", "m")],
+                             [f"convert::matrix_{code}(m)"], [("values", Arg("real m", {}))], "m")
+
+    def entries_params(self):
+        leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
+        call = [n for _, n in leading]
+        tries = [("enum", a) for a in self.args] + [("pname", None)]
+        for code, suffix in self.types:
+            c, shape = C_TYPES[code], f"shape::{self.name}(pname)"
+            yield self.entry(f"gl{self.name}{suffix}", leading + [(c, "param")],
+                             call + [f"convert::scalar_{code}({shape}, param)"], tries + [("pvalue", None)])
+            if not self.data.get("scalar_only"):
+                vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+                yield self.entry(f"gl{self.name}{vector}", leading + [(f"const {c}*", "params")],
+                                 call + [f"convert::vector_{code}({shape}, params)"], tries + [("pvalues", None)],
+                                 "params")
+
+    def entries_get_params(self):
+        leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
+        call = [n for _, n in leading]
+        tries = [(a.type, a) for a in self.args] + [("pname", None), ("out", None)]
+        for code, suffix in self.types:
+            name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
+            body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}\"));\n"
+                    f"    Params found;\n    issue<family::{self.name}>({', '.join(call)}, found);\n"
+                    f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
+            yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
+
+    # --- the handwritten function ------------------------------------------------------------------------------
+
+    @property
+    def canonical(self):
+        """Parameter list of cmd::Name after the context."""
+        if self.kind == "components":
+            names = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq")}
+            return [("Real", n) for n in names.get(self.name, list("xyzw")[:len(self.data["pad"].split())])]
+        if self.kind == "rect":
+            return [("Real", n) for n in ("x1", "y1", "x2", "y2")]
+        if self.kind == "matrix":
+            return [("const Matrix16&", "matrix")]
+        plain = [("Real" if a.type == "real" else "bool" if a.type == "boolean" else a.c_type, a.name)
+                 for a in self.args]
+        if self.kind == "params":
+            return plain + [("GLenum", "pname"), ("const Params&", "params")]
+        if self.kind == "get_params":
+            return plain + [("GLenum", "pname"), ("Params&", "params")]
+        return plain
+
+    @property
+    def signature(self):
+        params = ["Context& context"] + [f"{t} {n}".replace("* ", "* ") for t, n in self.canonical]
+        return ", ".join(params)
+
+
+def cast(code, name):
+    return f"convert::cast_{CONVERT_AS.get(code, code)}({name})"
+
+
+def normalize(code, name):
+    return f"convert::unit_{code}({name})" if code in INTEGERS else cast(code, name)
+
+
+# --- reading -----------------------------------------------------------------------------------------------------
+
+def load():
+    chapters, by_name, groups, tokens = [], {}, {}, {}
+    raw = [json.loads((API / "commands" / f"{name}.json").read_text()) for name in CHAPTERS]
+    for data in raw:
+        groups.update(data["groups"])
+        for token, value in data["tokens"].items():
+            value = int(str(value), 0)
+            if tokens.setdefault(token, value) != value:
+                sys.exit(f"token {token} has two values")
+    for data in raw:
+        families = []
+        for row in data["families"]:
+            family = Family(row, groups, by_name)
+            by_name[family.name] = family
+            families.append(family)
+        chapters.append((data, families))
+    for family in by_name.values():
+        for arg in family.args:
+            for token in arg.accepted:
+                if token not in tokens:
+                    sys.exit(f"{family.name}: token {token} has no value")
+    return chapters, tokens
+
+
+# --- the public header -------------------------------------------------------------------------------------------
+
+HEADER_TOP = """// OpenGL as Spangle has it: exactly the commands that exist. C89 and C++ compatible.
+""" + NOTICE + """#ifndef SPANGLE_GL_GL_H
+#define SPANGLE_GL_GL_H
+
+#ifndef GLAPI
+#define GLAPI extern
+#endif
+#ifndef APIENTRY
+#define APIENTRY
+#endif
+#ifndef GLAPIENTRY
+#define GLAPIENTRY APIENTRY
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SPANGLE_GL 1
+#define GL_VERSION_1_0 1
+
+typedef unsigned int GLenum;
+typedef unsigned char GLboolean;
+typedef unsigned int GLbitfield;
+typedef void GLvoid;
+typedef signed char GLbyte;
+typedef short GLshort;
+typedef int GLint;
+typedef unsigned char GLubyte;
+typedef unsigned short GLushort;
+typedef unsigned int GLuint;
+typedef int GLsizei;
+typedef float GLfloat;
+typedef float GLclampf;
+typedef double GLdouble;
+typedef double GLclampd;
+typedef int GLfixed;  /* S15.16, GL_OES_fixed_point */
+typedef int GLclampx; /* S15.16, clamped to [0, 1] */
+"""
+
+
+def header(chapters, _tokens):
+    out = [HEADER_TOP]
+    for data, families in chapters:
+        out.append(f"\n/* {data['title']} (GL 1.3, {data['section']}) */\n")
+        for token, value in data["tokens"].items():
+            value = int(str(value), 0)
+            out.append(f"#define GL_{token} {value if value < 2 else f'0x{value:04X}'}\n")
+        for family in families:
+            out += [f"GLAPI {entry.prototype};\n" for entry in family.entries]
+    out.append("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n")
+    return "".join(out)
+
+
+# --- declarations and wrappers -----------------------------------------------------------------------------------
+
+def commands_header(chapters, _tokens):
+    out = ["// One handwritten function per family, and what the wrappers know about it.\n", NOTICE,
+           "#pragma once\n\n#include \"gl/api/family.hpp\"\n#include \"gl/context/types.hpp\"\n\n",
+           "namespace spangle::gl {\nstruct Context;\n}\n\nnamespace spangle::gl::cmd {\n"]
+    everything = [f for _, families in chapters for f in families]
+    for data, families in chapters:
+        out.append(f"\n// {data['title']} (GL 1.3, {data['section']}).\n")
+        out += [f"{f.returns} {f.name}({f.signature});\n" for f in families]
+    out.append("\n} // namespace spangle::gl::cmd\n\n/// Handwritten encoders of display lists, in gl/list.\n"
+               "namespace spangle::gl::encode {\n\n")
+    out += [f"void {f.name}({f.signature});\n" for f in everything if f.listing in ("attribute", "client_data")]
+    out.append("\n} // namespace spangle::gl::encode\n\nnamespace spangle::gl::family {\n\n")
+    for f in everything:
+        encoder = f"&encode::{f.name}" if f.listing in ("attribute", "client_data") else "nullptr"
+        out.append(f"struct {f.name} {{\n    static constexpr auto run = &cmd::{f.name};\n"
+                   f"    static constexpr auto encode = {encoder};\n"
+                   f"    static constexpr bool inside = {str(f.inside).lower()};\n"
+                   f"    static constexpr Listing listing = Listing::{f.listing};\n"
+                   f"    static constexpr const char* name = SPANGLE_TEXT(\"gl{f.name}\");\n}};\n")
+    out.append("\n} // namespace spangle::gl::family\n")
+    return "".join(out)
+
+
+def shapes_header(chapters, _tokens):
+    out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
+           "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
+    kinds = {"c": "color", "r": "real", "i": "integer"}
+    for _, families in chapters:
+        for f in families:
+            if not f.pnames:
+                continue
+            cases = {}
+            for pname, text in f.pnames.items():
+                cases.setdefault(text.partition("=")[0], []).append(pname)
+            out.append(f"\ninline Shape {f.name}(GLenum pname) {{\n    switch (pname) {{\n")
+            for text, names in cases.items():
+                out += [f"    case GL_{n}:\n" for n in names]
+                out.append(f"        return {{Kind::{kinds[text[0]]}, {text[1:]}}};\n")
+            out.append("    default:\n        return {};\n    }\n}\n")
+    out.append("\n} // namespace spangle::gl::shape\n")
+    return "".join(out)
+
+
+def wrappers(data, families):
+    out = [f"// Entry points: {data['title']}.\n", NOTICE,
+           "#include \"gl/api/convert.hpp\"\n#include \"gl/api/generated/commands.hpp\"\n"
+           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n\n"
+           "using namespace spangle::gl;\nnamespace numeric = spangle::numeric;\n\nextern \"C\" {\n"]
+    feature = None
+    for f in families:
+        for entry in f.entries:
+            if f.feature != feature:
+                out.append(("\n#endif\n" if feature else "") + (f"\n#if SPANGLE_FEATURE_{f.feature}\n" if f.feature else ""))
+                feature = f.feature
+            out.append(f"\n{entry.prototype.replace('(void)', '()')} {{\n{entry.body}}}\n")
+    out.append("\n#endif\n" if feature else "")
+    out.append(refusals(families))
+    out.append("\n} // extern \"C\"\n")
+    return "".join(out)
+
+
+def refusals(families):
+    """What the entry points of a feature do in a build without it."""
+    out = []
+    for feature in sorted({f.feature for f in families if f.feature}):
+        out.append(f"\n#if !SPANGLE_FEATURE_{feature}\n")
+        for entry in (e for f in families if f.feature == feature for e in f.entries):
+            types = ", ".join(t for t, _ in entry.params)
+            back = "" if entry.family.returns == "void" else "    return 0;\n"
+            text = f"{entry.name}: this build has no SPANGLE_FEATURE_{feature}"
+            out.append(f"\n{entry.family.returns} GLAPIENTRY {entry.name}({types}) {{\n"
+                       f"    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n{back}}}\n")
+        out.append("\n#endif\n")
+    return "".join(out)
+
+
+def names(chapters, _tokens):
+    found = sorted(e.name for _, families in chapters for f in families for e in f.entries)
+    out = ["// The name table of GetProcAddress: a feature, because it keeps every entry point in the program.\n", NOTICE,
+           "#include \"gl/api/names.hpp\"\n\n#include <spangle/GL/gl.h>\n\n"
+           "namespace spangle::gl {\n\n#if SPANGLE_FEATURE_GET_PROC_ADDRESS\n\nnamespace {\n\n"
+           "struct Name {\n    const char* text;\n    EntryPoint function;\n};\n\n"
+           "const Name table[] = {\n"]
+    out += [f"    {{\"{n}\", reinterpret_cast<EntryPoint>(&{n})}},\n" for n in found]
+    out.append("};\n\nint compare(const char* a, const char* b) {\n    while (*a != 0 && *a == *b)\n        ++a, ++b;\n"
+               "    return static_cast<unsigned char>(*a) - static_cast<unsigned char>(*b);\n}\n\n} // namespace\n\n"
+               "EntryPoint find_entry_point(const char* name) {\n"
+               "    unsigned low = 0, high = sizeof table / sizeof table[0];\n    while (low < high) {\n"
+               "        const unsigned middle = (low + high) / 2;\n        const int order = compare(name, table[middle].text);\n"
+               "        if (order == 0)\n            return table[middle].function;\n"
+               "        (order < 0 ? high : low) = order < 0 ? middle : middle + 1;\n    }\n    return nullptr;\n}\n\n#else\n\n"
+               "EntryPoint find_entry_point(const char*) { return nullptr; }\n\n#endif\n\n} // namespace spangle::gl\n")
+    return "".join(out)
+
+
+# --- what tests and fuzzers walk ---------------------------------------------------------------------------------
+
+FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint": "GLuint(a[{i}].integer)",
+         "int": "GLint(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
+         "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
+
+
+def test_table(chapters, tokens):
+    out = ["// Every entry point with its argument kinds and a uniform way to call it.\n", NOTICE,
+           "#include \"tests/gl_api/command_table.hpp\"\n\n#include <spangle/GL/gl.h>\n\nnamespace spangle::test {\n\n"
+           "namespace {\n\n"]
+    rows, pool = [], {}
+
+    def array(kind, items):
+        """A shared static array of `items`."""
+        text = f"const {kind} {{}}[] = {{{{{', '.join(items)}}}}};\n"
+        if text not in pool:
+            pool[text] = f"{kind.lower()}_{len(pool)}".replace("glenum", "tokens").replace("std::", "")
+            out.append(text.format(pool[text]))
+        return f"{{{pool[text]}, {len(items)}}}"
+
+    for _, families in chapters:
+        for f in families:
+            feature = f"SPANGLE_FEATURE_{f.feature}" if f.feature else "1"
+            pnames = [f"{{GL_{n}, {t.partition('=')[0][1:]}, '{t[0]}', "
+                      f"{'GL_' + t.partition('=')[2] if '=' in t and not t[-1].isdigit() else t.partition('=')[2] or '0'}}}"
+                      for n, t in f.pnames.items()]
+            pname_list = array("Pname", pnames) if pnames else "{}"
+            for e in f.entries:
+                args, calls = [], []
+                for i, ((kind, arg), (c_type, _)) in enumerate(zip(e.tries, e.params)):
+                    pointer = "*" in c_type
+                    calls.append(f"static_cast<{c_type}>(a[{i}].pointer)" if pointer
+                                 else FETCH[kind].format(c=c_type, i=i))
+                    label = "out" if pointer and not c_type.startswith("const") else "in" if pointer else kind
+                    label = "in" if kind in ("values", "pvalues") else label
+                    accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
+                    low = arg.low if arg and arg.low is not None else "INT32_MIN"
+                    high = arg.high if arg and arg.high is not None else "INT32_MAX"
+                    args.append(f"{{Kind::{label}, {accepted}, {low}, {high}, {arg.good if arg else '0'}, "
+                                f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
+                arg_list = array("Arg", args) if args else "{}"
+                rows.append(f"    {{\"{e.name}\", \"{f.name}\", \"{f.row}\", {str(f.inside).lower()}, "
+                            f"Listing::{f.listing}, {feature} != 0, {arg_list}, {pname_list},\n"
+                            f"     [](const Value* {'a' if calls else ''}) {{ {e.name}({', '.join(calls)}); }}}},\n")
+    out.append("\nconst Command table[] = {\n" + "".join(rows) + "};\n\n} // namespace\n\n"
+               "std::span<const Command> commands() { return table; }\n\n} // namespace spangle::test\n")
+    return "".join(out)
+
+
+# --- the feature matrix ------------------------------------------------------------------------------------------
+
+def features(chapters, _tokens):
+    rows = json.loads((API / "commands" / "rows.json").read_text())
+    entries = {}
+    for _, families in chapters:
+        for f in families:
+            entries.setdefault(f.row, []).extend(e.name for e in f.entries if not e.name.endswith("OES"))
+    mutants = "".join(p.read_text() for p in sorted((ROOT / "tests" / "mutants").glob("*.txt")))
+    caught = set(re.findall(r"^row: *(\w+)", mutants, re.M))
+    out = ["# Feature matrix\n\n<!-- Written by gl/api/generate.py from gl/api/commands -->\n\n"
+           "Rows of GL 1.3. *works*: every command of the row exists, nothing is known to be missing, and a seeded defect of the\n"
+           "row is caught by the tests. *partly*: what is missing is said. *not yet*: nothing of it exists, or it is untested.\n\n",
+           "| row | system | commands | state | note |\n|---|---|---|---|---|\n"]
+    counts = {"works": 0, "partly": 0, "not yet": 0}
+    for row in rows:
+        have, want = len(entries.get(row["id"], [])), row["entry_points"]
+        complete = have >= want if want else row.get("exists", False)
+        some = have > 0 or row.get("exists", False)
+        missing = row.get("missing", "")
+        state = "works" if complete and not missing and row["id"] in caught else "partly" if some else "not yet"
+        note = missing or ("" if state != "partly" else
+                           f"{want - have} entry points to come" if have < want else "no seeded defect yet")
+        counts[state] += 1
+        out.append(f"| {row['id']} | {row['name']} | {f'{min(have, want)}/{want}' if want else '-'} | {state} | {note} |\n")
+    out.append("\n" + ", ".join(f"{n} {s}" for s, n in counts.items()) + f" of {len(rows)} rows.\n")
+    return "".join(out)
+
+
+# --- writing -----------------------------------------------------------------------------------------------------
+
+def outputs():
+    chapters, tokens = load()
+    files = {
+        "gl/include/spangle/GL/gl.h": header(chapters, tokens),
+        "gl/api/generated/commands.hpp": commands_header(chapters, tokens),
+        "gl/api/generated/shapes.hpp": shapes_header(chapters, tokens),
+        "gl/api/generated/names.cpp": names(chapters, tokens),
+        "tests/gl_api/command_table_generated.cpp": test_table(chapters, tokens),
+        "docs/features.md": features(chapters, tokens),
+    }
+    for data, families in chapters:
+        files[f"gl/api/generated/{data['chapter']}.cpp"] = wrappers(data, families)
+    return files
+
+
+def main():
+    check = "--check" in sys.argv[1:]
+    stale = []
+    for name, text in outputs().items():
+        path = ROOT / name
+        if path.exists() and path.read_text() == text:
+            continue
+        stale.append(name)
+        if not check:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+    if check and stale:
+        sys.exit("stale, run gl/api/generate.py: " + ", ".join(stale))
+
+
+if __name__ == "__main__":
+    main()
