@@ -408,10 +408,10 @@ def test_table(chapters, tokens):
 
     def array(kind, items):
         """A shared static array of `items`."""
-        text = f"const {kind} {{}}[] = {{{{{', '.join(items)}}}}};\n"
+        text = ", ".join(items)
         if text not in pool:
-            pool[text] = f"{kind.lower()}_{len(pool)}".replace("glenum", "tokens").replace("std::", "")
-            out.append(text.format(pool[text]))
+            pool[text] = f"{kind.lower()}_{len(pool)}"
+            out.append(f"const {kind} {pool[text]}[] = {{{text}}};\n")
         return f"{{{pool[text]}, {len(items)}}}"
 
     for _, families in chapters:

@@ -1,0 +1,795 @@
+// One handwritten function per family, and what the wrappers know about it.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#pragma once
+
+#include "gl/api/family.hpp"
+#include "gl/context/types.hpp"
+
+namespace spangle::gl {
+struct Context;
+}
+
+namespace spangle::gl::cmd {
+
+// Errors, enables, queries (GL 1.3, 2.5, 6.1).
+GLenum GetError(Context& context);
+void Enable(Context& context, GLenum cap);
+void Disable(Context& context, GLenum cap);
+GLboolean IsEnabled(Context& context, GLenum cap);
+void GetBooleanv(Context& context, GLenum pname, GLboolean* params);
+void GetIntegerv(Context& context, GLenum pname, GLint* params);
+void GetFloatv(Context& context, GLenum pname, GLfloat* params);
+void GetDoublev(Context& context, GLenum pname, GLdouble* params);
+void GetFixedvOES(Context& context, GLenum pname, GLfixed* params);
+void GetPointerv(Context& context, GLenum pname, void** params);
+const GLubyte* GetString(Context& context, GLenum name);
+
+// Vertices, attributes, arrays (GL 1.3, 2.6 to 2.9).
+void Begin(Context& context, GLenum mode);
+void End(Context& context);
+void Vertex(Context& context, Real x, Real y, Real z, Real w);
+void TexCoord(Context& context, Real s, Real t, Real r, Real q);
+void Normal(Context& context, Real x, Real y, Real z);
+void Color(Context& context, Real red, Real green, Real blue, Real alpha);
+void Rect(Context& context, Real x1, Real y1, Real x2, Real y2);
+void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
+void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void EnableClientState(Context& context, GLenum array);
+void DisableClientState(Context& context, GLenum array);
+void ArrayElement(Context& context, GLint i);
+void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count);
+void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices);
+void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const void* pointer);
+
+// Matrices, viewport (GL 1.3, 2.10).
+void MatrixMode(Context& context, GLenum mode);
+void LoadIdentity(Context& context);
+void LoadMatrix(Context& context, const Matrix16& matrix);
+void MultMatrix(Context& context, const Matrix16& matrix);
+void PushMatrix(Context& context);
+void PopMatrix(Context& context);
+void Rotate(Context& context, Real angle, Real x, Real y, Real z);
+void Translate(Context& context, Real x, Real y, Real z);
+void Scale(Context& context, Real x, Real y, Real z);
+void Frustum(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val);
+void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val);
+void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
+void DepthRange(Context& context, Real near_val, Real far_val);
+
+// Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5).
+void Light(Context& context, GLenum light, GLenum pname, const Params& params);
+void GetLight(Context& context, GLenum light, GLenum pname, Params& params);
+void LightModel(Context& context, GLenum pname, const Params& params);
+void Material(Context& context, GLenum face, GLenum pname, const Params& params);
+void GetMaterial(Context& context, GLenum face, GLenum pname, Params& params);
+void ColorMaterial(Context& context, GLenum face, GLenum mode);
+void ShadeModel(Context& context, GLenum mode);
+void FrontFace(Context& context, GLenum mode);
+void CullFace(Context& context, GLenum mode);
+void PointSize(Context& context, Real size);
+void LineWidth(Context& context, Real width);
+
+// Fragments, framebuffer, pixels, fog, hints (GL 1.3, 3.6, 3.10, 4, 5.5, 5.6).
+void Scissor(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
+void AlphaFunc(Context& context, GLenum func, Real ref);
+void StencilFunc(Context& context, GLenum func, GLint ref, GLuint mask);
+void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass);
+void DepthFunc(Context& context, GLenum func);
+void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor);
+void DrawBuffer(Context& context, GLenum mode);
+void ReadBuffer(Context& context, GLenum mode);
+void ColorMask(Context& context, bool red, bool green, bool blue, bool alpha);
+void DepthMask(Context& context, bool flag);
+void StencilMask(Context& context, GLuint mask);
+void Clear(Context& context, GLbitfield mask);
+void ClearColor(Context& context, Real red, Real green, Real blue, Real alpha);
+void ClearDepth(Context& context, Real depth);
+void ClearStencil(Context& context, GLint s);
+void PixelStore(Context& context, GLenum pname, const Params& params);
+void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels);
+void Fog(Context& context, GLenum pname, const Params& params);
+void Hint(Context& context, GLenum target, GLenum mode);
+void Flush(Context& context);
+void Finish(Context& context);
+
+// Textures (GL 1.3, 3.8).
+void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void GenTextures(Context& context, GLsizei n, GLuint* textures);
+void DeleteTextures(Context& context, GLsizei n, const GLuint* textures);
+void BindTexture(Context& context, GLenum target, GLuint texture);
+GLboolean IsTexture(Context& context, GLuint texture);
+void TexParameter(Context& context, GLenum target, GLenum pname, const Params& params);
+void GetTexParameter(Context& context, GLenum target, GLenum pname, Params& params);
+void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params);
+void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params);
+void GetTexLevelParameter(Context& context, GLenum target, GLint level, GLenum pname, Params& params);
+
+// Display lists (GL 1.3, 5.4).
+void NewList(Context& context, GLuint list, GLenum mode);
+void EndList(Context& context);
+void CallList(Context& context, GLuint list);
+void CallLists(Context& context, GLsizei n, GLenum type, const void* lists);
+void ListBase(Context& context, GLuint base);
+GLuint GenLists(Context& context, GLsizei range);
+void DeleteLists(Context& context, GLuint list, GLsizei range);
+GLboolean IsList(Context& context, GLuint list);
+
+} // namespace spangle::gl::cmd
+
+/// Handwritten encoders of display lists, in gl/list.
+namespace spangle::gl::encode {
+
+void Vertex(Context& context, Real x, Real y, Real z, Real w);
+void TexCoord(Context& context, Real s, Real t, Real r, Real q);
+void Normal(Context& context, Real x, Real y, Real z);
+void Color(Context& context, Real red, Real green, Real blue, Real alpha);
+void ArrayElement(Context& context, GLint i);
+void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count);
+void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices);
+void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void CallList(Context& context, GLuint list);
+void CallLists(Context& context, GLsizei n, GLenum type, const void* lists);
+
+} // namespace spangle::gl::encode
+
+namespace spangle::gl::family {
+
+struct GetError {
+    static constexpr auto run = &cmd::GetError;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetError");
+};
+struct Enable {
+    static constexpr auto run = &cmd::Enable;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glEnable");
+};
+struct Disable {
+    static constexpr auto run = &cmd::Disable;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glDisable");
+};
+struct IsEnabled {
+    static constexpr auto run = &cmd::IsEnabled;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glIsEnabled");
+};
+struct GetBooleanv {
+    static constexpr auto run = &cmd::GetBooleanv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetBooleanv");
+};
+struct GetIntegerv {
+    static constexpr auto run = &cmd::GetIntegerv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetIntegerv");
+};
+struct GetFloatv {
+    static constexpr auto run = &cmd::GetFloatv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetFloatv");
+};
+struct GetDoublev {
+    static constexpr auto run = &cmd::GetDoublev;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetDoublev");
+};
+struct GetFixedvOES {
+    static constexpr auto run = &cmd::GetFixedvOES;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetFixedvOES");
+};
+struct GetPointerv {
+    static constexpr auto run = &cmd::GetPointerv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetPointerv");
+};
+struct GetString {
+    static constexpr auto run = &cmd::GetString;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetString");
+};
+struct Begin {
+    static constexpr auto run = &cmd::Begin;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glBegin");
+};
+struct End {
+    static constexpr auto run = &cmd::End;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glEnd");
+};
+struct Vertex {
+    static constexpr auto run = &cmd::Vertex;
+    static constexpr auto encode = &encode::Vertex;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::attribute;
+    static constexpr const char* name = SPANGLE_TEXT("glVertex");
+};
+struct TexCoord {
+    static constexpr auto run = &cmd::TexCoord;
+    static constexpr auto encode = &encode::TexCoord;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::attribute;
+    static constexpr const char* name = SPANGLE_TEXT("glTexCoord");
+};
+struct Normal {
+    static constexpr auto run = &cmd::Normal;
+    static constexpr auto encode = &encode::Normal;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::attribute;
+    static constexpr const char* name = SPANGLE_TEXT("glNormal");
+};
+struct Color {
+    static constexpr auto run = &cmd::Color;
+    static constexpr auto encode = &encode::Color;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::attribute;
+    static constexpr const char* name = SPANGLE_TEXT("glColor");
+};
+struct Rect {
+    static constexpr auto run = &cmd::Rect;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glRect");
+};
+struct VertexPointer {
+    static constexpr auto run = &cmd::VertexPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glVertexPointer");
+};
+struct NormalPointer {
+    static constexpr auto run = &cmd::NormalPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glNormalPointer");
+};
+struct ColorPointer {
+    static constexpr auto run = &cmd::ColorPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glColorPointer");
+};
+struct TexCoordPointer {
+    static constexpr auto run = &cmd::TexCoordPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glTexCoordPointer");
+};
+struct EnableClientState {
+    static constexpr auto run = &cmd::EnableClientState;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glEnableClientState");
+};
+struct DisableClientState {
+    static constexpr auto run = &cmd::DisableClientState;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glDisableClientState");
+};
+struct ArrayElement {
+    static constexpr auto run = &cmd::ArrayElement;
+    static constexpr auto encode = &encode::ArrayElement;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glArrayElement");
+};
+struct DrawArrays {
+    static constexpr auto run = &cmd::DrawArrays;
+    static constexpr auto encode = &encode::DrawArrays;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glDrawArrays");
+};
+struct DrawElements {
+    static constexpr auto run = &cmd::DrawElements;
+    static constexpr auto encode = &encode::DrawElements;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glDrawElements");
+};
+struct DrawRangeElements {
+    static constexpr auto run = &cmd::DrawRangeElements;
+    static constexpr auto encode = &encode::DrawRangeElements;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glDrawRangeElements");
+};
+struct InterleavedArrays {
+    static constexpr auto run = &cmd::InterleavedArrays;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glInterleavedArrays");
+};
+struct MatrixMode {
+    static constexpr auto run = &cmd::MatrixMode;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glMatrixMode");
+};
+struct LoadIdentity {
+    static constexpr auto run = &cmd::LoadIdentity;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glLoadIdentity");
+};
+struct LoadMatrix {
+    static constexpr auto run = &cmd::LoadMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glLoadMatrix");
+};
+struct MultMatrix {
+    static constexpr auto run = &cmd::MultMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glMultMatrix");
+};
+struct PushMatrix {
+    static constexpr auto run = &cmd::PushMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glPushMatrix");
+};
+struct PopMatrix {
+    static constexpr auto run = &cmd::PopMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glPopMatrix");
+};
+struct Rotate {
+    static constexpr auto run = &cmd::Rotate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glRotate");
+};
+struct Translate {
+    static constexpr auto run = &cmd::Translate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glTranslate");
+};
+struct Scale {
+    static constexpr auto run = &cmd::Scale;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glScale");
+};
+struct Frustum {
+    static constexpr auto run = &cmd::Frustum;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glFrustum");
+};
+struct Ortho {
+    static constexpr auto run = &cmd::Ortho;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glOrtho");
+};
+struct Viewport {
+    static constexpr auto run = &cmd::Viewport;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glViewport");
+};
+struct DepthRange {
+    static constexpr auto run = &cmd::DepthRange;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glDepthRange");
+};
+struct Light {
+    static constexpr auto run = &cmd::Light;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glLight");
+};
+struct GetLight {
+    static constexpr auto run = &cmd::GetLight;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetLight");
+};
+struct LightModel {
+    static constexpr auto run = &cmd::LightModel;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glLightModel");
+};
+struct Material {
+    static constexpr auto run = &cmd::Material;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glMaterial");
+};
+struct GetMaterial {
+    static constexpr auto run = &cmd::GetMaterial;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetMaterial");
+};
+struct ColorMaterial {
+    static constexpr auto run = &cmd::ColorMaterial;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glColorMaterial");
+};
+struct ShadeModel {
+    static constexpr auto run = &cmd::ShadeModel;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glShadeModel");
+};
+struct FrontFace {
+    static constexpr auto run = &cmd::FrontFace;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glFrontFace");
+};
+struct CullFace {
+    static constexpr auto run = &cmd::CullFace;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glCullFace");
+};
+struct PointSize {
+    static constexpr auto run = &cmd::PointSize;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glPointSize");
+};
+struct LineWidth {
+    static constexpr auto run = &cmd::LineWidth;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glLineWidth");
+};
+struct Scissor {
+    static constexpr auto run = &cmd::Scissor;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glScissor");
+};
+struct AlphaFunc {
+    static constexpr auto run = &cmd::AlphaFunc;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glAlphaFunc");
+};
+struct StencilFunc {
+    static constexpr auto run = &cmd::StencilFunc;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glStencilFunc");
+};
+struct StencilOp {
+    static constexpr auto run = &cmd::StencilOp;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glStencilOp");
+};
+struct DepthFunc {
+    static constexpr auto run = &cmd::DepthFunc;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glDepthFunc");
+};
+struct BlendFunc {
+    static constexpr auto run = &cmd::BlendFunc;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glBlendFunc");
+};
+struct DrawBuffer {
+    static constexpr auto run = &cmd::DrawBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glDrawBuffer");
+};
+struct ReadBuffer {
+    static constexpr auto run = &cmd::ReadBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glReadBuffer");
+};
+struct ColorMask {
+    static constexpr auto run = &cmd::ColorMask;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glColorMask");
+};
+struct DepthMask {
+    static constexpr auto run = &cmd::DepthMask;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glDepthMask");
+};
+struct StencilMask {
+    static constexpr auto run = &cmd::StencilMask;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glStencilMask");
+};
+struct Clear {
+    static constexpr auto run = &cmd::Clear;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glClear");
+};
+struct ClearColor {
+    static constexpr auto run = &cmd::ClearColor;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glClearColor");
+};
+struct ClearDepth {
+    static constexpr auto run = &cmd::ClearDepth;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glClearDepth");
+};
+struct ClearStencil {
+    static constexpr auto run = &cmd::ClearStencil;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glClearStencil");
+};
+struct PixelStore {
+    static constexpr auto run = &cmd::PixelStore;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glPixelStore");
+};
+struct ReadPixels {
+    static constexpr auto run = &cmd::ReadPixels;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glReadPixels");
+};
+struct Fog {
+    static constexpr auto run = &cmd::Fog;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glFog");
+};
+struct Hint {
+    static constexpr auto run = &cmd::Hint;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glHint");
+};
+struct Flush {
+    static constexpr auto run = &cmd::Flush;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glFlush");
+};
+struct Finish {
+    static constexpr auto run = &cmd::Finish;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glFinish");
+};
+struct TexImage2D {
+    static constexpr auto run = &cmd::TexImage2D;
+    static constexpr auto encode = &encode::TexImage2D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glTexImage2D");
+};
+struct TexSubImage2D {
+    static constexpr auto run = &cmd::TexSubImage2D;
+    static constexpr auto encode = &encode::TexSubImage2D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glTexSubImage2D");
+};
+struct GenTextures {
+    static constexpr auto run = &cmd::GenTextures;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGenTextures");
+};
+struct DeleteTextures {
+    static constexpr auto run = &cmd::DeleteTextures;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glDeleteTextures");
+};
+struct BindTexture {
+    static constexpr auto run = &cmd::BindTexture;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glBindTexture");
+};
+struct IsTexture {
+    static constexpr auto run = &cmd::IsTexture;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glIsTexture");
+};
+struct TexParameter {
+    static constexpr auto run = &cmd::TexParameter;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glTexParameter");
+};
+struct GetTexParameter {
+    static constexpr auto run = &cmd::GetTexParameter;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetTexParameter");
+};
+struct TexEnv {
+    static constexpr auto run = &cmd::TexEnv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glTexEnv");
+};
+struct GetTexEnv {
+    static constexpr auto run = &cmd::GetTexEnv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetTexEnv");
+};
+struct GetTexLevelParameter {
+    static constexpr auto run = &cmd::GetTexLevelParameter;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGetTexLevelParameter");
+};
+struct NewList {
+    static constexpr auto run = &cmd::NewList;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glNewList");
+};
+struct EndList {
+    static constexpr auto run = &cmd::EndList;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glEndList");
+};
+struct CallList {
+    static constexpr auto run = &cmd::CallList;
+    static constexpr auto encode = &encode::CallList;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glCallList");
+};
+struct CallLists {
+    static constexpr auto run = &cmd::CallLists;
+    static constexpr auto encode = &encode::CallLists;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* name = SPANGLE_TEXT("glCallLists");
+};
+struct ListBase {
+    static constexpr auto run = &cmd::ListBase;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* name = SPANGLE_TEXT("glListBase");
+};
+struct GenLists {
+    static constexpr auto run = &cmd::GenLists;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glGenLists");
+};
+struct DeleteLists {
+    static constexpr auto run = &cmd::DeleteLists;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glDeleteLists");
+};
+struct IsList {
+    static constexpr auto run = &cmd::IsList;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* name = SPANGLE_TEXT("glIsList");
+};
+
+} // namespace spangle::gl::family

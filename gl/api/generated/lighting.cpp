@@ -1,0 +1,291 @@
+// Entry points: Lighting, shading, facing, sizes.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
+#include "gl/api/issue.hpp"
+
+using namespace spangle::gl;
+namespace numeric = spangle::numeric;
+
+extern "C" {
+
+#if SPANGLE_FEATURE_LIGHTING
+
+void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
+    issue<family::Light>(light, pname, convert::scalar_f(shape::Light(pname), param));
+}
+
+void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightfv"));
+    issue<family::Light>(light, pname, convert::vector_f(shape::Light(pname), params));
+}
+
+void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
+    issue<family::Light>(light, pname, convert::scalar_i(shape::Light(pname), param));
+}
+
+void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightiv"));
+    issue<family::Light>(light, pname, convert::vector_i(shape::Light(pname), params));
+}
+
+void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
+    issue<family::Light>(light, pname, convert::scalar_x(shape::Light(pname), param));
+}
+
+void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightxvOES"));
+    issue<family::Light>(light, pname, convert::vector_x(shape::Light(pname), params));
+}
+
+void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetLightfv"));
+    Params found;
+    issue<family::GetLight>(light, pname, found);
+    convert::store_f(shape::GetLight(pname), found, params);
+}
+
+void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetLightiv"));
+    Params found;
+    issue<family::GetLight>(light, pname, found);
+    convert::store_i(shape::GetLight(pname), found, params);
+}
+
+void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetLightxvOES"));
+    Params found;
+    issue<family::GetLight>(light, pname, found);
+    convert::store_x(shape::GetLight(pname), found, params);
+}
+
+void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
+    issue<family::LightModel>(pname, convert::scalar_f(shape::LightModel(pname), param));
+}
+
+void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightModelfv"));
+    issue<family::LightModel>(pname, convert::vector_f(shape::LightModel(pname), params));
+}
+
+void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
+    issue<family::LightModel>(pname, convert::scalar_i(shape::LightModel(pname), param));
+}
+
+void GLAPIENTRY glLightModeliv(GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightModeliv"));
+    issue<family::LightModel>(pname, convert::vector_i(shape::LightModel(pname), params));
+}
+
+void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
+    issue<family::LightModel>(pname, convert::scalar_x(shape::LightModel(pname), param));
+}
+
+void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLightModelxvOES"));
+    issue<family::LightModel>(pname, convert::vector_x(shape::LightModel(pname), params));
+}
+
+void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
+    issue<family::Material>(face, pname, convert::scalar_f(shape::Material(pname), param));
+}
+
+void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMaterialfv"));
+    issue<family::Material>(face, pname, convert::vector_f(shape::Material(pname), params));
+}
+
+void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
+    issue<family::Material>(face, pname, convert::scalar_i(shape::Material(pname), param));
+}
+
+void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMaterialiv"));
+    issue<family::Material>(face, pname, convert::vector_i(shape::Material(pname), params));
+}
+
+void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
+    issue<family::Material>(face, pname, convert::scalar_x(shape::Material(pname), param));
+}
+
+void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMaterialxvOES"));
+    issue<family::Material>(face, pname, convert::vector_x(shape::Material(pname), params));
+}
+
+void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetMaterialfv"));
+    Params found;
+    issue<family::GetMaterial>(face, pname, found);
+    convert::store_f(shape::GetMaterial(pname), found, params);
+}
+
+void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetMaterialiv"));
+    Params found;
+    issue<family::GetMaterial>(face, pname, found);
+    convert::store_i(shape::GetMaterial(pname), found, params);
+}
+
+void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES"));
+    Params found;
+    issue<family::GetMaterial>(face, pname, found);
+    convert::store_x(shape::GetMaterial(pname), found, params);
+}
+
+void GLAPIENTRY glColorMaterial(GLenum face, GLenum mode) {
+    issue<family::ColorMaterial>(face, mode);
+}
+
+#endif
+
+void GLAPIENTRY glShadeModel(GLenum mode) {
+    issue<family::ShadeModel>(mode);
+}
+
+void GLAPIENTRY glFrontFace(GLenum mode) {
+    issue<family::FrontFace>(mode);
+}
+
+void GLAPIENTRY glCullFace(GLenum mode) {
+    issue<family::CullFace>(mode);
+}
+
+void GLAPIENTRY glPointSize(GLfloat size) {
+    issue<family::PointSize>(convert::cast_f(size));
+}
+
+void GLAPIENTRY glPointSizexOES(GLfixed size) {
+    issue<family::PointSize>(convert::cast_x(size));
+}
+
+void GLAPIENTRY glLineWidth(GLfloat width) {
+    issue<family::LineWidth>(convert::cast_f(width));
+}
+
+void GLAPIENTRY glLineWidthxOES(GLfixed width) {
+    issue<family::LineWidth>(convert::cast_x(width));
+}
+
+#if !SPANGLE_FEATURE_LIGHTING
+
+void GLAPIENTRY glLightf(GLenum, GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glLightf: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightfv(GLenum, GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glLightfv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLighti(GLenum, GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glLighti: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightiv(GLenum, GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetLightfv(GLenum, GLenum, GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glGetLightfv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetLightiv(GLenum, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelf(GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glLightModelf: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelfv(GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glLightModelfv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModeli(GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glLightModeli: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModeliv(GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glLightModeliv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialf(GLenum, GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glMaterialf: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialfv(GLenum, GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMateriali(GLenum, GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glMateriali: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialiv(GLenum, GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetMaterialfv(GLenum, GLenum, GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glGetMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetMaterialiv(GLenum, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glColorMaterial(GLenum, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+#endif
+
+} // extern "C"

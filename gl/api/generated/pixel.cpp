@@ -1,0 +1,175 @@
+// Entry points: Fragments, framebuffer, pixels, fog, hints.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
+#include "gl/api/issue.hpp"
+
+using namespace spangle::gl;
+namespace numeric = spangle::numeric;
+
+extern "C" {
+
+void GLAPIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
+    issue<family::Scissor>(x, y, width, height);
+}
+
+void GLAPIENTRY glAlphaFunc(GLenum func, GLclampf ref) {
+    issue<family::AlphaFunc>(func, convert::cast_f(ref));
+}
+
+void GLAPIENTRY glAlphaFuncxOES(GLenum func, GLclampx ref) {
+    issue<family::AlphaFunc>(func, convert::cast_x(ref));
+}
+
+void GLAPIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) {
+    issue<family::StencilFunc>(func, ref, mask);
+}
+
+void GLAPIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) {
+    issue<family::StencilOp>(fail, zfail, zpass);
+}
+
+void GLAPIENTRY glDepthFunc(GLenum func) {
+    issue<family::DepthFunc>(func);
+}
+
+void GLAPIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) {
+    issue<family::BlendFunc>(sfactor, dfactor);
+}
+
+void GLAPIENTRY glDrawBuffer(GLenum mode) {
+    issue<family::DrawBuffer>(mode);
+}
+
+void GLAPIENTRY glReadBuffer(GLenum mode) {
+    issue<family::ReadBuffer>(mode);
+}
+
+void GLAPIENTRY glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+    issue<family::ColorMask>(red != 0, green != 0, blue != 0, alpha != 0);
+}
+
+void GLAPIENTRY glDepthMask(GLboolean flag) {
+    issue<family::DepthMask>(flag != 0);
+}
+
+void GLAPIENTRY glStencilMask(GLuint mask) {
+    issue<family::StencilMask>(mask);
+}
+
+void GLAPIENTRY glClear(GLbitfield mask) {
+    issue<family::Clear>(mask);
+}
+
+void GLAPIENTRY glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    issue<family::ClearColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+}
+
+void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha) {
+    issue<family::ClearColor>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+}
+
+void GLAPIENTRY glClearDepth(GLclampd depth) {
+    issue<family::ClearDepth>(convert::cast_d(depth));
+}
+
+void GLAPIENTRY glClearDepthf(GLclampf depth) {
+    issue<family::ClearDepth>(convert::cast_f(depth));
+}
+
+void GLAPIENTRY glClearDepthxOES(GLclampx depth) {
+    issue<family::ClearDepth>(convert::cast_x(depth));
+}
+
+void GLAPIENTRY glClearStencil(GLint s) {
+    issue<family::ClearStencil>(s);
+}
+
+void GLAPIENTRY glPixelStoref(GLenum pname, GLfloat param) {
+    issue<family::PixelStore>(pname, convert::scalar_f(shape::PixelStore(pname), param));
+}
+
+void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
+    issue<family::PixelStore>(pname, convert::scalar_i(shape::PixelStore(pname), param));
+}
+
+void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void*pixels) {
+    issue<family::ReadPixels>(x, y, width, height, format, type, pixels);
+}
+
+#if SPANGLE_FEATURE_FOG
+
+void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
+    issue<family::Fog>(pname, convert::scalar_f(shape::Fog(pname), param));
+}
+
+void GLAPIENTRY glFogfv(GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glFogfv"));
+    issue<family::Fog>(pname, convert::vector_f(shape::Fog(pname), params));
+}
+
+void GLAPIENTRY glFogi(GLenum pname, GLint param) {
+    issue<family::Fog>(pname, convert::scalar_i(shape::Fog(pname), param));
+}
+
+void GLAPIENTRY glFogiv(GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glFogiv"));
+    issue<family::Fog>(pname, convert::vector_i(shape::Fog(pname), params));
+}
+
+void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
+    issue<family::Fog>(pname, convert::scalar_x(shape::Fog(pname), param));
+}
+
+void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glFogxvOES"));
+    issue<family::Fog>(pname, convert::vector_x(shape::Fog(pname), params));
+}
+
+#endif
+
+void GLAPIENTRY glHint(GLenum target, GLenum mode) {
+    issue<family::Hint>(target, mode);
+}
+
+void GLAPIENTRY glFlush() {
+    issue<family::Flush>();
+}
+
+void GLAPIENTRY glFinish() {
+    issue<family::Finish>();
+}
+
+#if !SPANGLE_FEATURE_FOG
+
+void GLAPIENTRY glFogf(GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glFogf: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogfv(GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glFogfv: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogi(GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glFogi: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogiv(GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glFogiv: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glFogxOES: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+#endif
+
+} // extern "C"

@@ -1,0 +1,57 @@
+// Entry points: Errors, enables, queries.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
+#include "gl/api/issue.hpp"
+
+using namespace spangle::gl;
+namespace numeric = spangle::numeric;
+
+extern "C" {
+
+GLenum GLAPIENTRY glGetError() {
+    return ask<family::GetError>();
+}
+
+void GLAPIENTRY glEnable(GLenum cap) {
+    issue<family::Enable>(cap);
+}
+
+void GLAPIENTRY glDisable(GLenum cap) {
+    issue<family::Disable>(cap);
+}
+
+GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
+    return ask<family::IsEnabled>(cap);
+}
+
+void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean*params) {
+    issue<family::GetBooleanv>(pname, params);
+}
+
+void GLAPIENTRY glGetIntegerv(GLenum pname, GLint*params) {
+    issue<family::GetIntegerv>(pname, params);
+}
+
+void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat*params) {
+    issue<family::GetFloatv>(pname, params);
+}
+
+void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble*params) {
+    issue<family::GetDoublev>(pname, params);
+}
+
+void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed*params) {
+    issue<family::GetFixedvOES>(pname, params);
+}
+
+void GLAPIENTRY glGetPointerv(GLenum pname, void**params) {
+    issue<family::GetPointerv>(pname, params);
+}
+
+const GLubyte* GLAPIENTRY glGetString(GLenum name) {
+    return ask<family::GetString>(name);
+}
+
+} // extern "C"

@@ -1,0 +1,169 @@
+// Entry points: Textures.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
+#include "gl/api/issue.hpp"
+
+using namespace spangle::gl;
+namespace numeric = spangle::numeric;
+
+extern "C" {
+
+void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void*pixels) {
+    issue<family::TexImage2D>(target, level, internalformat, width, height, border, format, type, pixels);
+}
+
+void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void*pixels) {
+    issue<family::TexSubImage2D>(target, level, xoffset, yoffset, width, height, format, type, pixels);
+}
+
+void GLAPIENTRY glGenTextures(GLsizei n, GLuint*textures) {
+    issue<family::GenTextures>(n, textures);
+}
+
+void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint*textures) {
+    issue<family::DeleteTextures>(n, textures);
+}
+
+void GLAPIENTRY glBindTexture(GLenum target, GLuint texture) {
+    issue<family::BindTexture>(target, texture);
+}
+
+GLboolean GLAPIENTRY glIsTexture(GLuint texture) {
+    return ask<family::IsTexture>(texture);
+}
+
+void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
+    issue<family::TexParameter>(target, pname, convert::scalar_f(shape::TexParameter(pname), param));
+}
+
+void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexParameterfv"));
+    issue<family::TexParameter>(target, pname, convert::vector_f(shape::TexParameter(pname), params));
+}
+
+void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
+    issue<family::TexParameter>(target, pname, convert::scalar_i(shape::TexParameter(pname), param));
+}
+
+void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexParameteriv"));
+    issue<family::TexParameter>(target, pname, convert::vector_i(shape::TexParameter(pname), params));
+}
+
+void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
+    issue<family::TexParameter>(target, pname, convert::scalar_x(shape::TexParameter(pname), param));
+}
+
+void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexParameterxvOES"));
+    issue<family::TexParameter>(target, pname, convert::vector_x(shape::TexParameter(pname), params));
+}
+
+void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexParameterfv"));
+    Params found;
+    issue<family::GetTexParameter>(target, pname, found);
+    convert::store_f(shape::GetTexParameter(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexParameteriv"));
+    Params found;
+    issue<family::GetTexParameter>(target, pname, found);
+    convert::store_i(shape::GetTexParameter(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES"));
+    Params found;
+    issue<family::GetTexParameter>(target, pname, found);
+    convert::store_x(shape::GetTexParameter(pname), found, params);
+}
+
+void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
+    issue<family::TexEnv>(target, pname, convert::scalar_f(shape::TexEnv(pname), param));
+}
+
+void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexEnvfv"));
+    issue<family::TexEnv>(target, pname, convert::vector_f(shape::TexEnv(pname), params));
+}
+
+void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
+    issue<family::TexEnv>(target, pname, convert::scalar_i(shape::TexEnv(pname), param));
+}
+
+void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexEnviv"));
+    issue<family::TexEnv>(target, pname, convert::vector_i(shape::TexEnv(pname), params));
+}
+
+void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
+    issue<family::TexEnv>(target, pname, convert::scalar_x(shape::TexEnv(pname), param));
+}
+
+void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexEnvxvOES"));
+    issue<family::TexEnv>(target, pname, convert::vector_x(shape::TexEnv(pname), params));
+}
+
+void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexEnvfv"));
+    Params found;
+    issue<family::GetTexEnv>(target, pname, found);
+    convert::store_f(shape::GetTexEnv(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexEnviv"));
+    Params found;
+    issue<family::GetTexEnv>(target, pname, found);
+    convert::store_i(shape::GetTexEnv(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES"));
+    Params found;
+    issue<family::GetTexEnv>(target, pname, found);
+    convert::store_x(shape::GetTexEnv(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterfv"));
+    Params found;
+    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    convert::store_f(shape::GetTexLevelParameter(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameteriv"));
+    Params found;
+    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    convert::store_i(shape::GetTexLevelParameter(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed*params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES"));
+    Params found;
+    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    convert::store_x(shape::GetTexLevelParameter(pname), found, params);
+}
+
+} // extern "C"

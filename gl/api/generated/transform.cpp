@@ -1,0 +1,133 @@
+// Entry points: Matrices, viewport.
+// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
+#include "gl/api/issue.hpp"
+
+using namespace spangle::gl;
+namespace numeric = spangle::numeric;
+
+extern "C" {
+
+void GLAPIENTRY glMatrixMode(GLenum mode) {
+    issue<family::MatrixMode>(mode);
+}
+
+void GLAPIENTRY glLoadIdentity() {
+    issue<family::LoadIdentity>();
+}
+
+void GLAPIENTRY glLoadMatrixf(const GLfloat*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixf"));
+    issue<family::LoadMatrix>(convert::matrix_f(m));
+}
+
+void GLAPIENTRY glLoadMatrixd(const GLdouble*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixd"));
+    issue<family::LoadMatrix>(convert::matrix_d(m));
+}
+
+void GLAPIENTRY glLoadMatrixxOES(const GLfixed*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixxOES"));
+    issue<family::LoadMatrix>(convert::matrix_x(m));
+}
+
+void GLAPIENTRY glMultMatrixf(const GLfloat*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultMatrixf"));
+    issue<family::MultMatrix>(convert::matrix_f(m));
+}
+
+void GLAPIENTRY glMultMatrixd(const GLdouble*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultMatrixd"));
+    issue<family::MultMatrix>(convert::matrix_d(m));
+}
+
+void GLAPIENTRY glMultMatrixxOES(const GLfixed*m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultMatrixxOES"));
+    issue<family::MultMatrix>(convert::matrix_x(m));
+}
+
+void GLAPIENTRY glPushMatrix() {
+    issue<family::PushMatrix>();
+}
+
+void GLAPIENTRY glPopMatrix() {
+    issue<family::PopMatrix>();
+}
+
+void GLAPIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) {
+    issue<family::Rotate>(convert::cast_f(angle), convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+}
+
+void GLAPIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
+    issue<family::Rotate>(convert::cast_d(angle), convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+}
+
+void GLAPIENTRY glRotatexOES(GLfixed angle, GLfixed x, GLfixed y, GLfixed z) {
+    issue<family::Rotate>(convert::cast_x(angle), convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+}
+
+void GLAPIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
+    issue<family::Translate>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+}
+
+void GLAPIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
+    issue<family::Translate>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+}
+
+void GLAPIENTRY glTranslatexOES(GLfixed x, GLfixed y, GLfixed z) {
+    issue<family::Translate>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+}
+
+void GLAPIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
+    issue<family::Scale>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+}
+
+void GLAPIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) {
+    issue<family::Scale>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+}
+
+void GLAPIENTRY glScalexOES(GLfixed x, GLfixed y, GLfixed z) {
+    issue<family::Scale>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+}
+
+void GLAPIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
+    issue<family::Frustum>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
+}
+
+void GLAPIENTRY glFrustumxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
+    issue<family::Frustum>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
+}
+
+void GLAPIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
+    issue<family::Ortho>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
+}
+
+void GLAPIENTRY glOrthoxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
+    issue<family::Ortho>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
+}
+
+void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
+    issue<family::Viewport>(x, y, width, height);
+}
+
+void GLAPIENTRY glDepthRange(GLclampd near_val, GLclampd far_val) {
+    issue<family::DepthRange>(convert::cast_d(near_val), convert::cast_d(far_val));
+}
+
+void GLAPIENTRY glDepthRangef(GLclampf near_val, GLclampf far_val) {
+    issue<family::DepthRange>(convert::cast_f(near_val), convert::cast_f(far_val));
+}
+
+void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val) {
+    issue<family::DepthRange>(convert::cast_x(near_val), convert::cast_x(far_val));
+}
+
+} // extern "C"
