@@ -1,0 +1,341 @@
+// Block form: int32 mantissas with one exponent, normalised by the largest of them, value = m * 2^e. A
+// vertex, a normal or a clip position is one block, so its range is that of a float and its arithmetic that
+// of integers; nothing depends on any other vertex.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+#include "raster/numeric/real.hpp"
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/numeric/rsqrt.hpp"
+
+namespace spangle::numeric {
+
+/// |m| < 2^30, and >= 2^29 unless the value is 0; 0 is {0, 0}. e stays within +-16384 (clamped).
+struct Block {
+    std::int32_t m = 0;
+    std::int16_t e = 0;
+};
+
+/// Each |m[i]| < 2^30, the largest >= 2^29 unless all are 0 ({0, 0, 0}, 0).
+struct Block3 {
+    std::int32_t m[3] = {0, 0, 0};
+    std::int16_t e = 0;
+};
+struct Block4 {
+    std::int32_t m[4] = {0, 0, 0, 0};
+    std::int16_t e = 0;
+};
+
+inline constexpr int block_bits = 30;
+inline constexpr std::int32_t block_one = 1 << 29; ///< with exponent -29: the block of 1
+inline constexpr std::int32_t block_max = (1 << block_bits) - 1;
+
+namespace detail {
+
+SPANGLE_INLINE constexpr std::int16_t block_exponent(std::int32_t e) {
+    return static_cast<std::int16_t>(clamp<std::int32_t>(e, -16384, 16384));
+}
+
+/// Nearest to v * 2^-n for 1 <= n <= 31; the carry that would need bit 30 is held back (an error of one ulp,
+/// not of a half).
+SPANGLE_INLINE constexpr std::int32_t narrow(std::int32_t v, int n) {
+    const std::int32_t r = ((v >> (n - 1)) + 1) >> 1;
+    return r > block_max ? block_max : r;
+}
+
+/// The shift that brings a word of `width` value bits (signed_width32) to 30: right if positive.
+SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
+    if (n <= 0)
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << -n);
+    return n > 31 ? 0 : narrow(v, n);
+}
+
+constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
+    if (n <= 0)
+        return static_cast<std::int32_t>(static_cast<std::uint64_t>(v) << -n);
+    const std::int64_t r = shift_right_round(v, n);
+    return static_cast<std::int32_t>(clamp<std::int64_t>(r, -block_max, block_max));
+}
+
+/// Value bits of a Real at its own exponent: mantissa with sign, shifted up to 2^29 <= |m| < 2^30, e its
+/// exponent.
+struct Scaled {
+    std::int32_t m;
+    std::int32_t e;
+};
+
+SPANGLE_INLINE constexpr Scaled scaled(Real v) {
+    const Unpacked u = unpack(v);
+    const auto m = static_cast<std::int32_t>(u.mantissa << 6);
+    return {u.negative ? -m : m, u.exponent - 6};
+}
+
+} // namespace detail
+
+// --- making blocks
+// -------------------------------------------------------------------------------------------------
+
+/// v * 2^e, nearest.
+constexpr Block make_block(std::int64_t v, std::int32_t e) {
+    if (v == 0)
+        return {};
+    const int n = 34 - clz64(abs_u64(v)); // width - 30
+    return {detail::shift_to_block(v, n), detail::block_exponent(e + n)};
+}
+
+constexpr Block to_block(Real v) {
+    const detail::Scaled s = detail::scaled(v);
+    return make_block(s.m, s.e);
+}
+
+namespace detail {
+
+/// Brings N values m[i] * 2^e[i] under one exponent. The values with m = 0 have no say in it.
+template <int N, class B>
+SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {
+    constexpr std::int32_t none = -0x10000;
+    std::int32_t top = none;
+    for (int i = 0; i < N; ++i) {
+        const std::int32_t own = m[i] == 0 ? none : e[i] - clz32(abs_u32(m[i]));
+        if (own > top)
+            top = own;
+    }
+    if (top == none)
+        return {};
+    top += 2; // 30 value bits: two leading zeros
+    B out;
+    for (int i = 0; i < N; ++i)
+        out.m[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
+    out.e = block_exponent(top);
+    return out;
+}
+
+} // namespace detail
+
+constexpr Block3 to_block(Real x, Real y, Real z) {
+    const detail::Scaled s[3] = {detail::scaled(x), detail::scaled(y), detail::scaled(z)};
+    return detail::common_exponent<3, Block3>({s[0].m, s[1].m, s[2].m}, {s[0].e, s[1].e, s[2].e});
+}
+
+constexpr Block4 to_block(Real x, Real y, Real z, Real w) {
+    const detail::Scaled s[4] = {detail::scaled(x), detail::scaled(y), detail::scaled(z), detail::scaled(w)};
+    return detail::common_exponent<4, Block4>({s[0].m, s[1].m, s[2].m, s[3].m},
+                                              {s[0].e, s[1].e, s[2].e, s[3].e});
+}
+
+/// Four (three) blocks under one exponent.
+constexpr Block3 to_block(Block x, Block y, Block z) {
+    return detail::common_exponent<3, Block3>({x.m, y.m, z.m}, {x.e, y.e, z.e});
+}
+constexpr Block4 to_block(Block x, Block y, Block z, Block w) {
+    return detail::common_exponent<4, Block4>({x.m, y.m, z.m, w.m}, {x.e, y.e, z.e, w.e});
+}
+
+constexpr Block component(const Block3& v, int i) {
+    return make_block(v.m[i], v.e);
+}
+constexpr Block component(const Block4& v, int i) {
+    return make_block(v.m[i], v.e);
+}
+
+// --- leaving blocks
+// ------------------------------------------------------------------------------------------------
+
+/// v * 2^fraction_bits, nearest (halves up), saturated.
+constexpr std::int32_t to_fixed(Block v, int fraction_bits) {
+    return scale_saturate(v.m, v.e + fraction_bits);
+}
+
+constexpr Real to_real(Block v) {
+    return pack_real(v.m < 0, abs_u32(v.m), v.e);
+}
+
+// --- scalar arithmetic: relative error <= 2^-29 each
+// ---------------------------------------------------------------------
+
+constexpr Block negate(Block v) {
+    return {-v.m, v.e};
+}
+
+constexpr Block mul(Block a, Block b) {
+    return make_block(mul_s32(a.m, b.m), a.e + b.e);
+}
+
+constexpr Block add(Block a, Block b) {
+    if (a.m == 0)
+        return b;
+    if (b.m == 0)
+        return a;
+    const bool a_is_large = a.e >= b.e;
+    const Block large = a_is_large ? a : b, small = a_is_large ? b : a;
+    const std::int64_t aligned =
+        shift_right_round(std::int64_t{small.m} * (std::int64_t{1} << 32), large.e - small.e);
+    return make_block(std::int64_t{large.m} * (std::int64_t{1} << 32) + aligned, large.e - 32);
+}
+
+constexpr Block sub(Block a, Block b) {
+    return add(a, negate(b));
+}
+
+/// -1, 0 or 1 as a < b, a == b, a > b.
+constexpr int compare(Block a, Block b) {
+    const Block d = sub(a, b);
+    return d.m < 0 ? -1 : d.m > 0 ? 1 : 0;
+}
+constexpr int sign(Block v) {
+    return v.m < 0 ? -1 : v.m > 0 ? 1 : 0;
+}
+
+/// 1/v, and for 0 the largest block: division by zero must not interrupt (GL 1.3, 2.1.1).
+constexpr Block reciprocal(Block v) {
+    if (v.m == 0)
+        return {block_max, 16384};
+    const std::uint32_t magnitude = abs_u32(v.m);
+    const int zeros = clz32(magnitude); // 2 for a normalised block
+    const std::int64_t r = reciprocal(magnitude << zeros);
+    return make_block(v.m < 0 ? -r : r, zeros - 62 - v.e); // 1/v = r * 2^-30 * 2^(zeros - 32) * 2^-e
+}
+
+constexpr Block div(Block a, Block b) {
+    return mul(a, reciprocal(b));
+}
+
+/// 1/sqrt(v); for v <= 0 the largest block.
+constexpr Block rsqrt(Block v) {
+    if (v.m <= 0)
+        return {block_max, 16384};
+    const auto magnitude = static_cast<std::uint32_t>(v.m);
+    int zeros = clz32(magnitude);
+    if (((v.e - zeros) & 1) != 0)
+        --zeros; // an even exponent remains
+    const std::uint32_t r = rsqrt(magnitude << zeros);
+    return make_block(r, -30 - (v.e - zeros + 32) / 2);
+}
+
+/// sqrt(v); 0 for v <= 0.
+constexpr Block sqrt(Block v) {
+    return v.m <= 0 ? Block{} : mul(v, rsqrt(v));
+}
+
+// --- vectors
+// -------------------------------------------------------------------------------------------------------
+
+constexpr Block3 negate(const Block3& v) {
+    return {{-v.m[0], -v.m[1], -v.m[2]}, v.e};
+}
+
+constexpr Block3 xyz(const Block4& v) {
+    return detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]}, {v.e, v.e, v.e});
+}
+
+/// Three products of 2^60: |sum| < 2^61.6. Relative to |a| |b| the error is <= 2^-30.
+constexpr Block dot(const Block3& a, const Block3& b) {
+    return make_block(mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]), a.e + b.e);
+}
+constexpr Block dot(const Block4& a, const Block4& b) {
+    return make_block(mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]) +
+                          mul_s32(a.m[3], b.m[3]),
+                      a.e + b.e);
+}
+
+namespace detail {
+
+/// N accumulators under one exponent.
+template <int N, class B> constexpr B from_sums(const std::int64_t (&sum)[N], std::int32_t e) {
+    std::uint64_t any = 0;
+    for (const std::int64_t s : sum)
+        any |= abs_u64(s);
+    if (any == 0)
+        return {};
+    const int n = 34 - clz64(any);
+    B out;
+    for (int i = 0; i < N; ++i)
+        out.m[i] = shift_to_block(sum[i], n);
+    out.e = block_exponent(e + n);
+    return out;
+}
+
+} // namespace detail
+
+constexpr Block3 add(const Block3& a, const Block3& b) {
+    const bool a_is_large = b.m[0] == 0 && b.m[1] == 0 && b.m[2] == 0   ? true
+                            : a.m[0] == 0 && a.m[1] == 0 && a.m[2] == 0 ? false
+                                                                        : a.e >= b.e;
+    const Block3 &large = a_is_large ? a : b, &small = a_is_large ? b : a;
+    std::int64_t sum[3] = {};
+    for (int i = 0; i < 3; ++i)
+        sum[i] = std::int64_t{large.m[i]} * (std::int64_t{1} << 32) +
+                 shift_right_round(std::int64_t{small.m[i]} * (std::int64_t{1} << 32), large.e - small.e);
+    return detail::from_sums<3, Block3>(sum, large.e - 32);
+}
+constexpr Block3 sub(const Block3& a, const Block3& b) {
+    return add(a, negate(b));
+}
+
+constexpr Block3 mul(const Block3& v, Block s) {
+    const std::int64_t sum[3] = {mul_s32(v.m[0], s.m), mul_s32(v.m[1], s.m), mul_s32(v.m[2], s.m)};
+    return detail::from_sums<3, Block3>(sum, v.e + s.e);
+}
+
+constexpr Block3 cross(const Block3& a, const Block3& b) {
+    const std::int64_t sum[3] = {mul_s32(a.m[1], b.m[2]) - mul_s32(a.m[2], b.m[1]),
+                                 mul_s32(a.m[2], b.m[0]) - mul_s32(a.m[0], b.m[2]),
+                                 mul_s32(a.m[0], b.m[1]) - mul_s32(a.m[1], b.m[0])};
+    return detail::from_sums<3, Block3>(sum, a.e + b.e);
+}
+
+constexpr Block length(const Block3& v) {
+    return sqrt(dot(v, v));
+}
+
+/// A vector of length 1 in Q2.30; (0, 0, 0) stays.
+struct Unit3 {
+    std::int32_t m[3] = {0, 0, 0};
+};
+
+inline constexpr std::int32_t unit_one = 1 << 30;
+
+/// v / |v|, each component within 2^-28 (of 1), the length too.
+SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
+    const std::uint64_t square = static_cast<std::uint64_t>(
+        mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2])); // 0, or 2^58 .. 2^61.6
+    if (square == 0)
+        return {};
+    const int zeros = clz64(square) & ~1; // 2 or 4: square << zeros is in [2^62, 2^64)
+    const std::uint32_t r = rsqrt(static_cast<std::uint32_t>((square << zeros) >> 32));
+    // v / sqrt(square) = v * (r * 2^-30) * 2^((zeros - 64) / 2); in Q2.30 that is v * r >> (32 - zeros / 2).
+    const int shift = 32 - zeros / 2;
+    const std::int64_t half = std::int64_t{1} << (shift - 1);
+    return {{static_cast<std::int32_t>((v.m[0] * std::int64_t{r} + half) >> shift),
+             static_cast<std::int32_t>((v.m[1] * std::int64_t{r} + half) >> shift),
+             static_cast<std::int32_t>((v.m[2] * std::int64_t{r} + half) >> shift)}};
+}
+
+/// The same with one Newton step: within 2^-17 (design 3, fast tier).
+SPANGLE_INLINE constexpr Unit3 normalize_fast(const Block3& v) {
+    const std::uint64_t square = static_cast<std::uint64_t>(
+        mul_s32(v.m[0], v.m[0]) + mul_s32(v.m[1], v.m[1]) + mul_s32(v.m[2], v.m[2]));
+    if (square == 0)
+        return {};
+    const int zeros = clz64(square) & ~1;
+    const std::uint32_t r = rsqrt_1(static_cast<std::uint32_t>((square << zeros) >> 32));
+    const int shift = 32 - zeros / 2;
+    return {{static_cast<std::int32_t>((v.m[0] * std::int64_t{r}) >> shift),
+             static_cast<std::int32_t>((v.m[1] * std::int64_t{r}) >> shift),
+             static_cast<std::int32_t>((v.m[2] * std::int64_t{r}) >> shift)}};
+}
+
+/// Dot product of unit vectors, Q2.30 rounded, within 2^-29 of the exact one and never outside +-1.
+SPANGLE_INLINE constexpr std::int32_t dot(const Unit3& a, const Unit3& b) {
+    const std::int64_t sum = mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]);
+    const auto d = static_cast<std::int32_t>((sum + (1 << 29)) >> 30); // |sum| <= 2^60 (1 + 2^-27)
+    return clamp(d, -unit_one, unit_one);
+}
+
+constexpr Block3 to_block(const Unit3& v) {
+    return detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]}, {-30, -30, -30});
+}
+
+} // namespace spangle::numeric
