@@ -3,4 +3,7 @@
 
 #include <spangle/hal/bus.hpp>
 #include <spangle/hal/display.hpp>
+#include <spangle/hal/orientation.hpp>
+#include <spangle/hal/panel.hpp>
 #include <spangle/hal/result.hpp>
+#include <spangle/panels.hpp>

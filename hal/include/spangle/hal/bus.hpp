@@ -1,5 +1,6 @@
-// The bus: who moves bytes to a display controller. A transfer is one list of operations submitted with a token; D/C is
-// part of the operation, so that every back end chooses how to carry it (GPIO, 9-bit words, register).
+// The bus: who moves bytes to a display controller. A transfer is one list of operations submitted with a
+// token; D/C is part of the operation, so that every back end chooses how to carry it (GPIO, 9-bit words,
+// register).
 #pragma once
 
 #include <cstddef>
@@ -32,12 +33,13 @@ struct Op {
 };
 
 struct BusCaps {
-    std::uint32_t write_hz = 0;        ///< serial clock, or write cycles per second of a parallel bus
-    std::uint32_t read_hz = 0;         ///< 0: cannot read
-    std::uint8_t bits_per_cycle = 1;   ///< 1 for SPI, 8 for an 8-bit 8080 bus
+    std::uint32_t write_hz = 0;      ///< serial clock, or write cycles per second of a parallel bus
+    std::uint32_t read_hz = 0;       ///< 0: cannot read
+    std::uint8_t bits_per_cycle = 1; ///< 1 for SPI, 8 for an 8-bit 8080 bus
     bool has_te = false;
-    std::uint32_t max_transfer = 0;    ///< bytes of one operation; 0 = no limit
-    std::uint32_t command_cost_ns = 0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
+    std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
+    std::uint32_t command_cost_ns =
+        0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
 };
 
 /// Names one submitted list; tokens of one bus increase.
@@ -56,7 +58,8 @@ class Bus {
     virtual BusCaps caps() const = 0;
     /// Hands out `size` bytes for the life of the bus.
     virtual Result<Buffer> acquire(std::size_t size) = 0;
-    /// Starts the whole list or nothing. The ops are copied; what they point to must stay until the token is done.
+    /// Starts the whole list or nothing. The ops are copied; what they point to must stay until the token is
+    /// done.
     virtual Result<Token> submit(const Op* ops, std::size_t count) = 0;
     virtual bool done(Token token) const = 0;
     /// Returns when the token is done, or the error its transfer ended with.

@@ -17,9 +17,9 @@ struct DisplayInfo {
 /// The buffer of the frame being drawn, top row first, in the panel's wire format.
 struct Frame {
     std::uint8_t* pixels = nullptr;
-    std::int32_t stride = 0;        ///< bytes from one row to the next one down
-    std::int32_t age = 0;           ///< 0: contents undefined; n: as n frames ago (EGL_EXT_buffer_age)
-    RowExtents* extents = nullptr;  ///< what the rasterizer touches this frame
+    std::int32_t stride = 0;       ///< bytes from one row to the next one down
+    std::int32_t age = 0;          ///< 0: contents undefined; n: as n frames ago (EGL_EXT_buffer_age)
+    RowExtents* extents = nullptr; ///< what the rasterizer touches this frame
 };
 
 class Display {
@@ -29,8 +29,8 @@ class Display {
     virtual Result<void> init() = 0;
     /// The buffer to draw the next frame into; the same until present() succeeds.
     virtual Result<Frame> acquire() = 0;
-    /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the next
-    /// present sends it again.
+    /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the
+    /// next present sends it again.
     virtual Result<void> present() = 0;
 
   protected:

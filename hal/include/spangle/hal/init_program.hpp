@@ -1,0 +1,86 @@
+// An initialisation list that reads like the datasheet's table and lies in flash as bytes:
+//     constexpr auto setup = init_program(cmd(PWCTR1, 0x23), cmd(VMCTR1, 0x3E, 0x28), delay_ms(120));
+// Encoding: command, parameter count, parameters; a count of 0xFF marks a delay, and the "command" is its
+// tens of ms.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace spangle::hal {
+
+template <std::size_t N> using ProgramBytes = std::array<std::uint8_t, N>;
+
+inline constexpr std::uint8_t program_delay_mark = 0xFF;
+
+template <class... Params>
+constexpr ProgramBytes<2 + sizeof...(Params)> cmd(unsigned command, Params... params) {
+    static_assert(sizeof...(Params) < program_delay_mark);
+    return {static_cast<std::uint8_t>(command), static_cast<std::uint8_t>(sizeof...(Params)),
+            static_cast<std::uint8_t>(params)...};
+}
+
+/// Rounded up to 10 ms; at most 2550 ms.
+consteval ProgramBytes<2> delay_ms(unsigned ms) {
+    return {static_cast<std::uint8_t>((ms + 9) / 10), program_delay_mark};
+}
+
+template <std::size_t... N> constexpr auto init_program(const ProgramBytes<N>&... steps) {
+    ProgramBytes<(N + ... + 0)> bytes{};
+    std::size_t at = 0;
+    const auto append = [&](const auto& step) {
+        for (std::uint8_t byte : step)
+            bytes[at++] = byte;
+    };
+    (append(steps), ...);
+    return bytes;
+}
+
+/// A program as a panel names it, and a cursor over it.
+struct Program {
+    const std::uint8_t* at = nullptr;
+    std::size_t size = 0;
+
+    constexpr Program() = default;
+    template <std::size_t N> constexpr Program(const ProgramBytes<N>& bytes) : at(bytes.data()), size(N) {}
+
+    struct Step {
+        std::uint8_t command = 0;
+        std::uint32_t delay_micros = 0; ///< not 0: a delay, and nothing else
+        const std::uint8_t* params = nullptr;
+        std::uint8_t count = 0;
+    };
+
+    constexpr bool empty() const { return size == 0; }
+
+    /// Takes the first step off. The program must not be empty.
+    constexpr Step next() {
+        Step step;
+        if (at[1] == program_delay_mark) {
+            step.delay_micros = at[0] * 10000u;
+        } else {
+            step.command = at[0];
+            step.count = at[1];
+            step.params = at + 2;
+        }
+        const std::size_t taken = 2u + step.count;
+        at += taken;
+        size -= taken;
+        return step;
+    }
+};
+
+/// True when every step ends inside the program.
+constexpr bool well_formed(Program program) {
+    while (!program.empty()) {
+        if (program.size < 2)
+            return false;
+        if (program.at[1] != program_delay_mark && program.size < 2u + program.at[1])
+            return false;
+        program.next();
+    }
+    return true;
+}
+
+} // namespace spangle::hal

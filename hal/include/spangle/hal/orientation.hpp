@@ -1,0 +1,56 @@
+// Orientation as algebra: which MADCTL shows a picture turned or mirrored, its size, and where its window
+// begins.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/panel.hpp>
+
+namespace spangle::hal {
+
+/// The picture is turned clockwise on the glass.
+enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
+
+struct Orientation {
+    Rotation rotation = Rotation::r0;
+    bool mirrored = false; ///< left and right exchanged, before turning
+    friend constexpr bool operator==(const Orientation&, const Orientation&) = default;
+};
+
+/// All eight, for tables and tests.
+inline constexpr Orientation orientations[] = {
+    {Rotation::r0, false}, {Rotation::r90, false}, {Rotation::r180, false}, {Rotation::r270, false},
+    {Rotation::r0, true},  {Rotation::r90, true},  {Rotation::r180, true},  {Rotation::r270, true}};
+
+/// How a picture lies in the controller's memory: pixel (x, y) has the host address (x + offset.x, y +
+/// offset.y).
+struct Placement {
+    std::uint8_t madctl = 0; ///< without BGR
+    Extent size;
+    Offset offset;
+};
+
+/// MADCTL's MV, MX, MY of an orientation on a panel. Turning by 90 degrees exchanges the axes (MV), then
+/// mirrors the column axis (MX); mirroring the picture's x mirrors the axis that x runs along. The mount
+/// comes last, on the memory side.
+constexpr std::uint8_t address_order(std::uint8_t mount, Orientation o) {
+    constexpr std::uint8_t turned[] = {0, dcs::MV | dcs::MX, dcs::MX | dcs::MY, dcs::MV | dcs::MY};
+    unsigned order = turned[static_cast<unsigned>(o.rotation) & 3u];
+    if (o.mirrored)
+        order ^= (order & dcs::MV) != 0 ? dcs::MY : dcs::MX;
+    return static_cast<std::uint8_t>(order ^ mount);
+}
+
+/// Along a mirrored memory axis the window begins at memory - (glass + offset), along the other at offset; MV
+/// exchanges what CASET and RASET address.
+constexpr Placement place(const PanelDesc& p, Orientation o) {
+    const std::uint8_t order = address_order(p.mount, o);
+    const int column = (order & dcs::MX) != 0 ? p.memory.width - (p.glass.width + p.offset.x) : p.offset.x;
+    const int row = (order & dcs::MY) != 0 ? p.memory.height - (p.glass.height + p.offset.y) : p.offset.y;
+    const auto c = static_cast<std::int16_t>(column), r = static_cast<std::int16_t>(row);
+    if ((order & dcs::MV) != 0)
+        return {order, {p.glass.height, p.glass.width}, {r, c}};
+    return {order, p.glass, {c, r}};
+}
+
+} // namespace spangle::hal
