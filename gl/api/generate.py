@@ -75,7 +75,7 @@ class Entry:
 
     @property
     def c_params(self):
-        return ", ".join(f"{t}{'' if t.endswith('*') else ' '}{n}" for t, n in self.params) or "void"
+        return ", ".join(f"{t} {n}" for t, n in self.params) or "void"
 
 
 class Family:
@@ -105,7 +105,7 @@ class Family:
     def entry(self, name, params, call, tries, null=None):
         """`call` are the canonical arguments; `null` names a pointer that must not be null."""
         text = ", ".join(call)
-        guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}\"));\n" if null else ""
+        guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n" if null else ""
         verb = "return ask" if self.returns != "void" else "issue"
         return Entry(self, name, params, f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
 
@@ -124,7 +124,7 @@ class Family:
             yield self.entry("gl" + self.name + suffix, params, call, tries)
 
     def entries_components(self):
-        pad = ["numeric::real_one" if p == "1" else "numeric::real_zero" for p in self.data["pad"].split()]
+        pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]
         names = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"),
                  "Normal": ["nx", "ny", "nz"]}.get(self.name, list("xyzw"))
         for size in self.data["sizes"]:
@@ -175,7 +175,7 @@ class Family:
         tries = [(a.type, a) for a in self.args] + [("pname", None), ("out", None)]
         for code, suffix in self.types:
             name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
-            body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}\"));\n"
+            body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n"
                     f"    Params found;\n    issue<family::{self.name}>({', '.join(call)}, found);\n"
                     f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
@@ -316,7 +316,7 @@ def commands_header(chapters, _tokens):
                    f"    static constexpr auto encode = {encoder};\n"
                    f"    static constexpr bool inside = {str(f.inside).lower()};\n"
                    f"    static constexpr Listing listing = Listing::{f.listing};\n"
-                   f"    static constexpr const char* name = SPANGLE_TEXT(\"gl{f.name}\");\n}};\n")
+                   f"    static constexpr const char* refusal = SPANGLE_TEXT(\"gl{f.name} between glBegin and glEnd\");\n}};\n")
     out.append("\n} // namespace spangle::gl::family\n")
     return "".join(out)
 

@@ -32,28 +32,31 @@ class Arena {
     std::size_t peak() const { return peak_; }         ///< the most `used` has been
     std::size_t capacity() const { return capacity_; } ///< bytes given that can be handed out
 
-    /// Walks every region and every free list; false when a link, a size or a flag disagrees. For tests.
+    /// Walks every free list; false when a link, a size, a flag or a bitmap disagrees. For tests.
     bool consistent() const;
 
   private:
     struct Block;
-    static constexpr int second_bits = 4;
-    static constexpr int second_count = 1 << second_bits;
-    static constexpr int first_count = sizeof(std::size_t) == 4 ? 24 : 34; ///< regions up to 128 MiB / 1 TiB
+    static constexpr unsigned second_bits = 3;
+    static constexpr unsigned second_count = 1u << second_bits;
+    static constexpr unsigned first_count = sizeof(void*) == 4 ? 20 : 32; ///< blocks below 32 MiB, 128 GiB
 
     struct Slot {
         unsigned first, second;
     };
     static Slot slot_of(std::size_t size);
+    static Block* block_of(void* memory);
+    void give_region(std::uintptr_t begin, std::size_t bytes);
+    Block* find(std::size_t size) const;
     void insert(Block* block);
     void remove(Block* block);
-    void split(Block* block, std::size_t size);
-    Block* find(std::size_t size);
+    void trim(Block* block, std::size_t size);
+    void release(Block* block);
 
-    std::uint64_t first_map_ = 0;
-    std::uint16_t second_map_[first_count] = {};
+    std::uint32_t first_map_ = 0;
+    std::uint8_t second_map_[first_count] = {};
     Block* free_[first_count][second_count] = {};
-    Block* regions_ = nullptr;
+    std::size_t region_count_ = 0;
     std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
 };
 

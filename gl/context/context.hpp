@@ -16,6 +16,7 @@
 #include "gl/vertex/lighting_state.hpp"
 #include "gl/vertex/polygon_state.hpp"
 #include "gl/vertex/transform_state.hpp"
+#include "raster/span/fragment_state.hpp"
 #include "raster/surface/surface.hpp"
 
 namespace spangle::gl {
@@ -30,6 +31,14 @@ enum Gate : std::uint8_t {
     gate_compiling = 2, ///< between NewList and EndList
 };
 
+/// Which derived state must be computed again before the next primitive. Whoever changes state sets its bits; whoever
+/// derives clears them.
+enum Dirty : std::uint8_t {
+    dirty_vertex = 1,   ///< matrices, normals, lighting
+    dirty_fragment = 2, ///< what raster::FragmentState is filled from, the drawable included
+    dirty_all = 0xFF,
+};
+
 /// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
 struct Drawable {
     raster::Surface surface;
@@ -38,7 +47,8 @@ struct Drawable {
 };
 
 struct Context {
-    std::uint8_t gate = 0;
+    std::uint8_t gate = 0; ///< Gate bits
+    std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 
     CurrentState current;
@@ -62,9 +72,6 @@ struct Context {
     bool inside_begin_end() const { return (gate & gate_inside) != 0; }
 };
 
-/// The context of this thread (of the program, in firmware), or null.
-inline Context* current_context();
-
 /// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.
 void set_current_context(Context* context);
 
@@ -76,6 +83,7 @@ void set_current_context(Context* context);
 namespace detail {
 extern SPANGLE_THREAD_LOCAL Context* current;
 }
+/// The context of this thread (of the program, in firmware), or null.
 inline Context* current_context() { return detail::current; }
 
 } // namespace spangle::gl

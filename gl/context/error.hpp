@@ -2,6 +2,14 @@
 #pragma once
 
 #include <spangle/GL/gl.h>
+#include <spangle/message.hpp>
+
+/// A text for people; null when texts are compiled out.
+#if SPANGLE_MESSAGES
+#define SPANGLE_TEXT(text) (text)
+#else
+#define SPANGLE_TEXT(text) (static_cast<const char*>(nullptr))
+#endif
 
 namespace spangle::gl {
 
@@ -10,8 +18,7 @@ struct Context;
 /// Records `code` unless an earlier error waits. The command that calls this must change nothing else.
 void error(Context& context, GLenum code);
 
-/// The same, with a sentence for spangle::on_message that names the call and what to do. The text is compiled out
-/// with SPANGLE_MESSAGES=0.
-void error(Context& context, GLenum code, const char* message);
+/// The same, with a SPANGLE_TEXT for spangle::on_message that names the call and what to do.
+void error(Context& context, GLenum code, const char* text);
 
 } // namespace spangle::gl

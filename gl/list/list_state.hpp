@@ -1,12 +1,37 @@
-// Display list state: base, the list being compiled, nesting (GL 1.3, 5.4).
+// Display list state: base, nesting, and the list being compiled (GL 1.3, 5.4).
 #pragma once
 
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
 
+namespace list {
+using Word = std::uint32_t;
+struct Chunk;
+} // namespace list
+
+inline constexpr unsigned max_list_nesting = 64;
+
+/// A list that is being compiled: a chain of chunks, and the run of vertices that is still open.
+struct ListRecorder {
+    list::Chunk* first = nullptr;
+    list::Chunk* last = nullptr;
+    list::Word* write = nullptr;     ///< in `last`
+    list::Word* end = nullptr;       ///< of `last`; room for the link is behind it
+    bool out_of_memory = false;      ///< the list is lost: EndList says so and keeps the old one
+    list::Word* run = nullptr;       ///< header word of the open run, or null
+    std::uint32_t pending = 0;       ///< attributes given since the last vertex (list::Field bits)
+    Real color[4], normal[3], tex_coord[4]; ///< their values
+};
+
 struct ListState {
     GLuint base = 0;
+    GLuint index = 0;     ///< name of the list being compiled, or 0
+    GLenum mode = 0;      ///< COMPILE, COMPILE_AND_EXECUTE, or 0
+    bool execute = false; ///< mode is COMPILE_AND_EXECUTE
+    std::uint32_t depth = 0;
+    const list::Word* return_to[max_list_nesting] = {};
+    ListRecorder recorder;
 };
 
 } // namespace spangle::gl

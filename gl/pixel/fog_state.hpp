@@ -8,8 +8,8 @@ namespace spangle::gl {
 struct FogState {
     bool fog = false;
     GLenum mode = GL_EXP;
-    Real density = numeric::real_one;
-    Real start = numeric::real_zero, end = numeric::real_one;
+    Real density = numeric::one;
+    Real start = numeric::zero, end = numeric::one;
     Real color[4] = {};
 };
 

@@ -10,7 +10,7 @@ struct FragmentOpsState {
     GLint scissor_box[4] = {0, 0, 0, 0};
     bool alpha_test = false;
     GLenum alpha_func = GL_ALWAYS;
-    Real alpha_ref = numeric::real_zero;
+    Real alpha_ref = numeric::zero;
     bool stencil_test = false;
     GLenum stencil_func = GL_ALWAYS;
     GLint stencil_ref = 0;
@@ -21,7 +21,7 @@ struct FragmentOpsState {
     bool depth_test = false;
     GLenum depth_func = GL_LESS;
     bool depth_mask = true;
-    Real depth_clear = numeric::real_one;
+    Real depth_clear = numeric::one;
     bool blend = false;
     GLenum blend_src = GL_ONE, blend_dst = GL_ZERO;
     bool dither = true;

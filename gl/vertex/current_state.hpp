@@ -6,9 +6,9 @@
 namespace spangle::gl {
 
 struct CurrentState {
-    Real color[4] = {numeric::real_one, numeric::real_one, numeric::real_one, numeric::real_one};
-    Real normal[3] = {numeric::real_zero, numeric::real_zero, numeric::real_one};
-    Real tex_coord[texture_units][4] = {{numeric::real_zero, numeric::real_zero, numeric::real_zero, numeric::real_one}};
+    Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
+    Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
+    Real tex_coord[texture_units][4] = {{numeric::zero, numeric::zero, numeric::zero, numeric::one}};
 };
 
 } // namespace spangle::gl

@@ -145,651 +145,651 @@ struct GetError {
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetError");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetError between glBegin and glEnd");
 };
 struct Enable {
     static constexpr auto run = &cmd::Enable;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glEnable");
+    static constexpr const char* refusal = SPANGLE_TEXT("glEnable between glBegin and glEnd");
 };
 struct Disable {
     static constexpr auto run = &cmd::Disable;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glDisable");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDisable between glBegin and glEnd");
 };
 struct IsEnabled {
     static constexpr auto run = &cmd::IsEnabled;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glIsEnabled");
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsEnabled between glBegin and glEnd");
 };
 struct GetBooleanv {
     static constexpr auto run = &cmd::GetBooleanv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetBooleanv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetBooleanv between glBegin and glEnd");
 };
 struct GetIntegerv {
     static constexpr auto run = &cmd::GetIntegerv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetIntegerv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetIntegerv between glBegin and glEnd");
 };
 struct GetFloatv {
     static constexpr auto run = &cmd::GetFloatv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetFloatv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetFloatv between glBegin and glEnd");
 };
 struct GetDoublev {
     static constexpr auto run = &cmd::GetDoublev;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetDoublev");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetDoublev between glBegin and glEnd");
 };
 struct GetFixedvOES {
     static constexpr auto run = &cmd::GetFixedvOES;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetFixedvOES");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetFixedvOES between glBegin and glEnd");
 };
 struct GetPointerv {
     static constexpr auto run = &cmd::GetPointerv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetPointerv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetPointerv between glBegin and glEnd");
 };
 struct GetString {
     static constexpr auto run = &cmd::GetString;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetString");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetString between glBegin and glEnd");
 };
 struct Begin {
     static constexpr auto run = &cmd::Begin;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glBegin");
+    static constexpr const char* refusal = SPANGLE_TEXT("glBegin between glBegin and glEnd");
 };
 struct End {
     static constexpr auto run = &cmd::End;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glEnd");
+    static constexpr const char* refusal = SPANGLE_TEXT("glEnd between glBegin and glEnd");
 };
 struct Vertex {
     static constexpr auto run = &cmd::Vertex;
     static constexpr auto encode = &encode::Vertex;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::attribute;
-    static constexpr const char* name = SPANGLE_TEXT("glVertex");
+    static constexpr const char* refusal = SPANGLE_TEXT("glVertex between glBegin and glEnd");
 };
 struct TexCoord {
     static constexpr auto run = &cmd::TexCoord;
     static constexpr auto encode = &encode::TexCoord;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::attribute;
-    static constexpr const char* name = SPANGLE_TEXT("glTexCoord");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexCoord between glBegin and glEnd");
 };
 struct Normal {
     static constexpr auto run = &cmd::Normal;
     static constexpr auto encode = &encode::Normal;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::attribute;
-    static constexpr const char* name = SPANGLE_TEXT("glNormal");
+    static constexpr const char* refusal = SPANGLE_TEXT("glNormal between glBegin and glEnd");
 };
 struct Color {
     static constexpr auto run = &cmd::Color;
     static constexpr auto encode = &encode::Color;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::attribute;
-    static constexpr const char* name = SPANGLE_TEXT("glColor");
+    static constexpr const char* refusal = SPANGLE_TEXT("glColor between glBegin and glEnd");
 };
 struct Rect {
     static constexpr auto run = &cmd::Rect;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glRect");
+    static constexpr const char* refusal = SPANGLE_TEXT("glRect between glBegin and glEnd");
 };
 struct VertexPointer {
     static constexpr auto run = &cmd::VertexPointer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glVertexPointer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glVertexPointer between glBegin and glEnd");
 };
 struct NormalPointer {
     static constexpr auto run = &cmd::NormalPointer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glNormalPointer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glNormalPointer between glBegin and glEnd");
 };
 struct ColorPointer {
     static constexpr auto run = &cmd::ColorPointer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glColorPointer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glColorPointer between glBegin and glEnd");
 };
 struct TexCoordPointer {
     static constexpr auto run = &cmd::TexCoordPointer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glTexCoordPointer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexCoordPointer between glBegin and glEnd");
 };
 struct EnableClientState {
     static constexpr auto run = &cmd::EnableClientState;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glEnableClientState");
+    static constexpr const char* refusal = SPANGLE_TEXT("glEnableClientState between glBegin and glEnd");
 };
 struct DisableClientState {
     static constexpr auto run = &cmd::DisableClientState;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glDisableClientState");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDisableClientState between glBegin and glEnd");
 };
 struct ArrayElement {
     static constexpr auto run = &cmd::ArrayElement;
     static constexpr auto encode = &encode::ArrayElement;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glArrayElement");
+    static constexpr const char* refusal = SPANGLE_TEXT("glArrayElement between glBegin and glEnd");
 };
 struct DrawArrays {
     static constexpr auto run = &cmd::DrawArrays;
     static constexpr auto encode = &encode::DrawArrays;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glDrawArrays");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDrawArrays between glBegin and glEnd");
 };
 struct DrawElements {
     static constexpr auto run = &cmd::DrawElements;
     static constexpr auto encode = &encode::DrawElements;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glDrawElements");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDrawElements between glBegin and glEnd");
 };
 struct DrawRangeElements {
     static constexpr auto run = &cmd::DrawRangeElements;
     static constexpr auto encode = &encode::DrawRangeElements;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glDrawRangeElements");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDrawRangeElements between glBegin and glEnd");
 };
 struct InterleavedArrays {
     static constexpr auto run = &cmd::InterleavedArrays;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glInterleavedArrays");
+    static constexpr const char* refusal = SPANGLE_TEXT("glInterleavedArrays between glBegin and glEnd");
 };
 struct MatrixMode {
     static constexpr auto run = &cmd::MatrixMode;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glMatrixMode");
+    static constexpr const char* refusal = SPANGLE_TEXT("glMatrixMode between glBegin and glEnd");
 };
 struct LoadIdentity {
     static constexpr auto run = &cmd::LoadIdentity;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glLoadIdentity");
+    static constexpr const char* refusal = SPANGLE_TEXT("glLoadIdentity between glBegin and glEnd");
 };
 struct LoadMatrix {
     static constexpr auto run = &cmd::LoadMatrix;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glLoadMatrix");
+    static constexpr const char* refusal = SPANGLE_TEXT("glLoadMatrix between glBegin and glEnd");
 };
 struct MultMatrix {
     static constexpr auto run = &cmd::MultMatrix;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glMultMatrix");
+    static constexpr const char* refusal = SPANGLE_TEXT("glMultMatrix between glBegin and glEnd");
 };
 struct PushMatrix {
     static constexpr auto run = &cmd::PushMatrix;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glPushMatrix");
+    static constexpr const char* refusal = SPANGLE_TEXT("glPushMatrix between glBegin and glEnd");
 };
 struct PopMatrix {
     static constexpr auto run = &cmd::PopMatrix;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glPopMatrix");
+    static constexpr const char* refusal = SPANGLE_TEXT("glPopMatrix between glBegin and glEnd");
 };
 struct Rotate {
     static constexpr auto run = &cmd::Rotate;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glRotate");
+    static constexpr const char* refusal = SPANGLE_TEXT("glRotate between glBegin and glEnd");
 };
 struct Translate {
     static constexpr auto run = &cmd::Translate;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glTranslate");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTranslate between glBegin and glEnd");
 };
 struct Scale {
     static constexpr auto run = &cmd::Scale;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glScale");
+    static constexpr const char* refusal = SPANGLE_TEXT("glScale between glBegin and glEnd");
 };
 struct Frustum {
     static constexpr auto run = &cmd::Frustum;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glFrustum");
+    static constexpr const char* refusal = SPANGLE_TEXT("glFrustum between glBegin and glEnd");
 };
 struct Ortho {
     static constexpr auto run = &cmd::Ortho;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glOrtho");
+    static constexpr const char* refusal = SPANGLE_TEXT("glOrtho between glBegin and glEnd");
 };
 struct Viewport {
     static constexpr auto run = &cmd::Viewport;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glViewport");
+    static constexpr const char* refusal = SPANGLE_TEXT("glViewport between glBegin and glEnd");
 };
 struct DepthRange {
     static constexpr auto run = &cmd::DepthRange;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glDepthRange");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDepthRange between glBegin and glEnd");
 };
 struct Light {
     static constexpr auto run = &cmd::Light;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glLight");
+    static constexpr const char* refusal = SPANGLE_TEXT("glLight between glBegin and glEnd");
 };
 struct GetLight {
     static constexpr auto run = &cmd::GetLight;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetLight");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetLight between glBegin and glEnd");
 };
 struct LightModel {
     static constexpr auto run = &cmd::LightModel;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glLightModel");
+    static constexpr const char* refusal = SPANGLE_TEXT("glLightModel between glBegin and glEnd");
 };
 struct Material {
     static constexpr auto run = &cmd::Material;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glMaterial");
+    static constexpr const char* refusal = SPANGLE_TEXT("glMaterial between glBegin and glEnd");
 };
 struct GetMaterial {
     static constexpr auto run = &cmd::GetMaterial;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetMaterial");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetMaterial between glBegin and glEnd");
 };
 struct ColorMaterial {
     static constexpr auto run = &cmd::ColorMaterial;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glColorMaterial");
+    static constexpr const char* refusal = SPANGLE_TEXT("glColorMaterial between glBegin and glEnd");
 };
 struct ShadeModel {
     static constexpr auto run = &cmd::ShadeModel;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glShadeModel");
+    static constexpr const char* refusal = SPANGLE_TEXT("glShadeModel between glBegin and glEnd");
 };
 struct FrontFace {
     static constexpr auto run = &cmd::FrontFace;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glFrontFace");
+    static constexpr const char* refusal = SPANGLE_TEXT("glFrontFace between glBegin and glEnd");
 };
 struct CullFace {
     static constexpr auto run = &cmd::CullFace;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glCullFace");
+    static constexpr const char* refusal = SPANGLE_TEXT("glCullFace between glBegin and glEnd");
 };
 struct PointSize {
     static constexpr auto run = &cmd::PointSize;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glPointSize");
+    static constexpr const char* refusal = SPANGLE_TEXT("glPointSize between glBegin and glEnd");
 };
 struct LineWidth {
     static constexpr auto run = &cmd::LineWidth;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glLineWidth");
+    static constexpr const char* refusal = SPANGLE_TEXT("glLineWidth between glBegin and glEnd");
 };
 struct Scissor {
     static constexpr auto run = &cmd::Scissor;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glScissor");
+    static constexpr const char* refusal = SPANGLE_TEXT("glScissor between glBegin and glEnd");
 };
 struct AlphaFunc {
     static constexpr auto run = &cmd::AlphaFunc;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glAlphaFunc");
+    static constexpr const char* refusal = SPANGLE_TEXT("glAlphaFunc between glBegin and glEnd");
 };
 struct StencilFunc {
     static constexpr auto run = &cmd::StencilFunc;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glStencilFunc");
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilFunc between glBegin and glEnd");
 };
 struct StencilOp {
     static constexpr auto run = &cmd::StencilOp;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glStencilOp");
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilOp between glBegin and glEnd");
 };
 struct DepthFunc {
     static constexpr auto run = &cmd::DepthFunc;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glDepthFunc");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDepthFunc between glBegin and glEnd");
 };
 struct BlendFunc {
     static constexpr auto run = &cmd::BlendFunc;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glBlendFunc");
+    static constexpr const char* refusal = SPANGLE_TEXT("glBlendFunc between glBegin and glEnd");
 };
 struct DrawBuffer {
     static constexpr auto run = &cmd::DrawBuffer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glDrawBuffer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDrawBuffer between glBegin and glEnd");
 };
 struct ReadBuffer {
     static constexpr auto run = &cmd::ReadBuffer;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glReadBuffer");
+    static constexpr const char* refusal = SPANGLE_TEXT("glReadBuffer between glBegin and glEnd");
 };
 struct ColorMask {
     static constexpr auto run = &cmd::ColorMask;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glColorMask");
+    static constexpr const char* refusal = SPANGLE_TEXT("glColorMask between glBegin and glEnd");
 };
 struct DepthMask {
     static constexpr auto run = &cmd::DepthMask;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glDepthMask");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDepthMask between glBegin and glEnd");
 };
 struct StencilMask {
     static constexpr auto run = &cmd::StencilMask;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glStencilMask");
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilMask between glBegin and glEnd");
 };
 struct Clear {
     static constexpr auto run = &cmd::Clear;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glClear");
+    static constexpr const char* refusal = SPANGLE_TEXT("glClear between glBegin and glEnd");
 };
 struct ClearColor {
     static constexpr auto run = &cmd::ClearColor;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glClearColor");
+    static constexpr const char* refusal = SPANGLE_TEXT("glClearColor between glBegin and glEnd");
 };
 struct ClearDepth {
     static constexpr auto run = &cmd::ClearDepth;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glClearDepth");
+    static constexpr const char* refusal = SPANGLE_TEXT("glClearDepth between glBegin and glEnd");
 };
 struct ClearStencil {
     static constexpr auto run = &cmd::ClearStencil;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glClearStencil");
+    static constexpr const char* refusal = SPANGLE_TEXT("glClearStencil between glBegin and glEnd");
 };
 struct PixelStore {
     static constexpr auto run = &cmd::PixelStore;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glPixelStore");
+    static constexpr const char* refusal = SPANGLE_TEXT("glPixelStore between glBegin and glEnd");
 };
 struct ReadPixels {
     static constexpr auto run = &cmd::ReadPixels;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glReadPixels");
+    static constexpr const char* refusal = SPANGLE_TEXT("glReadPixels between glBegin and glEnd");
 };
 struct Fog {
     static constexpr auto run = &cmd::Fog;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glFog");
+    static constexpr const char* refusal = SPANGLE_TEXT("glFog between glBegin and glEnd");
 };
 struct Hint {
     static constexpr auto run = &cmd::Hint;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glHint");
+    static constexpr const char* refusal = SPANGLE_TEXT("glHint between glBegin and glEnd");
 };
 struct Flush {
     static constexpr auto run = &cmd::Flush;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glFlush");
+    static constexpr const char* refusal = SPANGLE_TEXT("glFlush between glBegin and glEnd");
 };
 struct Finish {
     static constexpr auto run = &cmd::Finish;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glFinish");
+    static constexpr const char* refusal = SPANGLE_TEXT("glFinish between glBegin and glEnd");
 };
 struct TexImage2D {
     static constexpr auto run = &cmd::TexImage2D;
     static constexpr auto encode = &encode::TexImage2D;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glTexImage2D");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexImage2D between glBegin and glEnd");
 };
 struct TexSubImage2D {
     static constexpr auto run = &cmd::TexSubImage2D;
     static constexpr auto encode = &encode::TexSubImage2D;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glTexSubImage2D");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage2D between glBegin and glEnd");
 };
 struct GenTextures {
     static constexpr auto run = &cmd::GenTextures;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGenTextures");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenTextures between glBegin and glEnd");
 };
 struct DeleteTextures {
     static constexpr auto run = &cmd::DeleteTextures;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glDeleteTextures");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDeleteTextures between glBegin and glEnd");
 };
 struct BindTexture {
     static constexpr auto run = &cmd::BindTexture;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glBindTexture");
+    static constexpr const char* refusal = SPANGLE_TEXT("glBindTexture between glBegin and glEnd");
 };
 struct IsTexture {
     static constexpr auto run = &cmd::IsTexture;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glIsTexture");
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsTexture between glBegin and glEnd");
 };
 struct TexParameter {
     static constexpr auto run = &cmd::TexParameter;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glTexParameter");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexParameter between glBegin and glEnd");
 };
 struct GetTexParameter {
     static constexpr auto run = &cmd::GetTexParameter;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetTexParameter");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetTexParameter between glBegin and glEnd");
 };
 struct TexEnv {
     static constexpr auto run = &cmd::TexEnv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glTexEnv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexEnv between glBegin and glEnd");
 };
 struct GetTexEnv {
     static constexpr auto run = &cmd::GetTexEnv;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetTexEnv");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetTexEnv between glBegin and glEnd");
 };
 struct GetTexLevelParameter {
     static constexpr auto run = &cmd::GetTexLevelParameter;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGetTexLevelParameter");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetTexLevelParameter between glBegin and glEnd");
 };
 struct NewList {
     static constexpr auto run = &cmd::NewList;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glNewList");
+    static constexpr const char* refusal = SPANGLE_TEXT("glNewList between glBegin and glEnd");
 };
 struct EndList {
     static constexpr auto run = &cmd::EndList;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glEndList");
+    static constexpr const char* refusal = SPANGLE_TEXT("glEndList between glBegin and glEnd");
 };
 struct CallList {
     static constexpr auto run = &cmd::CallList;
     static constexpr auto encode = &encode::CallList;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glCallList");
+    static constexpr const char* refusal = SPANGLE_TEXT("glCallList between glBegin and glEnd");
 };
 struct CallLists {
     static constexpr auto run = &cmd::CallLists;
     static constexpr auto encode = &encode::CallLists;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
-    static constexpr const char* name = SPANGLE_TEXT("glCallLists");
+    static constexpr const char* refusal = SPANGLE_TEXT("glCallLists between glBegin and glEnd");
 };
 struct ListBase {
     static constexpr auto run = &cmd::ListBase;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
-    static constexpr const char* name = SPANGLE_TEXT("glListBase");
+    static constexpr const char* refusal = SPANGLE_TEXT("glListBase between glBegin and glEnd");
 };
 struct GenLists {
     static constexpr auto run = &cmd::GenLists;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glGenLists");
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenLists between glBegin and glEnd");
 };
 struct DeleteLists {
     static constexpr auto run = &cmd::DeleteLists;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glDeleteLists");
+    static constexpr const char* refusal = SPANGLE_TEXT("glDeleteLists between glBegin and glEnd");
 };
 struct IsList {
     static constexpr auto run = &cmd::IsList;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
-    static constexpr const char* name = SPANGLE_TEXT("glIsList");
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsList between glBegin and glEnd");
 };
 
 } // namespace spangle::gl::family

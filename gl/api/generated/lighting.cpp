@@ -16,9 +16,9 @@ void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
     issue<family::Light>(light, pname, convert::scalar_f(shape::Light(pname), param));
 }
 
-void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightfv"));
+        return refuse_null(SPANGLE_TEXT("glLightfv: null pointer"));
     issue<family::Light>(light, pname, convert::vector_f(shape::Light(pname), params));
 }
 
@@ -26,9 +26,9 @@ void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
     issue<family::Light>(light, pname, convert::scalar_i(shape::Light(pname), param));
 }
 
-void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint*params) {
+void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightiv"));
+        return refuse_null(SPANGLE_TEXT("glLightiv: null pointer"));
     issue<family::Light>(light, pname, convert::vector_i(shape::Light(pname), params));
 }
 
@@ -36,31 +36,31 @@ void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
     issue<family::Light>(light, pname, convert::scalar_x(shape::Light(pname), param));
 }
 
-void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightxvOES"));
+        return refuse_null(SPANGLE_TEXT("glLightxvOES: null pointer"));
     issue<family::Light>(light, pname, convert::vector_x(shape::Light(pname), params));
 }
 
-void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightfv"));
+        return refuse_null(SPANGLE_TEXT("glGetLightfv: null pointer"));
     Params found;
     issue<family::GetLight>(light, pname, found);
     convert::store_f(shape::GetLight(pname), found, params);
 }
 
-void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint*params) {
+void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightiv"));
+        return refuse_null(SPANGLE_TEXT("glGetLightiv: null pointer"));
     Params found;
     issue<family::GetLight>(light, pname, found);
     convert::store_i(shape::GetLight(pname), found, params);
 }
 
-void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightxvOES"));
+        return refuse_null(SPANGLE_TEXT("glGetLightxvOES: null pointer"));
     Params found;
     issue<family::GetLight>(light, pname, found);
     convert::store_x(shape::GetLight(pname), found, params);
@@ -70,9 +70,9 @@ void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
     issue<family::LightModel>(pname, convert::scalar_f(shape::LightModel(pname), param));
 }
 
-void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModelfv"));
+        return refuse_null(SPANGLE_TEXT("glLightModelfv: null pointer"));
     issue<family::LightModel>(pname, convert::vector_f(shape::LightModel(pname), params));
 }
 
@@ -80,9 +80,9 @@ void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
     issue<family::LightModel>(pname, convert::scalar_i(shape::LightModel(pname), param));
 }
 
-void GLAPIENTRY glLightModeliv(GLenum pname, const GLint*params) {
+void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModeliv"));
+        return refuse_null(SPANGLE_TEXT("glLightModeliv: null pointer"));
     issue<family::LightModel>(pname, convert::vector_i(shape::LightModel(pname), params));
 }
 
@@ -90,9 +90,9 @@ void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
     issue<family::LightModel>(pname, convert::scalar_x(shape::LightModel(pname), param));
 }
 
-void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModelxvOES"));
+        return refuse_null(SPANGLE_TEXT("glLightModelxvOES: null pointer"));
     issue<family::LightModel>(pname, convert::vector_x(shape::LightModel(pname), params));
 }
 
@@ -100,9 +100,9 @@ void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
     issue<family::Material>(face, pname, convert::scalar_f(shape::Material(pname), param));
 }
 
-void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialfv"));
+        return refuse_null(SPANGLE_TEXT("glMaterialfv: null pointer"));
     issue<family::Material>(face, pname, convert::vector_f(shape::Material(pname), params));
 }
 
@@ -110,9 +110,9 @@ void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
     issue<family::Material>(face, pname, convert::scalar_i(shape::Material(pname), param));
 }
 
-void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint*params) {
+void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialiv"));
+        return refuse_null(SPANGLE_TEXT("glMaterialiv: null pointer"));
     issue<family::Material>(face, pname, convert::vector_i(shape::Material(pname), params));
 }
 
@@ -120,31 +120,31 @@ void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
     issue<family::Material>(face, pname, convert::scalar_x(shape::Material(pname), param));
 }
 
-void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialxvOES"));
+        return refuse_null(SPANGLE_TEXT("glMaterialxvOES: null pointer"));
     issue<family::Material>(face, pname, convert::vector_x(shape::Material(pname), params));
 }
 
-void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialfv"));
+        return refuse_null(SPANGLE_TEXT("glGetMaterialfv: null pointer"));
     Params found;
     issue<family::GetMaterial>(face, pname, found);
     convert::store_f(shape::GetMaterial(pname), found, params);
 }
 
-void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint*params) {
+void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialiv"));
+        return refuse_null(SPANGLE_TEXT("glGetMaterialiv: null pointer"));
     Params found;
     issue<family::GetMaterial>(face, pname, found);
     convert::store_i(shape::GetMaterial(pname), found, params);
 }
 
-void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES"));
+        return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
     Params found;
     issue<family::GetMaterial>(face, pname, found);
     convert::store_x(shape::GetMaterial(pname), found, params);

@@ -24,7 +24,7 @@ void GLAPIENTRY glCallList(GLuint list) {
     issue<family::CallList>(list);
 }
 
-void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const void*lists) {
+void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const void* lists) {
     issue<family::CallLists>(n, type, lists);
 }
 

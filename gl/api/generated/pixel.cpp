@@ -94,7 +94,7 @@ void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
     issue<family::PixelStore>(pname, convert::scalar_i(shape::PixelStore(pname), param));
 }
 
-void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void*pixels) {
+void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
     issue<family::ReadPixels>(x, y, width, height, format, type, pixels);
 }
 
@@ -104,9 +104,9 @@ void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
     issue<family::Fog>(pname, convert::scalar_f(shape::Fog(pname), param));
 }
 
-void GLAPIENTRY glFogfv(GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogfv"));
+        return refuse_null(SPANGLE_TEXT("glFogfv: null pointer"));
     issue<family::Fog>(pname, convert::vector_f(shape::Fog(pname), params));
 }
 
@@ -114,9 +114,9 @@ void GLAPIENTRY glFogi(GLenum pname, GLint param) {
     issue<family::Fog>(pname, convert::scalar_i(shape::Fog(pname), param));
 }
 
-void GLAPIENTRY glFogiv(GLenum pname, const GLint*params) {
+void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogiv"));
+        return refuse_null(SPANGLE_TEXT("glFogiv: null pointer"));
     issue<family::Fog>(pname, convert::vector_i(shape::Fog(pname), params));
 }
 
@@ -124,9 +124,9 @@ void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
     issue<family::Fog>(pname, convert::scalar_x(shape::Fog(pname), param));
 }
 
-void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogxvOES"));
+        return refuse_null(SPANGLE_TEXT("glFogxvOES: null pointer"));
     issue<family::Fog>(pname, convert::vector_x(shape::Fog(pname), params));
 }
 

@@ -26,27 +26,27 @@ GLboolean GLAPIENTRY glIsEnabled(GLenum cap) {
     return ask<family::IsEnabled>(cap);
 }
 
-void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean*params) {
+void GLAPIENTRY glGetBooleanv(GLenum pname, GLboolean* params) {
     issue<family::GetBooleanv>(pname, params);
 }
 
-void GLAPIENTRY glGetIntegerv(GLenum pname, GLint*params) {
+void GLAPIENTRY glGetIntegerv(GLenum pname, GLint* params) {
     issue<family::GetIntegerv>(pname, params);
 }
 
-void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetFloatv(GLenum pname, GLfloat* params) {
     issue<family::GetFloatv>(pname, params);
 }
 
-void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble*params) {
+void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params) {
     issue<family::GetDoublev>(pname, params);
 }
 
-void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed* params) {
     issue<family::GetFixedvOES>(pname, params);
 }
 
-void GLAPIENTRY glGetPointerv(GLenum pname, void**params) {
+void GLAPIENTRY glGetPointerv(GLenum pname, void** params) {
     issue<family::GetPointerv>(pname, params);
 }
 

@@ -10,19 +10,19 @@ namespace numeric = spangle::numeric;
 
 extern "C" {
 
-void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void*pixels) {
+void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
     issue<family::TexImage2D>(target, level, internalformat, width, height, border, format, type, pixels);
 }
 
-void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void*pixels) {
+void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
     issue<family::TexSubImage2D>(target, level, xoffset, yoffset, width, height, format, type, pixels);
 }
 
-void GLAPIENTRY glGenTextures(GLsizei n, GLuint*textures) {
+void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures) {
     issue<family::GenTextures>(n, textures);
 }
 
-void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint*textures) {
+void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
     issue<family::DeleteTextures>(n, textures);
 }
 
@@ -38,9 +38,9 @@ void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
     issue<family::TexParameter>(target, pname, convert::scalar_f(shape::TexParameter(pname), param));
 }
 
-void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameterfv"));
+        return refuse_null(SPANGLE_TEXT("glTexParameterfv: null pointer"));
     issue<family::TexParameter>(target, pname, convert::vector_f(shape::TexParameter(pname), params));
 }
 
@@ -48,9 +48,9 @@ void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
     issue<family::TexParameter>(target, pname, convert::scalar_i(shape::TexParameter(pname), param));
 }
 
-void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint*params) {
+void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameteriv"));
+        return refuse_null(SPANGLE_TEXT("glTexParameteriv: null pointer"));
     issue<family::TexParameter>(target, pname, convert::vector_i(shape::TexParameter(pname), params));
 }
 
@@ -58,31 +58,31 @@ void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
     issue<family::TexParameter>(target, pname, convert::scalar_x(shape::TexParameter(pname), param));
 }
 
-void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameterxvOES"));
+        return refuse_null(SPANGLE_TEXT("glTexParameterxvOES: null pointer"));
     issue<family::TexParameter>(target, pname, convert::vector_x(shape::TexParameter(pname), params));
 }
 
-void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameterfv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexParameterfv: null pointer"));
     Params found;
     issue<family::GetTexParameter>(target, pname, found);
     convert::store_f(shape::GetTexParameter(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint*params) {
+void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameteriv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexParameteriv: null pointer"));
     Params found;
     issue<family::GetTexParameter>(target, pname, found);
     convert::store_i(shape::GetTexParameter(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES"));
+        return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
     Params found;
     issue<family::GetTexParameter>(target, pname, found);
     convert::store_x(shape::GetTexParameter(pname), found, params);
@@ -92,9 +92,9 @@ void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
     issue<family::TexEnv>(target, pname, convert::scalar_f(shape::TexEnv(pname), param));
 }
 
-void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat*params) {
+void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnvfv"));
+        return refuse_null(SPANGLE_TEXT("glTexEnvfv: null pointer"));
     issue<family::TexEnv>(target, pname, convert::vector_f(shape::TexEnv(pname), params));
 }
 
@@ -102,9 +102,9 @@ void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
     issue<family::TexEnv>(target, pname, convert::scalar_i(shape::TexEnv(pname), param));
 }
 
-void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint*params) {
+void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnviv"));
+        return refuse_null(SPANGLE_TEXT("glTexEnviv: null pointer"));
     issue<family::TexEnv>(target, pname, convert::vector_i(shape::TexEnv(pname), params));
 }
 
@@ -112,55 +112,55 @@ void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
     issue<family::TexEnv>(target, pname, convert::scalar_x(shape::TexEnv(pname), param));
 }
 
-void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed*params) {
+void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnvxvOES"));
+        return refuse_null(SPANGLE_TEXT("glTexEnvxvOES: null pointer"));
     issue<family::TexEnv>(target, pname, convert::vector_x(shape::TexEnv(pname), params));
 }
 
-void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnvfv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexEnvfv: null pointer"));
     Params found;
     issue<family::GetTexEnv>(target, pname, found);
     convert::store_f(shape::GetTexEnv(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint*params) {
+void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnviv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexEnviv: null pointer"));
     Params found;
     issue<family::GetTexEnv>(target, pname, found);
     convert::store_i(shape::GetTexEnv(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES"));
+        return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
     Params found;
     issue<family::GetTexEnv>(target, pname, found);
     convert::store_x(shape::GetTexEnv(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat*params) {
+void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterfv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterfv: null pointer"));
     Params found;
     issue<family::GetTexLevelParameter>(target, level, pname, found);
     convert::store_f(shape::GetTexLevelParameter(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint*params) {
+void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameteriv"));
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameteriv: null pointer"));
     Params found;
     issue<family::GetTexLevelParameter>(target, level, pname, found);
     convert::store_i(shape::GetTexLevelParameter(pname), found, params);
 }
 
-void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed*params) {
+void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed* params) {
     if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES"));
+        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
     Params found;
     issue<family::GetTexLevelParameter>(target, level, pname, found);
     convert::store_x(shape::GetTexLevelParameter(pname), found, params);

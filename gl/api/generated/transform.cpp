@@ -18,39 +18,39 @@ void GLAPIENTRY glLoadIdentity() {
     issue<family::LoadIdentity>();
 }
 
-void GLAPIENTRY glLoadMatrixf(const GLfloat*m) {
+void GLAPIENTRY glLoadMatrixf(const GLfloat* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixf"));
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixf: null pointer"));
     issue<family::LoadMatrix>(convert::matrix_f(m));
 }
 
-void GLAPIENTRY glLoadMatrixd(const GLdouble*m) {
+void GLAPIENTRY glLoadMatrixd(const GLdouble* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixd"));
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixd: null pointer"));
     issue<family::LoadMatrix>(convert::matrix_d(m));
 }
 
-void GLAPIENTRY glLoadMatrixxOES(const GLfixed*m) {
+void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixxOES"));
+        return refuse_null(SPANGLE_TEXT("glLoadMatrixxOES: null pointer"));
     issue<family::LoadMatrix>(convert::matrix_x(m));
 }
 
-void GLAPIENTRY glMultMatrixf(const GLfloat*m) {
+void GLAPIENTRY glMultMatrixf(const GLfloat* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixf"));
+        return refuse_null(SPANGLE_TEXT("glMultMatrixf: null pointer"));
     issue<family::MultMatrix>(convert::matrix_f(m));
 }
 
-void GLAPIENTRY glMultMatrixd(const GLdouble*m) {
+void GLAPIENTRY glMultMatrixd(const GLdouble* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixd"));
+        return refuse_null(SPANGLE_TEXT("glMultMatrixd: null pointer"));
     issue<family::MultMatrix>(convert::matrix_d(m));
 }
 
-void GLAPIENTRY glMultMatrixxOES(const GLfixed*m) {
+void GLAPIENTRY glMultMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixxOES"));
+        return refuse_null(SPANGLE_TEXT("glMultMatrixxOES: null pointer"));
     issue<family::MultMatrix>(convert::matrix_x(m));
 }
 

@@ -19,112 +19,112 @@ void GLAPIENTRY glEnd() {
 }
 
 void GLAPIENTRY glVertex2s(GLshort x, GLshort y) {
-    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), numeric::real_zero, numeric::real_one);
+    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glVertex2sv(const GLshort*v) {
+void GLAPIENTRY glVertex2sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2sv"));
-    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex2sv: null pointer"));
+    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glVertex2i(GLint x, GLint y) {
-    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), numeric::real_zero, numeric::real_one);
+    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glVertex2iv(const GLint*v) {
+void GLAPIENTRY glVertex2iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2iv"));
-    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex2iv: null pointer"));
+    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glVertex2f(GLfloat x, GLfloat y) {
-    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), numeric::real_zero, numeric::real_one);
+    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glVertex2fv(const GLfloat*v) {
+void GLAPIENTRY glVertex2fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2fv"));
-    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex2fv: null pointer"));
+    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glVertex2d(GLdouble x, GLdouble y) {
-    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), numeric::real_zero, numeric::real_one);
+    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glVertex2dv(const GLdouble*v) {
+void GLAPIENTRY glVertex2dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2dv"));
-    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex2dv: null pointer"));
+    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glVertex2xOES(GLfixed x, GLfixed y) {
-    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), numeric::real_zero, numeric::real_one);
+    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glVertex2xvOES(const GLfixed*v) {
+void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2xvOES"));
-    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex2xvOES: null pointer"));
+    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
-    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::real_one);
+    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::one);
 }
 
-void GLAPIENTRY glVertex3sv(const GLshort*v) {
+void GLAPIENTRY glVertex3sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3sv"));
-    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex3sv: null pointer"));
+    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
-    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), numeric::real_one);
+    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), numeric::one);
 }
 
-void GLAPIENTRY glVertex3iv(const GLint*v) {
+void GLAPIENTRY glVertex3iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3iv"));
-    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex3iv: null pointer"));
+    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), numeric::real_one);
+    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), numeric::one);
 }
 
-void GLAPIENTRY glVertex3fv(const GLfloat*v) {
+void GLAPIENTRY glVertex3fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3fv"));
-    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex3fv: null pointer"));
+    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), numeric::real_one);
+    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), numeric::one);
 }
 
-void GLAPIENTRY glVertex3dv(const GLdouble*v) {
+void GLAPIENTRY glVertex3dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3dv"));
-    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex3dv: null pointer"));
+    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glVertex3xOES(GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::real_one);
+    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::one);
 }
 
-void GLAPIENTRY glVertex3xvOES(const GLfixed*v) {
+void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3xvOES"));
-    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glVertex3xvOES: null pointer"));
+    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
     issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), convert::cast_s(w));
 }
 
-void GLAPIENTRY glVertex4sv(const GLshort*v) {
+void GLAPIENTRY glVertex4sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4sv"));
+        return refuse_null(SPANGLE_TEXT("glVertex4sv: null pointer"));
     issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
 }
 
@@ -132,9 +132,9 @@ void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
     issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), convert::cast_i(w));
 }
 
-void GLAPIENTRY glVertex4iv(const GLint*v) {
+void GLAPIENTRY glVertex4iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4iv"));
+        return refuse_null(SPANGLE_TEXT("glVertex4iv: null pointer"));
     issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
 }
 
@@ -142,9 +142,9 @@ void GLAPIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
     issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), convert::cast_f(w));
 }
 
-void GLAPIENTRY glVertex4fv(const GLfloat*v) {
+void GLAPIENTRY glVertex4fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4fv"));
+        return refuse_null(SPANGLE_TEXT("glVertex4fv: null pointer"));
     issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
 }
 
@@ -152,9 +152,9 @@ void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
     issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), convert::cast_d(w));
 }
 
-void GLAPIENTRY glVertex4dv(const GLdouble*v) {
+void GLAPIENTRY glVertex4dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4dv"));
+        return refuse_null(SPANGLE_TEXT("glVertex4dv: null pointer"));
     issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
@@ -162,169 +162,169 @@ void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
     issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), convert::cast_x(w));
 }
 
-void GLAPIENTRY glVertex4xvOES(const GLfixed*v) {
+void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4xvOES"));
+        return refuse_null(SPANGLE_TEXT("glVertex4xvOES: null pointer"));
     issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
 
 void GLAPIENTRY glTexCoord1s(GLshort s) {
-    issue<family::TexCoord>(convert::cast_s(s), numeric::real_zero, numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord1sv(const GLshort*v) {
+void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1sv"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), numeric::real_zero, numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord1sv: null pointer"));
+    issue<family::TexCoord>(convert::cast_s(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord1i(GLint s) {
-    issue<family::TexCoord>(convert::cast_i(s), numeric::real_zero, numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_i(s), numeric::zero, numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord1iv(const GLint*v) {
+void GLAPIENTRY glTexCoord1iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1iv"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), numeric::real_zero, numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord1iv: null pointer"));
+    issue<family::TexCoord>(convert::cast_i(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord1f(GLfloat s) {
-    issue<family::TexCoord>(convert::cast_f(s), numeric::real_zero, numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_f(s), numeric::zero, numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord1fv(const GLfloat*v) {
+void GLAPIENTRY glTexCoord1fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1fv"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), numeric::real_zero, numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord1fv: null pointer"));
+    issue<family::TexCoord>(convert::cast_f(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord1d(GLdouble s) {
-    issue<family::TexCoord>(convert::cast_d(s), numeric::real_zero, numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_d(s), numeric::zero, numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord1dv(const GLdouble*v) {
+void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1dv"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), numeric::real_zero, numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord1dv: null pointer"));
+    issue<family::TexCoord>(convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord1xOES(GLfixed s) {
-    issue<family::TexCoord>(convert::cast_x(s), numeric::real_zero, numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord1xvOES(const GLfixed*v) {
+void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1xvOES"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), numeric::real_zero, numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord1xvOES: null pointer"));
+    issue<family::TexCoord>(convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
-    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord2sv(const GLshort*v) {
+void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2sv"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord2sv: null pointer"));
+    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
-    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord2iv(const GLint*v) {
+void GLAPIENTRY glTexCoord2iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2iv"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord2iv: null pointer"));
+    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord2f(GLfloat s, GLfloat t) {
-    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord2fv(const GLfloat*v) {
+void GLAPIENTRY glTexCoord2fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2fv"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord2fv: null pointer"));
+    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord2d(GLdouble s, GLdouble t) {
-    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord2dv(const GLdouble*v) {
+void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2dv"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord2dv: null pointer"));
+    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord2xOES(GLfixed s, GLfixed t) {
-    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), numeric::real_zero, numeric::real_one);
+    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
 }
 
-void GLAPIENTRY glTexCoord2xvOES(const GLfixed*v) {
+void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2xvOES"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::real_zero, numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord2xvOES: null pointer"));
+    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
 }
 
 void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
-    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::real_one);
+    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
 }
 
-void GLAPIENTRY glTexCoord3sv(const GLshort*v) {
+void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3sv"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord3sv: null pointer"));
+    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
-    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), numeric::real_one);
+    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), numeric::one);
 }
 
-void GLAPIENTRY glTexCoord3iv(const GLint*v) {
+void GLAPIENTRY glTexCoord3iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3iv"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord3iv: null pointer"));
+    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
-    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), numeric::real_one);
+    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), numeric::one);
 }
 
-void GLAPIENTRY glTexCoord3fv(const GLfloat*v) {
+void GLAPIENTRY glTexCoord3fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3fv"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord3fv: null pointer"));
+    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
-    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), numeric::real_one);
+    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), numeric::one);
 }
 
-void GLAPIENTRY glTexCoord3dv(const GLdouble*v) {
+void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3dv"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord3dv: null pointer"));
+    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glTexCoord3xOES(GLfixed s, GLfixed t, GLfixed r) {
-    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::real_one);
+    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
 }
 
-void GLAPIENTRY glTexCoord3xvOES(const GLfixed*v) {
+void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3xvOES"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glTexCoord3xvOES: null pointer"));
+    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
     issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
 }
 
-void GLAPIENTRY glTexCoord4sv(const GLshort*v) {
+void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4sv"));
+        return refuse_null(SPANGLE_TEXT("glTexCoord4sv: null pointer"));
     issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
 }
 
@@ -332,9 +332,9 @@ void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
     issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), convert::cast_i(q));
 }
 
-void GLAPIENTRY glTexCoord4iv(const GLint*v) {
+void GLAPIENTRY glTexCoord4iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4iv"));
+        return refuse_null(SPANGLE_TEXT("glTexCoord4iv: null pointer"));
     issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
 }
 
@@ -342,9 +342,9 @@ void GLAPIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
     issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), convert::cast_f(q));
 }
 
-void GLAPIENTRY glTexCoord4fv(const GLfloat*v) {
+void GLAPIENTRY glTexCoord4fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4fv"));
+        return refuse_null(SPANGLE_TEXT("glTexCoord4fv: null pointer"));
     issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
 }
 
@@ -352,9 +352,9 @@ void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
     issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), convert::cast_d(q));
 }
 
-void GLAPIENTRY glTexCoord4dv(const GLdouble*v) {
+void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4dv"));
+        return refuse_null(SPANGLE_TEXT("glTexCoord4dv: null pointer"));
     issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
@@ -362,9 +362,9 @@ void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
     issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
 }
 
-void GLAPIENTRY glTexCoord4xvOES(const GLfixed*v) {
+void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4xvOES"));
+        return refuse_null(SPANGLE_TEXT("glTexCoord4xvOES: null pointer"));
     issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
 
@@ -372,9 +372,9 @@ void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
     issue<family::Normal>(convert::unit_b(nx), convert::unit_b(ny), convert::unit_b(nz));
 }
 
-void GLAPIENTRY glNormal3bv(const GLbyte*v) {
+void GLAPIENTRY glNormal3bv(const GLbyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3bv"));
+        return refuse_null(SPANGLE_TEXT("glNormal3bv: null pointer"));
     issue<family::Normal>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]));
 }
 
@@ -382,9 +382,9 @@ void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) {
     issue<family::Normal>(convert::unit_s(nx), convert::unit_s(ny), convert::unit_s(nz));
 }
 
-void GLAPIENTRY glNormal3sv(const GLshort*v) {
+void GLAPIENTRY glNormal3sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3sv"));
+        return refuse_null(SPANGLE_TEXT("glNormal3sv: null pointer"));
     issue<family::Normal>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]));
 }
 
@@ -392,9 +392,9 @@ void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
     issue<family::Normal>(convert::unit_i(nx), convert::unit_i(ny), convert::unit_i(nz));
 }
 
-void GLAPIENTRY glNormal3iv(const GLint*v) {
+void GLAPIENTRY glNormal3iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3iv"));
+        return refuse_null(SPANGLE_TEXT("glNormal3iv: null pointer"));
     issue<family::Normal>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]));
 }
 
@@ -402,9 +402,9 @@ void GLAPIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) {
     issue<family::Normal>(convert::cast_f(nx), convert::cast_f(ny), convert::cast_f(nz));
 }
 
-void GLAPIENTRY glNormal3fv(const GLfloat*v) {
+void GLAPIENTRY glNormal3fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3fv"));
+        return refuse_null(SPANGLE_TEXT("glNormal3fv: null pointer"));
     issue<family::Normal>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
 }
 
@@ -412,9 +412,9 @@ void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) {
     issue<family::Normal>(convert::cast_d(nx), convert::cast_d(ny), convert::cast_d(nz));
 }
 
-void GLAPIENTRY glNormal3dv(const GLdouble*v) {
+void GLAPIENTRY glNormal3dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3dv"));
+        return refuse_null(SPANGLE_TEXT("glNormal3dv: null pointer"));
     issue<family::Normal>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
 }
 
@@ -422,109 +422,109 @@ void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz) {
     issue<family::Normal>(convert::cast_x(nx), convert::cast_x(ny), convert::cast_x(nz));
 }
 
-void GLAPIENTRY glNormal3xvOES(const GLfixed*v) {
+void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3xvOES"));
+        return refuse_null(SPANGLE_TEXT("glNormal3xvOES: null pointer"));
     issue<family::Normal>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]));
 }
 
 void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) {
-    issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3bv(const GLbyte*v) {
+void GLAPIENTRY glColor3bv(const GLbyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3bv"));
-    issue<family::Color>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3bv: null pointer"));
+    issue<family::Color>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) {
-    issue<family::Color>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3sv(const GLshort*v) {
+void GLAPIENTRY glColor3sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3sv"));
-    issue<family::Color>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3sv: null pointer"));
+    issue<family::Color>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
-    issue<family::Color>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3iv(const GLint*v) {
+void GLAPIENTRY glColor3iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3iv"));
-    issue<family::Color>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3iv: null pointer"));
+    issue<family::Color>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) {
-    issue<family::Color>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), numeric::real_one);
+    issue<family::Color>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3fv(const GLfloat*v) {
+void GLAPIENTRY glColor3fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3fv"));
-    issue<family::Color>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3fv: null pointer"));
+    issue<family::Color>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) {
-    issue<family::Color>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue), numeric::real_one);
+    issue<family::Color>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3dv(const GLdouble*v) {
+void GLAPIENTRY glColor3dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3dv"));
-    issue<family::Color>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3dv: null pointer"));
+    issue<family::Color>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
-    issue<family::Color>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3ubv(const GLubyte*v) {
+void GLAPIENTRY glColor3ubv(const GLubyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3ubv"));
-    issue<family::Color>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3ubv: null pointer"));
+    issue<family::Color>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) {
-    issue<family::Color>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3usv(const GLushort*v) {
+void GLAPIENTRY glColor3usv(const GLushort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3usv"));
-    issue<family::Color>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3usv: null pointer"));
+    issue<family::Color>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) {
-    issue<family::Color>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue), numeric::real_one);
+    issue<family::Color>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3uiv(const GLuint*v) {
+void GLAPIENTRY glColor3uiv(const GLuint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3uiv"));
-    issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3uiv: null pointer"));
+    issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor3xOES(GLfixed red, GLfixed green, GLfixed blue) {
-    issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), numeric::real_one);
+    issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), numeric::one);
 }
 
-void GLAPIENTRY glColor3xvOES(const GLfixed*v) {
+void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3xvOES"));
-    issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::real_one);
+        return refuse_null(SPANGLE_TEXT("glColor3xvOES: null pointer"));
+    issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
 
 void GLAPIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) {
     issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), convert::unit_b(alpha));
 }
 
-void GLAPIENTRY glColor4bv(const GLbyte*v) {
+void GLAPIENTRY glColor4bv(const GLbyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4bv"));
+        return refuse_null(SPANGLE_TEXT("glColor4bv: null pointer"));
     issue<family::Color>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]), convert::unit_b(v[3]));
 }
 
@@ -532,9 +532,9 @@ void GLAPIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alph
     issue<family::Color>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue), convert::unit_s(alpha));
 }
 
-void GLAPIENTRY glColor4sv(const GLshort*v) {
+void GLAPIENTRY glColor4sv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4sv"));
+        return refuse_null(SPANGLE_TEXT("glColor4sv: null pointer"));
     issue<family::Color>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]), convert::unit_s(v[3]));
 }
 
@@ -542,9 +542,9 @@ void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
     issue<family::Color>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue), convert::unit_i(alpha));
 }
 
-void GLAPIENTRY glColor4iv(const GLint*v) {
+void GLAPIENTRY glColor4iv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4iv"));
+        return refuse_null(SPANGLE_TEXT("glColor4iv: null pointer"));
     issue<family::Color>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]), convert::unit_i(v[3]));
 }
 
@@ -552,9 +552,9 @@ void GLAPIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alph
     issue<family::Color>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
 }
 
-void GLAPIENTRY glColor4fv(const GLfloat*v) {
+void GLAPIENTRY glColor4fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4fv"));
+        return refuse_null(SPANGLE_TEXT("glColor4fv: null pointer"));
     issue<family::Color>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
 }
 
@@ -562,9 +562,9 @@ void GLAPIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble 
     issue<family::Color>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue), convert::cast_d(alpha));
 }
 
-void GLAPIENTRY glColor4dv(const GLdouble*v) {
+void GLAPIENTRY glColor4dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4dv"));
+        return refuse_null(SPANGLE_TEXT("glColor4dv: null pointer"));
     issue<family::Color>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
@@ -572,9 +572,9 @@ void GLAPIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alp
     issue<family::Color>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue), convert::unit_ub(alpha));
 }
 
-void GLAPIENTRY glColor4ubv(const GLubyte*v) {
+void GLAPIENTRY glColor4ubv(const GLubyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4ubv"));
+        return refuse_null(SPANGLE_TEXT("glColor4ubv: null pointer"));
     issue<family::Color>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]), convert::unit_ub(v[3]));
 }
 
@@ -582,9 +582,9 @@ void GLAPIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort
     issue<family::Color>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue), convert::unit_us(alpha));
 }
 
-void GLAPIENTRY glColor4usv(const GLushort*v) {
+void GLAPIENTRY glColor4usv(const GLushort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4usv"));
+        return refuse_null(SPANGLE_TEXT("glColor4usv: null pointer"));
     issue<family::Color>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]), convert::unit_us(v[3]));
 }
 
@@ -592,9 +592,9 @@ void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) 
     issue<family::Color>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue), convert::unit_ui(alpha));
 }
 
-void GLAPIENTRY glColor4uiv(const GLuint*v) {
+void GLAPIENTRY glColor4uiv(const GLuint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4uiv"));
+        return refuse_null(SPANGLE_TEXT("glColor4uiv: null pointer"));
     issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), convert::unit_ui(v[3]));
 }
 
@@ -602,9 +602,9 @@ void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed a
     issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
 }
 
-void GLAPIENTRY glColor4xvOES(const GLfixed*v) {
+void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4xvOES"));
+        return refuse_null(SPANGLE_TEXT("glColor4xvOES: null pointer"));
     issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
 
@@ -612,9 +612,9 @@ void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
     issue<family::Rect>(convert::cast_s(x1), convert::cast_s(y1), convert::cast_s(x2), convert::cast_s(y2));
 }
 
-void GLAPIENTRY glRectsv(const GLshort*v1, const GLshort*v2) {
+void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
     if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectsv"));
+        return refuse_null(SPANGLE_TEXT("glRectsv: null pointer"));
     issue<family::Rect>(convert::cast_s(v1[0]), convert::cast_s(v1[1]), convert::cast_s(v2[0]), convert::cast_s(v2[1]));
 }
 
@@ -622,9 +622,9 @@ void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
     issue<family::Rect>(convert::cast_i(x1), convert::cast_i(y1), convert::cast_i(x2), convert::cast_i(y2));
 }
 
-void GLAPIENTRY glRectiv(const GLint*v1, const GLint*v2) {
+void GLAPIENTRY glRectiv(const GLint* v1, const GLint* v2) {
     if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectiv"));
+        return refuse_null(SPANGLE_TEXT("glRectiv: null pointer"));
     issue<family::Rect>(convert::cast_i(v1[0]), convert::cast_i(v1[1]), convert::cast_i(v2[0]), convert::cast_i(v2[1]));
 }
 
@@ -632,9 +632,9 @@ void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
     issue<family::Rect>(convert::cast_f(x1), convert::cast_f(y1), convert::cast_f(x2), convert::cast_f(y2));
 }
 
-void GLAPIENTRY glRectfv(const GLfloat*v1, const GLfloat*v2) {
+void GLAPIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) {
     if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectfv"));
+        return refuse_null(SPANGLE_TEXT("glRectfv: null pointer"));
     issue<family::Rect>(convert::cast_f(v1[0]), convert::cast_f(v1[1]), convert::cast_f(v2[0]), convert::cast_f(v2[1]));
 }
 
@@ -642,9 +642,9 @@ void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
     issue<family::Rect>(convert::cast_d(x1), convert::cast_d(y1), convert::cast_d(x2), convert::cast_d(y2));
 }
 
-void GLAPIENTRY glRectdv(const GLdouble*v1, const GLdouble*v2) {
+void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
     if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectdv"));
+        return refuse_null(SPANGLE_TEXT("glRectdv: null pointer"));
     issue<family::Rect>(convert::cast_d(v1[0]), convert::cast_d(v1[1]), convert::cast_d(v2[0]), convert::cast_d(v2[1]));
 }
 
@@ -652,25 +652,25 @@ void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2) {
     issue<family::Rect>(convert::cast_x(x1), convert::cast_x(y1), convert::cast_x(x2), convert::cast_x(y2));
 }
 
-void GLAPIENTRY glRectxvOES(const GLfixed*v1, const GLfixed*v2) {
+void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2) {
     if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectxvOES"));
+        return refuse_null(SPANGLE_TEXT("glRectxvOES: null pointer"));
     issue<family::Rect>(convert::cast_x(v1[0]), convert::cast_x(v1[1]), convert::cast_x(v2[0]), convert::cast_x(v2[1]));
 }
 
-void GLAPIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void*pointer) {
+void GLAPIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
     issue<family::VertexPointer>(size, type, stride, pointer);
 }
 
-void GLAPIENTRY glNormalPointer(GLenum type, GLsizei stride, const void*pointer) {
+void GLAPIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer) {
     issue<family::NormalPointer>(type, stride, pointer);
 }
 
-void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void*pointer) {
+void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
     issue<family::ColorPointer>(size, type, stride, pointer);
 }
 
-void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void*pointer) {
+void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
     issue<family::TexCoordPointer>(size, type, stride, pointer);
 }
 
@@ -690,15 +690,15 @@ void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
     issue<family::DrawArrays>(mode, first, count);
 }
 
-void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void*indices) {
+void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
     issue<family::DrawElements>(mode, count, type, indices);
 }
 
-void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void*indices) {
+void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
     issue<family::DrawRangeElements>(mode, start, end, count, type, indices);
 }
 
-void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void*pointer) {
+void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
     issue<family::InterleavedArrays>(format, stride, pointer);
 }
 

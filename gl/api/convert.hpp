@@ -1,0 +1,48 @@
+// The border of the API: every scalar becomes a Real or an integer here, once (design 1).
+#pragma once
+
+#include "gl/api/family.hpp"
+#include "gl/context/types.hpp"
+
+namespace spangle::gl::convert {
+
+// At face value. Floats are moves and inline; the others are functions, so that wrappers stay thin.
+inline Real cast_f(GLfloat v) { return numeric::from_float(v); }
+Real cast_d(GLdouble v);
+Real cast_x(GLfixed v);
+Real cast_i(GLint v);
+inline Real cast_s(GLshort v) { return cast_i(v); }
+
+// As components of colours and normals (GL 1.3, table 2.6).
+Real unit_b(GLbyte v);
+Real unit_s(GLshort v);
+Real unit_i(GLint v);
+Real unit_ub(GLubyte v);
+Real unit_us(GLushort v);
+Real unit_ui(GLuint v);
+
+Matrix16 matrix_f(const GLfloat* m);
+Matrix16 matrix_d(const GLdouble* m);
+Matrix16 matrix_x(const GLfixed* m);
+
+// Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
+Params scalar_f(Shape shape, GLfloat value);
+Params scalar_i(Shape shape, GLint value);
+Params scalar_x(Shape shape, GLfixed value);
+Params vector_f(Shape shape, const GLfloat* values);
+Params vector_i(Shape shape, const GLint* values);
+Params vector_x(Shape shape, const GLfixed* values);
+
+// And back, for their queries. Nothing is written when `found.count` is 0.
+void store_f(Shape shape, const Params& found, GLfloat* out);
+void store_i(Shape shape, const Params& found, GLint* out);
+void store_x(Shape shape, const Params& found, GLfixed* out);
+
+// One value of a given kind, as the queries return it (GL 1.3, 6.1.2).
+GLfloat to_float(Kind kind, Param value);
+GLdouble to_double(Kind kind, Param value);
+GLint to_int(Kind kind, Param value);
+GLfixed to_fixed(Kind kind, Param value);
+GLboolean to_boolean(Kind kind, Param value);
+
+} // namespace spangle::gl::convert

@@ -1,0 +1,30 @@
+// What the generated descriptors of command families are made of.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/GL/gl.h>
+
+#include "gl/context/error.hpp"
+#include "gl/context/features.hpp"
+
+namespace spangle::gl {
+
+/// How NewList treats a family (GL 1.3, 5.4).
+enum class Listing : std::uint8_t {
+    words,       ///< arguments stored word by word
+    attribute,   ///< packed into runs of vertices
+    client_data, ///< an encoder by hand, because it reads client memory now
+    never,       ///< runs at once
+};
+
+/// What the values of a pname are; decides every conversion (GL 1.3, 2.13 and 6.1.2).
+enum class Kind : std::uint8_t { real, color, integer };
+
+/// Number of values a pname takes; 0 = unknown pname.
+struct Shape {
+    Kind kind = Kind::real;
+    std::uint8_t count = 0;
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,103 @@
+// How a command becomes words of a display list and how they are played. A record is the address of its player and
+// the command's canonical arguments: what a program never calls is never referenced, so the linker drops it.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "gl/api/family.hpp"
+#include "gl/context/context.hpp"
+
+namespace spangle::gl::list {
+
+/// Executes the record whose arguments start at `words`; returns the next record, or null after a jump that ended.
+using Player = const Word* (*)(Context& context, const Word* words);
+
+inline constexpr std::uint32_t player_words = sizeof(Player) / sizeof(Word);
+
+/// Room for the arguments of a new record, or null without memory (EndList reports that). Closes an open run.
+Word* record(Context& context, Player player, std::uint32_t words);
+
+/// One word per argument; a matrix and parameters stand last and take more.
+template <class T>
+struct Codec {
+    static std::uint32_t words(T) { return 1; }
+    static void store(Word* to, T value) { *to = static_cast<Word>(value); }
+    static T load(const Word* from) { return static_cast<T>(*from); }
+    static std::uint32_t stored(const Word*) { return 1; }
+};
+template <>
+struct Codec<Real> {
+    static std::uint32_t words(Real) { return 1; }
+    static void store(Word* to, Real value) { *to = value.bits; }
+    static Real load(const Word* from) { return {*from}; }
+    static std::uint32_t stored(const Word*) { return 1; }
+};
+template <>
+struct Codec<const Matrix16&> {
+    static std::uint32_t words(const Matrix16&) { return 16; }
+    static void store(Word* to, const Matrix16& matrix) {
+        for (const Real element : matrix.m)
+            *to++ = element.bits;
+    }
+    static Matrix16 load(const Word* from) {
+        Matrix16 matrix;
+        for (Real& element : matrix.m)
+            element.bits = *from++;
+        return matrix;
+    }
+    static std::uint32_t stored(const Word*) { return 16; }
+};
+template <>
+struct Codec<const Params&> {
+    static std::uint32_t words(const Params& params) { return 1 + params.count; }
+    static void store(Word* to, const Params& params) {
+        *to++ = params.count;
+        for (std::uint32_t i = 0; i < params.count; ++i)
+            *to++ = params.v[i].word;
+    }
+    static Params load(const Word* from) {
+        Params params;
+        params.count = *from++;
+        for (std::uint32_t i = 0; i < params.count; ++i)
+            params.v[i].word = *from++;
+        return params;
+    }
+    static std::uint32_t stored(const Word* from) { return 1 + *from; }
+};
+
+/// True when `context` is not between Begin and End, where F is not allowed; else INVALID_OPERATION.
+bool allowed_outside(Context& context, const char* refusal);
+
+template <class F, class Run>
+struct Recorder;
+
+template <class F, class... A>
+struct Recorder<F, void (*)(Context&, A...)> {
+    static void write(Context& context, A... args) {
+        Word* to = record(context, &play, (Codec<A>::words(args) + ... + 0u));
+        if (to == nullptr)
+            return;
+        ((Codec<A>::store(to, args), to += Codec<A>::words(args)), ...);
+    }
+
+    static const Word* play(Context& context, const Word* words) {
+        return call(context, words, std::index_sequence_for<A...>{});
+    }
+
+    template <std::size_t... I>
+    static const Word* call(Context& context, const Word* words, std::index_sequence<I...>) {
+        if (F::inside || allowed_outside(context, F::refusal))
+            F::run(context, Codec<A>::load(words + I)...); // all but the last argument take one word
+        const Word* next = words;
+        ((next += Codec<A>::stored(next)), ...);
+        return next;
+    }
+};
+
+template <class F, class... A>
+inline void record_words(Context& context, const A&... args) {
+    Recorder<F, std::remove_const_t<decltype(F::run)>>::write(context, args...);
+}
+
+} // namespace spangle::gl::list
