@@ -1,0 +1,107 @@
+#include "gl/context/name_table.hpp"
+
+#include "gl/context/arena.hpp"
+
+namespace spangle::gl {
+
+/// The slot of `name`, or of the free slot where it would go. Ends: the table is never full.
+std::uint32_t NameTable::index_of(std::uint32_t name) const {
+    std::uint32_t i = home(name);
+    while (entries_[i].name != 0 && entries_[i].name != name)
+        i = (i + 1) & (capacity_ - 1);
+    return i;
+}
+
+void** NameTable::find(std::uint32_t name) const {
+    if (name == 0 || count_ == 0)
+        return nullptr;
+    Entry& entry = entries_[index_of(name)];
+    return entry.name == 0 ? nullptr : &entry.object;
+}
+
+void NameTable::place(std::uint32_t name, void* object) { entries_[index_of(name)] = {name, object}; }
+
+bool NameTable::reserve(Arena& arena, std::uint32_t more) {
+    const std::uint64_t wanted = std::uint64_t{count_} + more;
+    if (wanted * 4 <= std::uint64_t{capacity_} * 3)
+        return true;
+    unsigned log = 3;
+    while (wanted * 4 > (std::uint64_t{3} << log))
+        ++log;
+    const std::uint64_t bytes = std::uint64_t{sizeof(Entry)} << log;
+    if (log > 31 || bytes > SIZE_MAX)
+        return false;
+    auto* larger = static_cast<Entry*>(arena.allocate(static_cast<std::size_t>(bytes)));
+    if (larger == nullptr)
+        return false;
+    Entry* const old = entries_;
+    const std::uint32_t old_capacity = capacity_;
+    entries_ = larger;
+    capacity_ = std::uint32_t{1} << log;
+    shift_ = 32 - log;
+    for (std::uint32_t i = 0; i < capacity_; ++i)
+        entries_[i] = {0, nullptr};
+    for (std::uint32_t i = 0; i < old_capacity; ++i)
+        if (old[i].name != 0)
+            place(old[i].name, old[i].object);
+    arena.free(old);
+    return true;
+}
+
+bool NameTable::insert(Arena& arena, std::uint32_t name, void* object) {
+    if (!reserve(arena, 1))
+        return false;
+    place(name, object);
+    ++count_;
+    return true;
+}
+
+void* NameTable::remove(std::uint32_t name) {
+    if (find(name) == nullptr)
+        return nullptr;
+    std::uint32_t hole = index_of(name);
+    void* const object = entries_[hole].object;
+    // Pull later entries of the same cluster over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
+    for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0; i = (i + 1) & (capacity_ - 1)) {
+        const std::uint32_t from_home = (i - home(entries_[i].name)) & (capacity_ - 1);
+        const std::uint32_t from_hole = (i - hole) & (capacity_ - 1);
+        if (from_home >= from_hole) {
+            entries_[hole] = entries_[i];
+            hole = i;
+        }
+    }
+    entries_[hole] = {0, nullptr};
+    --count_;
+    return object;
+}
+
+std::uint32_t NameTable::unused(std::uint32_t range) const {
+    std::uint32_t highest = 0;
+    for (std::uint32_t i = 0; i < capacity_; ++i)
+        highest = entries_[i].name > highest ? entries_[i].name : highest;
+    if (UINT32_MAX - highest >= range)
+        return highest + 1;
+    // Names near 2^32 are taken: step over the highest name in the way until none is.
+    std::uint32_t first = 1;
+    for (std::uint32_t tries = 0; tries <= count_ && UINT32_MAX - first >= range - 1; ++tries) {
+        std::uint32_t in_the_way = 0;
+        for (std::uint32_t i = 0; i < capacity_; ++i) {
+            const std::uint32_t name = entries_[i].name;
+            if (name >= first && name - first < range && name > in_the_way)
+                in_the_way = name;
+        }
+        if (in_the_way == 0)
+            return first;
+        if (in_the_way == UINT32_MAX)
+            return 0;
+        first = in_the_way + 1;
+    }
+    return 0;
+}
+
+void NameTable::clear(Arena& arena) {
+    arena.free(entries_);
+    *this = NameTable{};
+}
+
+} // namespace spangle::gl

@@ -1,0 +1,52 @@
+// Names (of textures, of display lists) to objects: one per kind in a share group.
+#pragma once
+
+#include <cstdint>
+
+namespace spangle::gl {
+
+class Arena;
+
+/// Open addressing with linear probing in a power-of-two array that is at most three quarters full. A name may be
+/// present with a null object: GenTextures reserves, GenLists makes empty lists.
+class NameTable {
+  public:
+    struct Entry {
+        std::uint32_t name; ///< 0: free
+        void* object;
+    };
+
+    /// Null when the name is not present; else where its object is kept, valid until the table changes.
+    void** find(std::uint32_t name) const;
+
+    /// Adds a name that is not 0. False, and nothing changed, without memory.
+    bool insert(Arena& arena, std::uint32_t name, void* object);
+
+    /// Makes room for `more` names, so that as many inserts cannot fail.
+    bool reserve(Arena& arena, std::uint32_t more);
+
+    /// Removes a name and gives its object back; null when it was not present.
+    void* remove(std::uint32_t name);
+
+    /// The first of `range` unused names in a row, or 0 when there are none. range > 0.
+    std::uint32_t unused(std::uint32_t range) const;
+
+    /// Frees the array, not the objects.
+    void clear(Arena& arena);
+
+    std::uint32_t count() const { return count_; }
+    std::uint32_t capacity() const { return capacity_; }
+    /// For walking: slots 0 .. capacity() - 1, some of them free.
+    Entry& slot(std::uint32_t index) const { return entries_[index]; }
+
+  private:
+    std::uint32_t home(std::uint32_t name) const { return name * 2654435769u >> shift_; }
+    void place(std::uint32_t name, void* object);
+    std::uint32_t index_of(std::uint32_t name) const;
+
+    Entry* entries_ = nullptr;
+    std::uint32_t capacity_ = 0, count_ = 0;
+    unsigned shift_ = 31; ///< 32 - log2(capacity)
+};
+
+} // namespace spangle::gl

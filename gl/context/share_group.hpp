@@ -1,0 +1,19 @@
+// What contexts share: texture objects, display lists, and the memory they lie in (GL 1.3, 2.2; EGL 1.4, 2.4).
+// Contexts of one group, and the arena under them, belong to one thread at a time.
+#pragma once
+
+#include "gl/context/arena.hpp"
+#include "gl/context/name_table.hpp"
+
+namespace spangle::gl {
+
+struct ShareGroup {
+    explicit ShareGroup(Arena& memory) : arena(memory) {}
+
+    Arena& arena;
+    std::uint32_t references = 0; ///< contexts
+    NameTable textures;           ///< to TextureObject
+    NameTable lists;              ///< to list::Chunk, the first of its chain; null for an empty list
+};
+
+} // namespace spangle::gl
