@@ -1,0 +1,221 @@
+// Writing a display list: records into chunks, vertices into runs.
+//
+// A run is one record for any number of vertices that carry the same attributes: header, then per vertex the given
+// ones of colour (4 words), normal (3), texture coordinates (2 or 4) and the position (2, 3 or 4). Attributes are held
+// back until the vertex that takes them, or until another command needs them in their place.
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_LISTS
+
+#include <cstring>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/share_group.hpp"
+#include "gl/list/chunk.hpp"
+
+namespace spangle::gl::list {
+
+namespace {
+
+enum Field : std::uint32_t {
+    field_color = 1,
+    field_normal = 2,
+    field_tex2 = 4,
+    field_tex4 = 8,
+    field_position_shift = 4, ///< components of the position, 2 to 4
+};
+
+constexpr std::uint32_t count_bits = 24;
+constexpr Word count_mask = (Word{1} << count_bits) - 1;
+
+constexpr std::uint32_t words_per_vertex(std::uint32_t fields) {
+    return (fields & field_color ? 4 : 0) + (fields & field_normal ? 3 : 0) + (fields & field_tex2 ? 2 : 0) +
+           (fields & field_tex4 ? 4 : 0) + (fields >> field_position_shift);
+}
+
+const Word* play_link(Context&, const Word* words) {
+    const Word* next;
+    std::memcpy(&next, words, sizeof next);
+    return next;
+}
+
+const Word* play_run(Context& context, const Word* words) {
+    const Word header = *words++;
+    const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
+    for (Word left = header & count_mask; left != 0; --left) {
+        if (fields & field_color) {
+            cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
+            words += 4;
+        }
+        if (fields & field_normal) {
+            cmd::Normal(context, {words[0]}, {words[1]}, {words[2]});
+            words += 3;
+        }
+        if (fields & field_tex2) {
+            cmd::TexCoord(context, {words[0]}, {words[1]}, numeric::zero, numeric::one);
+            words += 2;
+        } else if (fields & field_tex4) {
+            cmd::TexCoord(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
+            words += 4;
+        }
+        cmd::Vertex(context, {words[0]}, {words[1]}, components > 2 ? Real{words[2]} : numeric::zero,
+                    components > 3 ? Real{words[3]} : numeric::one);
+        words += components;
+    }
+    return words;
+}
+
+void store_player(Word* to, Player player) { std::memcpy(to, &player, sizeof player); }
+
+bool grow(Context& context, std::uint32_t words) {
+    ListRecorder& r = context.list.recorder;
+    constexpr std::uint32_t first_words = 64, most_words = 4096;
+    std::uint32_t size = r.last == nullptr ? first_words : r.last->words * 2;
+    size = size > most_words ? most_words : size;
+    size = size < words + link_words ? words + link_words : size;
+    auto* chunk = static_cast<Chunk*>(context.arena->allocate(sizeof(Chunk) + std::size_t{size} * sizeof(Word)));
+    if (chunk == nullptr) {
+        r.out_of_memory = true;
+        return false;
+    }
+    chunk->next = nullptr;
+    chunk->words = size;
+    if (r.last != nullptr) {
+        const Word* next = chunk->data();
+        store_player(r.write, &play_link);
+        std::memcpy(r.write + player_words, &next, sizeof next);
+        r.last->next = chunk;
+    } else {
+        r.first = chunk;
+    }
+    r.last = chunk;
+    r.write = chunk->data();
+    r.end = r.write + (size - link_words);
+    return true;
+}
+
+Word* append(Context& context, Player player, std::uint32_t words) {
+    ListRecorder& r = context.list.recorder;
+    r.run = nullptr;
+    const std::uint32_t needed = player_words + words;
+    if (r.out_of_memory || (static_cast<std::size_t>(r.end - r.write) < needed && !grow(context, needed)))
+        return nullptr;
+    store_player(r.write, player);
+    Word* const arguments = r.write + player_words;
+    r.write += needed;
+    return arguments;
+}
+
+void store_reals(Word*& to, const Real* from, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        *to++ = from[i].bits;
+}
+
+bool same(Real a, Real b) { return a.bits == b.bits; }
+
+/// Attributes without a vertex become records of their own.
+void flush_attributes(Context& context) {
+    ListRecorder& r = context.list.recorder;
+    const std::uint32_t pending = r.pending;
+    r.pending = 0;
+    if (pending & field_color)
+        record_words<family::Color>(context, r.color[0], r.color[1], r.color[2], r.color[3]);
+    if (pending & field_normal)
+        record_words<family::Normal>(context, r.normal[0], r.normal[1], r.normal[2]);
+    if (pending & (field_tex2 | field_tex4))
+        record_words<family::TexCoord>(context, r.tex_coord[0], r.tex_coord[1], r.tex_coord[2], r.tex_coord[3]);
+}
+
+} // namespace
+
+Word* record(Context& context, Player player, std::uint32_t words) {
+    if (context.list.recorder.pending != 0)
+        flush_attributes(context);
+    return append(context, player, words);
+}
+
+bool allowed_outside(Context& context, const char* refusal) {
+    if (!context.inside_begin_end())
+        return true;
+    error(context, GL_INVALID_OPERATION, refusal);
+    return false;
+}
+
+void begin_recording(Context& context) { context.list.recorder = ListRecorder{}; }
+
+Chunk* end_recording(Context& context) {
+    ListRecorder& r = context.list.recorder;
+    if (Word* end = record(context, nullptr, 0); end == nullptr) {
+        free_chain(*context.arena, r.first);
+        return nullptr;
+    }
+    r.last->words = static_cast<std::uint32_t>(r.write - r.last->data());
+    context.arena->shrink(r.last, sizeof(Chunk) + r.last->words * sizeof(Word));
+    return r.first;
+}
+
+void free_chain(Arena& arena, Chunk* first) {
+    while (first != nullptr) {
+        Chunk* const next = first->next;
+        arena.free(first);
+        first = next;
+    }
+}
+
+} // namespace spangle::gl::list
+
+namespace spangle::gl::encode {
+
+using namespace list;
+
+void Color(Context& context, Real red, Real green, Real blue, Real alpha) {
+    ListRecorder& r = context.list.recorder;
+    r.color[0] = red, r.color[1] = green, r.color[2] = blue, r.color[3] = alpha;
+    r.pending |= field_color;
+}
+
+void Normal(Context& context, Real x, Real y, Real z) {
+    ListRecorder& r = context.list.recorder;
+    r.normal[0] = x, r.normal[1] = y, r.normal[2] = z;
+    r.pending |= field_normal;
+}
+
+void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
+    ListRecorder& recorder = context.list.recorder;
+    recorder.tex_coord[0] = s, recorder.tex_coord[1] = t, recorder.tex_coord[2] = r, recorder.tex_coord[3] = q;
+    recorder.pending &= ~(field_tex2 | field_tex4);
+    recorder.pending |= same(r, numeric::zero) && same(q, numeric::one) ? field_tex2 : field_tex4;
+}
+
+void Vertex(Context& context, Real x, Real y, Real z, Real w) {
+    ListRecorder& r = context.list.recorder;
+    const Real position[4] = {x, y, z, w};
+    const std::uint32_t components = !same(w, numeric::one) ? 4 : !same(z, numeric::zero) ? 3 : 2;
+    const std::uint32_t fields = r.pending | components << field_position_shift;
+    const std::uint32_t words = words_per_vertex(fields);
+    Word* to = r.write;
+    if (r.run == nullptr || *r.run >> count_bits != fields || (*r.run & count_mask) == count_mask ||
+        static_cast<std::size_t>(r.end - r.write) < words) {
+        Word* const header = append(context, &play_run, 1 + words);
+        if (header == nullptr)
+            return;
+        *header = fields << count_bits;
+        r.run = header;
+        to = header + 1;
+    }
+    ++*r.run;
+    if (fields & field_color)
+        store_reals(to, r.color, 4);
+    if (fields & field_normal)
+        store_reals(to, r.normal, 3);
+    if (fields & (field_tex2 | field_tex4))
+        store_reals(to, r.tex_coord, fields & field_tex2 ? 2 : 4);
+    store_reals(to, position, components);
+    r.write = to;
+    r.pending = 0;
+}
+
+} // namespace spangle::gl::encode
+
+#endif
