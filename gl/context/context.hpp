@@ -7,6 +7,7 @@
 #include "gl/context/types.hpp"
 #include "gl/list/list_state.hpp"
 #include "gl/pixel/fog_state.hpp"
+#include "gl/pixel/fragment_cache.hpp"
 #include "gl/pixel/fragment_ops_state.hpp"
 #include "gl/pixel/hint_state.hpp"
 #include "gl/pixel/pixel_store_state.hpp"
@@ -63,6 +64,7 @@ struct Context {
     HintState hint;
     ListState list;
 
+    FragmentCache fragments;
     Drawable drawable;
     raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
     const Engine* engine = nullptr;

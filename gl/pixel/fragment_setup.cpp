@@ -1,0 +1,161 @@
+#include "gl/pixel/fragment_setup.hpp"
+
+#include "gl/context/features.hpp"
+#include "gl/texture/complete.hpp"
+#include "gl/vertex/engine.hpp"
+#include "raster/numeric/real.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+raster::Compare compare_of(GLenum func) {
+    return static_cast<raster::Compare>(func - GL_NEVER);
+}
+
+raster::StencilOp stencil_op_of(GLenum op) {
+    switch (op) {
+    case GL_ZERO: return raster::StencilOp::zero;
+    case GL_REPLACE: return raster::StencilOp::replace;
+    case GL_INCR: return raster::StencilOp::incr;
+    case GL_DECR: return raster::StencilOp::decr;
+    case GL_INVERT: return raster::StencilOp::invert;
+    default: return raster::StencilOp::keep;
+    }
+}
+
+raster::BlendFactor factor_of(GLenum factor) {
+    if (factor <= GL_ONE) return static_cast<raster::BlendFactor>(factor);
+    return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR + 2);
+}
+
+raster::TexEnv env_of(GLenum mode) {
+    switch (mode) {
+    case GL_REPLACE: return raster::TexEnv::replace;
+    case GL_DECAL: return raster::TexEnv::decal;
+    case GL_BLEND: return raster::TexEnv::blend;
+    case GL_ADD: return raster::TexEnv::add;
+    default: return raster::TexEnv::modulate;
+    }
+}
+
+/// A real colour component in the rasterizer's units: 255ths with 20 fraction bits.
+std::uint32_t color_units(Real component) {
+    const auto c = static_cast<std::uint64_t>(numeric::to_fixed(numeric::clamp01(component), 30));
+    return static_cast<std::uint32_t>((c * raster::color_one + (1u << 29)) >> 30);
+}
+
+void fill_textures(const Context& context, raster::FragmentState& out) {
+    for (int i = 0; i < texture_units; ++i) {
+        const TextureUnitState& unit = context.texture.unit[i];
+        out.unit[i].texture = unit.texture_2d ? complete_texture(context, i) : nullptr;
+        if (out.unit[i].texture == nullptr) continue;
+        out.unit[i].env = env_of(unit.env_mode);
+        for (int c = 0; c < 4; ++c) out.unit[i].env_color[c] = color_units(unit.env_color[c]);
+    }
+}
+
+void fill_fog(const Context& context, raster::FragmentState& out) {
+#if SPANGLE_FEATURE_FOG
+    const FogState& fog = context.fog;
+    out.fog = fog.fog;
+    out.fog_mode = fog.mode == GL_EXP    ? raster::FogMode::exp
+                   : fog.mode == GL_EXP2 ? raster::FogMode::exp2
+                                         : raster::FogMode::linear;
+    for (int c = 0; c < 3; ++c) out.fog_color[c] = color_units(fog.color[c]);
+    out.fog_density = numeric::to_float_bits(fog.density);
+    out.fog_start = numeric::to_float_bits(fog.start);
+    out.fog_end = numeric::to_float_bits(fog.end);
+    out.fog_tier = tier_of(context, context.hint.fog);
+#else
+    static_cast<void>(context);
+    out.fog = false;
+#endif
+}
+
+void fill_tests(const Context& context, raster::FragmentState& out) {
+    const FragmentOpsState& ops = context.fragment_ops;
+    const DepthFormat format = context.drawable.surface.depth_format;
+    out.alpha_test = ops.alpha_test;
+    out.alpha_func = compare_of(ops.alpha_func);
+    out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
+    // Without a stencil or depth buffer the test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
+    out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
+    const GLint ref = ops.stencil_ref < 0 ? 0 : ops.stencil_ref > 255 ? 255 : ops.stencil_ref;
+    out.stencil = {compare_of(ops.stencil_func),
+                   static_cast<std::uint8_t>(ref),
+                   static_cast<std::uint8_t>(ops.stencil_value_mask),
+                   static_cast<std::uint8_t>(ops.stencil_write_mask),
+                   stencil_op_of(ops.stencil_fail),
+                   stencil_op_of(ops.stencil_pass_depth_fail),
+                   stencil_op_of(ops.stencil_pass_depth_pass)};
+    out.depth_test = ops.depth_test && format != DepthFormat::none;
+    out.depth_write = ops.depth_mask;
+    out.depth_func = compare_of(ops.depth_func);
+}
+
+void fill(const Context& context, raster::FragmentState& out) {
+    const FragmentOpsState& ops = context.fragment_ops;
+    fill_textures(context, out);
+    fill_fog(context, out);
+    fill_tests(context, out);
+    out.flat = context.polygon.shade_model == GL_FLAT;
+    // Without lighting the secondary colour is zero (GL 1.3, 2.13.1).
+    out.color_sum = context.lighting.lighting && context.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    out.blend = ops.blend;
+    out.blend_src = factor_of(ops.blend_src);
+    out.blend_dst = factor_of(ops.blend_dst);
+    out.dither = ops.dither;
+    out.color_mask = written_channels(context);
+    out.scissor = drawing_rect(context);
+    out.tier = tier_of(context, context.hint.perspective_correction);
+    out.count = context.fragments.count_passed;
+}
+
+} // namespace
+
+Rect drawing_rect(const Context& context) {
+    const raster::Surface& s = context.drawable.surface;
+    if (!context.fragment_ops.scissor_test) return {0, 0, s.width, s.height};
+    const GLint* box = context.fragment_ops.scissor_box;
+    const auto clamp = [](std::int64_t v, std::int32_t high) {
+        return static_cast<std::int32_t>(v < 0 ? 0 : v > high ? high : v);
+    };
+    const std::int32_t x0 = clamp(box[0], s.width), y0 = clamp(box[1], s.height);
+    const std::int32_t x1 = clamp(static_cast<std::int64_t>(box[0]) + box[2], s.width);
+    const std::int32_t y1 = clamp(static_cast<std::int64_t>(box[1]) + box[3], s.height);
+    return {x0, y0, x1 - x0, y1 - y0};
+}
+
+std::uint8_t written_channels(const Context& context) {
+    const FragmentOpsState& ops = context.fragment_ops;
+    if (ops.draw_buffer == GL_NONE) return 0;
+    unsigned mask = 0;
+    for (unsigned c = 0; c < 4; ++c) mask |= ops.color_mask[c] ? 1u << c : 0u;
+    return static_cast<std::uint8_t>(mask);
+}
+
+raster::Tier tier_of(const Context& context, GLenum hint) {
+    if (hint == GL_FASTEST) return raster::Tier::fast;
+    return hint == GL_NICEST ? raster::Tier::exact : context.tier;
+}
+
+void observe(Context& context, raster::Counters* counters, bool count_passed) {
+    context.fragments.counters = counters;
+    context.fragments.count_passed = count_passed;
+    context.fragments.dirty = true;
+}
+
+const raster::DrawState& draw_state(Context& context) {
+    FragmentCache& cache = context.fragments;
+    if (cache.dirty) {
+        raster::FragmentState fragment;
+        fill(context, fragment);
+        context.engine->compile(fragment, context.drawable.surface, cache.state);
+        cache.state.counters = cache.counters;
+        cache.dirty = false;
+    }
+    return cache.state;
+}
+
+} // namespace spangle::gl
