@@ -66,6 +66,10 @@ struct Codec<const Params&> {
     static std::uint32_t stored(const Word* from) { return 1 + *from; }
 };
 
+/// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION between Begin
+/// and End unless it is allowed there.
+void record_error(Context& context, GLenum code, bool inside);
+
 /// True when `context` is not between Begin and End, where F is not allowed; else INVALID_OPERATION.
 bool allowed_outside(Context& context, const char* refusal);
 

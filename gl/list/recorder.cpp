@@ -142,6 +142,24 @@ bool allowed_outside(Context& context, const char* refusal) {
     return false;
 }
 
+namespace {
+
+const Word* play_error(Context& context, const Word* words) {
+    const bool inside = words[1] != 0;
+    if (inside || allowed_outside(context, nullptr))
+        error(context, words[0]);
+    return words + 2;
+}
+
+} // namespace
+
+void record_error(Context& context, GLenum code, bool inside) {
+    if (Word* to = record(context, &play_error, 2); to != nullptr) {
+        to[0] = code;
+        to[1] = inside;
+    }
+}
+
 void begin_recording(Context& context) { context.list.recorder = ListRecorder{}; }
 
 Chunk* end_recording(Context& context) {

@@ -1,0 +1,62 @@
+// A called list is entered by remembering where to go on, not by recursion: 64 levels cost 64 words of context and no
+// stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit exists to bound recursion).
+#include "gl/list/play.hpp"
+
+#if SPANGLE_FEATURE_LISTS
+
+#include <cstring>
+
+#include "gl/context/share_group.hpp"
+#include "gl/list/chunk.hpp"
+
+namespace spangle::gl::list {
+
+namespace {
+
+/// Null for a name that is not a list, and for an empty list.
+const Word* body(const Context& context, GLuint name) {
+    void** const found = context.share->lists.find(name);
+    return found != nullptr && *found != nullptr ? static_cast<Chunk*>(*found)->data() : nullptr;
+}
+
+const Word* enter(Context& context, GLuint name, const Word* next) {
+    const Word* const target = body(context, name);
+    ListState& state = context.list;
+    if (target == nullptr || state.depth >= max_list_nesting - 1) // the list at the bottom is a level, too
+        return next;
+    state.return_to[state.depth++] = next;
+    return target;
+}
+
+} // namespace
+
+void execute(Context& context, GLuint name) {
+    const Word* at = body(context, name);
+    if (at == nullptr)
+        return;
+    for (;;) {
+        Player player;
+        std::memcpy(&player, at, sizeof player);
+        if (player != nullptr) {
+            at = player(context, at + player_words);
+            continue;
+        }
+        if (context.list.depth == 0)
+            return;
+        at = context.list.return_to[--context.list.depth];
+    }
+}
+
+const Word* play_call(Context& context, const Word* words) {
+    if (*words == 0)
+        error(context, GL_INVALID_VALUE);
+    return enter(context, *words, words + 1);
+}
+
+const Word* play_call_offset(Context& context, const Word* words) {
+    return enter(context, context.list.base + *words, words + 1);
+}
+
+} // namespace spangle::gl::list
+
+#endif
