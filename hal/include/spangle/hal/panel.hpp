@@ -41,7 +41,7 @@ struct PanelTiming {
 
 /// What RDDID (04h) answers, and the clocks the line needs to turn round on a serial bus.
 struct Identity {
-    std::uint32_t id = 0; ///< ID1 ID2 ID3, ID1 highest. 0: the chip has none, and RDDST (09h) must not be 0
+    std::uint32_t id = 0; ///< ID1 ID2 ID3, ID1 highest
     std::uint32_t mask = 0xFFFFFF;
     std::uint8_t register_dummy_bits = 1; ///< 04h 09h 45h; the one-byte reads have none
     std::uint8_t pixel_dummy_bits = 8;    ///< 2Eh
@@ -90,6 +90,8 @@ constexpr std::uint8_t colmod(const PanelDesc& panel, BusKind bus, PixelFormat f
 constexpr const char* flaw(const PanelDesc& p) {
     if (p.memory.width <= 0 || p.memory.height <= 0)
         return "panel: the memory has no size";
+    if (p.memory.width > 4096 || p.memory.height > 4096)
+        return "panel: the memory is larger than 4096 x 4096";
     if (p.glass.width <= 0 || p.glass.height <= 0)
         return "panel: the glass has no size";
     if (p.offset.x < 0 || p.offset.y < 0)

@@ -1,0 +1,17 @@
+// ST7735S behind 128x160 glass, green tab: the 1.8" modules.
+#pragma once
+
+#include <spangle/hal/board.hpp>
+#include <spangle/panels.hpp>
+
+namespace spangle::boards {
+
+inline constexpr hal::Board st7735_128x160 = hal::board({
+    .name = "st7735-128x160",
+    .summary = "ST7735 128x160 green tab, 4-wire SPI at 15 MHz",
+    .display = {.panel = &hal::panels::st7735_128x160_green},
+    .bus = hal::BusKind::spi4,
+    .write_hz = 15000000, // datasheet: 66 ns
+});
+
+} // namespace spangle::boards

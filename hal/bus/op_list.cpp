@@ -1,0 +1,147 @@
+#include <spangle/hal/op_list.hpp>
+
+namespace spangle::hal {
+
+Op* OpList::append(Op::Kind kind) {
+    if (size_ == capacity_) {
+        overflow_ = true;
+        return nullptr;
+    }
+    Op& op = ops_[size_++];
+    op = Op{};
+    op.kind = kind;
+    return &op;
+}
+
+void OpList::command(std::uint8_t code, const std::uint8_t* params, std::uint32_t count) {
+    Op* op = append(Op::Kind::command);
+    if (op == nullptr)
+        return;
+    op->command = code;
+    op->data = params;
+    op->length = count;
+}
+
+void OpList::command_with(std::uint8_t code, OpParams params, std::uint32_t count) {
+    Op* op = append(Op::Kind::command);
+    if (op == nullptr)
+        return;
+    params_[size_ - 1] = params;
+    op->command = code;
+    op->data = params_[size_ - 1].bytes;
+    op->length = count;
+}
+
+void OpList::command_byte(std::uint8_t code, std::uint8_t param) {
+    command_with(code, {{param}}, 1);
+}
+
+void OpList::command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last) {
+    const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };
+    const auto low = [](std::uint16_t v) { return static_cast<std::uint8_t>(v & 0xFF); };
+    command_with(code, {{high(first), low(first), high(last), low(last)}}, 4);
+}
+
+void OpList::pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows,
+                    std::int32_t stride) {
+    Op* op = append(Op::Kind::pixels);
+    if (op == nullptr)
+        return;
+    op->data = data;
+    op->length = row_bytes;
+    op->rows = rows;
+    op->stride = stride;
+}
+
+void OpList::repeat_black(std::uint32_t bytes, std::uint32_t count) {
+    Op* op = append(Op::Kind::repeat);
+    if (op == nullptr)
+        return;
+    OpParams& pixel = params_[size_ - 1];
+    pixel = OpParams{};
+    op->data = pixel.bytes;
+    op->length = bytes;
+    op->rows = count;
+}
+
+void OpList::delay(std::uint32_t micros) {
+    if (Op* op = append(Op::Kind::delay))
+        op->micros = micros;
+}
+
+void OpList::wait_te(std::uint32_t at_most_micros) {
+    if (Op* op = append(Op::Kind::wait_te))
+        op->micros = at_most_micros;
+}
+
+void OpList::read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) {
+    Op* op = append(Op::Kind::read);
+    if (op == nullptr)
+        return;
+    op->command = code;
+    op->dummy_bits = dummy_bits;
+    op->into = into;
+    op->length = count;
+}
+
+void OpList::reset(std::uint32_t low_micros) {
+    if (Op* op = append(Op::Kind::reset))
+        op->micros = low_micros;
+}
+
+Result<Token> OpList::submit(Bus& bus) const {
+    if (overflow_)
+        return Error{Fault::bad_argument, "op list: more ops than its storage holds"};
+    return bus.submit(ops_, size_);
+}
+
+namespace {
+
+constexpr std::uint32_t forever = 0xFFFFFFFF;
+
+std::uint32_t cycles_time(std::uint64_t cycles, std::uint32_t hz) {
+    if (hz == 0)
+        return forever;
+    const std::uint64_t micros = (cycles * 1000000u + hz - 1) / hz;
+    return micros < forever ? static_cast<std::uint32_t>(micros) : forever;
+}
+
+/// Cycles of `bits` on the bus.
+std::uint64_t bus_cycles(const BusCaps& caps, std::uint64_t bits) {
+    const std::uint32_t width = caps.bits_per_cycle != 0 ? caps.bits_per_cycle : 1;
+    return (bits + width - 1) / width;
+}
+
+std::uint64_t op_time(const Op& op, const BusCaps& caps) {
+    const std::uint64_t command = caps.command_cost_ns / 1000 + 1;
+    switch (op.kind) {
+    case Op::Kind::command:
+        return command + wire_time(caps, std::uint64_t{op.length} + 1);
+    case Op::Kind::pixels:
+    case Op::Kind::repeat:
+        return wire_time(caps, std::uint64_t{op.length} * op.rows);
+    case Op::Kind::read:
+        return command + wire_time(caps, 1) +
+               cycles_time(bus_cycles(caps, std::uint64_t{op.length} * 8 + op.dummy_bits), caps.read_hz);
+    case Op::Kind::delay:
+    case Op::Kind::wait_te:
+    case Op::Kind::reset:
+        break;
+    }
+    return op.micros;
+}
+
+} // namespace
+
+std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
+    return cycles_time(bus_cycles(caps, bytes * 8), caps.write_hz);
+}
+
+std::uint32_t OpList::duration(const BusCaps& caps) const {
+    std::uint64_t micros = 0;
+    for (std::size_t i = 0; i < size_; ++i)
+        micros += op_time(ops_[i], caps);
+    return micros < forever ? static_cast<std::uint32_t>(micros) : forever;
+}
+
+} // namespace spangle::hal

@@ -1,0 +1,127 @@
+#include "hal/display/window_plan.hpp"
+
+#include <spangle/hal/window.hpp>
+
+namespace spangle::hal {
+namespace {
+
+/// Keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 4 bytes.
+constexpr std::uint64_t dearest_window = 1u << 18;
+
+bool empty(RowSpan row) {
+    return row.begin >= row.end;
+}
+
+RowSpan around(RowSpan a, RowSpan b) {
+    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+std::uint32_t area(RowSpan columns, std::int32_t rows) {
+    return static_cast<std::uint32_t>(columns.end - columns.begin) * static_cast<std::uint32_t>(rows);
+}
+
+} // namespace
+
+WindowCost window_cost(const BusCaps& caps, std::uint32_t bytes_per_pixel) {
+    const std::uint64_t bits_per_second = std::uint64_t{caps.write_hz} * caps.bits_per_cycle;
+    const std::uint64_t overhead = bits_per_second * caps.command_cost_ns / 8000000000u * Windows::commands;
+    const std::uint64_t whole = Windows::bytes + overhead;
+    return {static_cast<std::uint32_t>(whole < dearest_window ? whole : dearest_window), bytes_per_pixel};
+}
+
+WindowPlan::WindowPlan(const RowSpan* rows, std::int32_t height, WindowCost cost, std::uint16_t* links)
+    : rows_(rows), links_(links), height_(height), cost_(cost) {
+    plan();
+    next_group(pending_);
+}
+
+std::uint32_t WindowPlan::bytes(const Rect& r) const {
+    return static_cast<std::uint32_t>(r.w) * static_cast<std::uint32_t>(r.h) * cost_.bytes_per_pixel;
+}
+
+WindowPlan::Run WindowPlan::run_from(std::int32_t first) const {
+    Run run{first, first, rows_[first], total_};
+    while (run.last + 1 < height_ && rows_[run.last + 1] == run.columns)
+        ++run.last;
+    return run;
+}
+
+/// The group that ends with the newest run, ring[(count - 1) % reach].
+WindowPlan::Choice WindowPlan::best_group(const Run* ring, std::uint32_t count) const {
+    const std::int32_t last = ring[(count - 1) % reach].last;
+    RowSpan box;
+    std::uint32_t own = 0, windows = 0;
+    Choice best{UINT32_MAX, 0};
+    for (std::uint32_t back = 1; back <= count && back <= reach; ++back) {
+        const Run& run = ring[(count - back) % reach];
+        box = around(box, run.columns);
+        own += area(run.columns, run.last - run.first + 1) * cost_.bytes_per_pixel;
+        windows += cost_.window;
+        const std::uint32_t payload = area(box, last - run.first + 1) * cost_.bytes_per_pixel;
+        const std::uint32_t cost = run.best_before + cost_.window + payload;
+        if (cost < best.cost)
+            best = {cost, run.first};
+        if (payload - own > windows)
+            break;
+    }
+    return best;
+}
+
+void WindowPlan::plan() {
+    Run ring[reach];
+    std::uint32_t count = 0;
+    std::int32_t last = -1;
+    for (std::int32_t y = 0; y < height_; ++y) {
+        if (empty(rows_[y]))
+            continue;
+        const Run run = run_from(y);
+        ring[count++ % reach] = run;
+        const Choice best = best_group(ring, count);
+        links_[run.last] = static_cast<std::uint16_t>(best.first);
+        total_ = best.cost;
+        last = y = run.last;
+    }
+    reverse_links(last);
+}
+
+void WindowPlan::reverse_links(std::int32_t last) {
+    while (last >= 0) {
+        const std::int32_t first = links_[last];
+        links_[first] = static_cast<std::uint16_t>(last);
+        last = first - 1;
+        while (last >= 0 && empty(rows_[last]))
+            --last;
+    }
+}
+
+bool WindowPlan::next_group(Rect& window) {
+    window = Rect{};
+    while (at_ < height_ && empty(rows_[at_]))
+        ++at_;
+    if (at_ >= height_)
+        return false;
+    const std::int32_t first = at_, last = links_[first];
+    RowSpan box;
+    for (; at_ <= last; ++at_)
+        box = around(box, rows_[at_]);
+    window = {box.begin, first, box.end - box.begin, last - first + 1};
+    return true;
+}
+
+bool WindowPlan::next(Rect& window) {
+    if (pending_.h == 0)
+        return false;
+    window = pending_;
+    while (next_group(pending_)) {
+        const std::int32_t x0 = window.x < pending_.x ? window.x : pending_.x;
+        const std::int32_t x1 =
+            window.x + window.w > pending_.x + pending_.w ? window.x + window.w : pending_.x + pending_.w;
+        const Rect joined = {x0, window.y, x1 - x0, pending_.y + pending_.h - window.y};
+        if (bytes(joined) > bytes(window) + bytes(pending_) + cost_.window)
+            break;
+        window = joined;
+    }
+    return true;
+}
+
+} // namespace spangle::hal

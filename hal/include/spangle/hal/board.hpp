@@ -1,0 +1,79 @@
+// A board: a panel, how it is turned, and the bus it hangs on. Plain data, checked when it is compiled.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/panel_display.hpp>
+
+namespace spangle::hal {
+
+struct Board {
+    const char* name = "";
+    const char* summary = "";
+    PanelConfig display;
+    BusKind bus = BusKind::spi4;
+    std::uint32_t write_hz = 0; ///< serial clock, or write cycles per second
+    std::uint32_t read_hz = 0;  ///< 0: not wired to be read
+    bool has_te = false;        ///< the panel's TE output reaches the bus
+    std::uint32_t command_cost_ns = 0;
+};
+
+/// The rule this board breaks, or null.
+constexpr const char* flaw(const Board& board) {
+    const PanelConfig& display = board.display;
+    if (display.panel == nullptr)
+        return "board: no panel";
+    const PanelDesc& panel = *display.panel;
+    if (const char* rule = flaw(panel))
+        return rule;
+    if (colmod(panel, board.bus, display.format) == 0)
+        return "board: the panel cannot take this format on this bus";
+    if (display.buffers < 1 || display.buffers > 2)
+        return "board: one or two buffers";
+    if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
+        return "board: reading back needs a read clock and a panel that answers";
+    if (display.wait_te && !board.has_te)
+        return "board: waiting for TE without a TE line";
+    if (board.write_hz == 0)
+        return "board: no write clock";
+    const bool serial = board.bus == BusKind::spi4;
+    const std::uint32_t write_limit =
+        serial ? panel.timing.practical_serial_mhz * 1000000u : 1000000000u / panel.timing.parallel_write_ns;
+    if (board.write_hz > write_limit)
+        return "board: the write clock is faster than this panel is known to take";
+    const std::uint32_t read_ns = serial ? panel.timing.serial_read_ns : panel.timing.parallel_read_ns;
+    if (board.read_hz > 1000000000u / read_ns)
+        return "board: the read clock is faster than the datasheet allows";
+    return nullptr;
+}
+
+/// Describes a board, or does not compile.
+void board_description_is_wrong(const char* rule);
+consteval Board board(Board description) {
+    if (const char* rule = flaw(description))
+        board_description_is_wrong(rule);
+    return description;
+}
+
+/// The bus a board describes.
+constexpr BusCaps bus_caps(const Board& board) {
+    BusCaps caps;
+    caps.write_hz = board.write_hz;
+    caps.read_hz = board.read_hz;
+    caps.bits_per_cycle = board.bus == BusKind::spi4 ? 1 : 8;
+    caps.has_te = board.has_te;
+    caps.command_cost_ns = board.command_cost_ns;
+    return caps;
+}
+
+/// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
+template <const Board& board>
+class BoardDisplay final
+    : private PanelStorage<place(*board.display.panel, board.display.orientation).size.height,
+                           board.display.buffers>,
+      public PanelDisplay {
+  public:
+    explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}
+};
+
+} // namespace spangle::hal

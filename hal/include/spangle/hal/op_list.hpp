@@ -1,0 +1,60 @@
+// Builds the op list of one transfer in memory that the owner provides, with room for the parameters of short
+// commands.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/bus.hpp>
+
+namespace spangle::hal {
+
+/// Four parameter bytes: a window command's big-endian pair, or one pixel.
+struct OpParams {
+    std::uint8_t bytes[4] = {};
+};
+
+class OpList {
+  public:
+    OpList() = default;
+    OpList(Op* ops, OpParams* params, std::size_t capacity)
+        : ops_(ops), params_(params), capacity_(capacity) {}
+
+    std::size_t size() const { return size_; }
+    std::size_t room() const { return capacity_ - size_; }
+    const Op* data() const { return ops_; }
+    void clear() { size_ = 0, overflow_ = false; }
+
+    /// `params` must live until the transfer is done.
+    void command(std::uint8_t code, const std::uint8_t* params = nullptr, std::uint32_t count = 0);
+    void command_byte(std::uint8_t code, std::uint8_t param);
+    /// Two 16-bit numbers, high bytes first: CASET, RASET.
+    void command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last);
+    void pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows, std::int32_t stride);
+    /// One pixel of `bytes` <= 4 zero bytes, `count` times.
+    void repeat_black(std::uint32_t bytes, std::uint32_t count);
+    void delay(std::uint32_t micros);
+    void wait_te(std::uint32_t at_most_micros);
+    void read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count);
+    void reset(std::uint32_t low_micros);
+
+    /// Hands the list to the bus. A list that had no room for an op is refused whole.
+    Result<Token> submit(Bus& bus) const;
+    /// How long the list takes on this bus, in microseconds.
+    std::uint32_t duration(const BusCaps& caps) const;
+
+  private:
+    Op* append(Op::Kind kind);
+    void command_with(std::uint8_t code, OpParams params, std::uint32_t count);
+
+    Op* ops_ = nullptr;
+    OpParams* params_ = nullptr;
+    std::size_t capacity_ = 0;
+    std::size_t size_ = 0;
+    bool overflow_ = false;
+};
+
+/// Microseconds that `bytes` take on a bus, rounded up; 0xFFFFFFFF when it has no clock.
+std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes);
+
+} // namespace spangle::hal

@@ -1,0 +1,45 @@
+// What a panel says about itself: identity, status, scan position and the pixels in its memory.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+#include <spangle/hal/bus.hpp>
+#include <spangle/hal/op_list.hpp>
+#include <spangle/hal/orientation.hpp>
+
+namespace spangle::hal {
+
+struct PanelStatus {
+    std::uint32_t id = 0;         ///< 04h: ID1 ID2 ID3, ID1 highest
+    std::uint32_t status = 0;     ///< 09h: bit 31 first
+    std::uint8_t power_mode = 0;  ///< 0Ah
+    std::uint8_t madctl = 0;      ///< 0Bh
+    std::uint8_t colmod = 0;      ///< 0Ch
+    std::uint8_t image_mode = 0;  ///< 0Dh
+    std::uint8_t signal_mode = 0; ///< 0Eh
+    std::uint8_t self_check = 0;  ///< 0Fh
+};
+
+/// Where answers arrive. Must stay as long as the bus may touch it: after a timeout, until the transfer is
+/// done.
+struct ReadScratch {
+    std::uint8_t id[3], status[4], registers[6], scanline[2];
+    OpParams window[3];
+};
+
+/// Reads 04h, 09h and 0Ah to 0Fh in one transfer.
+Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
+
+/// 45h: the line the controller is showing.
+Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
+
+/// 2Eh: the picture's pixels of `area`, row by row, three bytes (R, G, B; six bits left aligned) each, into
+/// `rgb`. Moves the controller's window.
+Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, const Rect& area,
+                         std::uint8_t* rgb, ReadScratch& scratch);
+
+/// Is this the panel it should be? The error says what answered (`detail`), or that nothing did.
+Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
+
+} // namespace spangle::hal

@@ -1,0 +1,109 @@
+#include <spangle/hal/readback.hpp>
+#include <spangle/hal/window.hpp>
+
+namespace spangle::hal {
+namespace {
+
+constexpr std::uint32_t read_grace_us = 100000;
+
+/// A parallel bus always gives one dummy byte first; a serial one the clocks the datasheet asks for.
+std::uint8_t dummy_bits(const BusCaps& caps, std::uint8_t serial) {
+    return caps.bits_per_cycle > 1 ? 8 : serial;
+}
+
+Result<void> run(Bus& bus, const BusCaps& caps, const OpList& ops) {
+    const Result<Token> token = ops.submit(bus);
+    if (!token)
+        return token.error();
+    const std::uint32_t time = ops.duration(caps);
+    return bus.wait(token.value(), time < UINT32_MAX - read_grace_us ? time + read_grace_us : UINT32_MAX);
+}
+
+Result<BusCaps> readable(const Bus& bus, const PanelDesc& panel) {
+    const BusCaps caps = bus.caps();
+    if (caps.read_hz == 0)
+        return Error{Fault::unsupported, "panel: this bus cannot read"};
+    if (panel.quirks.no_read_back)
+        return Error{Fault::unsupported, "panel: the controller never drives its data line"};
+    return caps;
+}
+
+std::uint32_t big_endian(const std::uint8_t* bytes, int count) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i)
+        value = value << 8 | bytes[i];
+    return value;
+}
+
+} // namespace
+
+Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
+    const Result<BusCaps> caps = readable(bus, panel);
+    if (!caps)
+        return caps.error();
+    const std::uint8_t wide = dummy_bits(caps.value(), panel.identity.register_dummy_bits);
+    const std::uint8_t narrow = dummy_bits(caps.value(), 0);
+    scratch = {};
+    Op storage[8];
+    OpList ops(storage, nullptr, 8);
+    ops.read(dcs::RDDID, wide, scratch.id, 3);
+    ops.read(dcs::RDDST, wide, scratch.status, 4);
+    for (unsigned i = 0; i < 6; ++i)
+        ops.read(static_cast<std::uint8_t>(dcs::RDDPM + i), narrow, &scratch.registers[i], 1);
+    if (const Result<void> done = run(bus, caps.value(), ops); !done)
+        return done.error();
+    const std::uint8_t(&registers)[6] = scratch.registers;
+    return PanelStatus{big_endian(scratch.id, 3),
+                       big_endian(scratch.status, 4),
+                       registers[0],
+                       registers[1],
+                       registers[2],
+                       registers[3],
+                       registers[4],
+                       registers[5]};
+}
+
+Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
+    const Result<BusCaps> caps = readable(bus, panel);
+    if (!caps)
+        return caps.error();
+    scratch = {};
+    Op storage[1];
+    OpList ops(storage, nullptr, 1);
+    ops.read(dcs::RDSCANLINE, dummy_bits(caps.value(), panel.identity.register_dummy_bits), scratch.scanline,
+             2);
+    if (const Result<void> done = run(bus, caps.value(), ops); !done)
+        return done.error();
+    return static_cast<std::uint16_t>(big_endian(scratch.scanline, 2));
+}
+
+Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, const Rect& area,
+                         std::uint8_t* rgb, ReadScratch& scratch) {
+    const Result<BusCaps> caps = readable(bus, panel);
+    if (!caps)
+        return caps.error();
+    if (area.w <= 0 || area.h <= 0 || area.x < 0 || area.y < 0 || area.w > placement.size.width - area.x ||
+        area.h > placement.size.height - area.y)
+        return Error{Fault::bad_argument, "panel: the area to read is not inside the picture"};
+    Op storage[3];
+    OpList ops(storage, scratch.window, 3);
+    Windows(placement, panel.quirks).select(ops, area);
+    ops.read(dcs::RAMRD, dummy_bits(caps.value(), panel.identity.pixel_dummy_bits), rgb,
+             static_cast<std::uint32_t>(area.w) * static_cast<std::uint32_t>(area.h) * 3);
+    return run(bus, caps.value(), ops);
+}
+
+Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
+    const Result<PanelStatus> answer = read_status(bus, panel, scratch);
+    if (!answer)
+        return answer.error();
+    const std::uint32_t id = answer.value().id, status = answer.value().status;
+    const bool floating = (id == 0 && status == 0) || (id == 0xFFFFFF && status == 0xFFFFFFFF);
+    if (floating)
+        return Error{Fault::no_answer, "panel: RDDID (04h) and RDDST (09h) read a line nobody drives", id};
+    if ((id & panel.identity.mask) != panel.identity.id)
+        return Error{Fault::wrong_device, "panel: RDDID (04h) names another controller", id};
+    return {};
+}
+
+} // namespace spangle::hal
