@@ -99,25 +99,16 @@ constexpr Real from_fixed16(std::int32_t v) {
 
 namespace detail {
 
-/// Nearest Real to +-numerator / denominator, numerator <= denominator < 2^33.
-constexpr Real ratio(bool negative, std::uint64_t numerator, std::uint64_t denominator) {
-    std::uint64_t quotient = 0; // 27 bits after the first one, and a sticky bit
-    std::int32_t exponent = 0;
-    if (numerator == 0)
-        return zero;
-    while (numerator < denominator)
-        numerator <<= 1, --exponent; // at most 32 steps
-    for (int i = 0; i < 27; ++i) {
-        const bool bit = numerator >= denominator;
-        quotient = quotient << 1 | (bit ? 1u : 0u);
-        numerator = (bit ? numerator - denominator : numerator) << 1;
-    }
-    return pack_real(negative, quotient << 1 | (numerator != 0 ? 1u : 0u), exponent - 27);
+/// Nearest Real to +-c / (2^bits - 1), 0 <= c <= 2^bits - 1, bits one of 8, 16, 32: the quotient is c
+/// repeated for ever, so one word of it with a sticky bit rounds correctly, and all ones round to 1.
+constexpr Real unit_fraction(bool negative, std::uint32_t c, int bits) {
+    const std::uint64_t repeated = c * (~std::uint64_t{0} / ((std::uint64_t{1} << bits) - 1));
+    return pack_real(negative && c != 0, c == 0 ? 0 : repeated | 1, -64);
 }
 
-constexpr Real signed_unit(std::int32_t c, std::uint32_t all_ones) {
+constexpr Real signed_unit(std::int32_t c, int bits) {
     const std::int64_t v = 2 * std::int64_t{c} + 1;
-    return ratio(v < 0, abs_u64(v), all_ones);
+    return unit_fraction(v < 0, static_cast<std::uint32_t>(abs_u64(v)), bits);
 }
 
 } // namespace detail

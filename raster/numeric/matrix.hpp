@@ -1,0 +1,147 @@
+// 4 x 4 matrices as GL's stacks hold them: every element an int32 mantissa with its own exponent, so a query
+// returns what was set, and a million accumulated rotations drift less than in float.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/block.hpp"
+
+namespace spangle::numeric {
+
+/// value = m * 2^(e + element_bias). |m| is in [2^30, 2^31) unless the least bit would fall below 2^-149.
+struct Element {
+    std::int32_t m = 0;
+    std::int8_t e = 0;
+};
+
+/// Least bits from 2^-149 (the float denormals) to 2^104 (the largest floats).
+inline constexpr int element_bias = -22;
+inline constexpr int element_least = -149, element_most = 104;
+
+/// Column-major: element (row i, column j) is at 4 * j + i. Mantissas and exponents apart: 80 bytes, not 128.
+struct Matrix {
+    std::int32_t m[16] = {};
+    std::int8_t e[16] = {};
+
+    constexpr Element at(int row, int column) const { return {m[4 * column + row], e[4 * column + row]}; }
+    constexpr void set(int row, int column, Element v) {
+        m[4 * column + row] = v.m;
+        e[4 * column + row] = v.e;
+    }
+};
+
+// --- elements
+// ------------------------------------------------------------------------------------------------------
+
+/// The Element nearest to v * 2^e; too large saturates, too small becomes a denormal or 0.
+constexpr Element make_element(std::int64_t v, std::int32_t e) {
+    if (v == 0)
+        return {};
+    const std::uint64_t magnitude = abs_u64(v);
+    const int zeros = clz64(magnitude);
+    std::int32_t drop = 33 - zeros; // to 31 bits
+    if (e + drop < element_least)
+        drop = element_least - e;
+    std::uint64_t m = drop >= 0 ? shift_right_even(magnitude, drop) : magnitude << -drop;
+    if (m >> 31 != 0)
+        m >>= 1, ++drop; // 2^31 after rounding up
+    const std::int32_t least = e + drop;
+    const bool over = least > element_most;
+    const auto mantissa = static_cast<std::int32_t>(over ? 0x7FFFFFFF : m);
+    return {v < 0 ? -mantissa : mantissa,
+            static_cast<std::int8_t>((over ? element_most : least) - element_bias)};
+}
+
+constexpr Element to_element(Real v) {
+    const detail::Unpacked u = detail::unpack(v);
+    const auto m = static_cast<std::int64_t>(u.mantissa);
+    return make_element(u.negative ? -m : m, u.exponent);
+}
+constexpr Element to_element(Block v) {
+    return make_element(v.m, v.e);
+}
+
+constexpr Real to_real(Element v) {
+    return pack_real(v.m < 0, abs_u32(v.m), v.e + element_bias);
+}
+constexpr Block to_block(Element v) {
+    return make_block(v.m, v.e + element_bias);
+}
+
+inline constexpr Element element_one = to_element(one);
+
+// --- matrices
+// ------------------------------------------------------------------------------------------------------
+
+constexpr Matrix identity() {
+    Matrix r;
+    for (int i = 0; i < 4; ++i)
+        r.set(i, i, element_one);
+    return r;
+}
+
+/// Column-major, as LoadMatrix takes it.
+constexpr Matrix to_matrix(const Real (&v)[16]) {
+    Matrix r;
+    for (int i = 0; i < 16; ++i)
+        r.set(i & 3, i >> 2, to_element(v[i]));
+    return r;
+}
+
+constexpr void to_reals(const Matrix& a, Real (&out)[16]) {
+    for (int i = 0; i < 16; ++i)
+        out[i] = to_real(a.at(i & 3, i >> 2));
+}
+
+constexpr Matrix transpose(const Matrix& a) {
+    Matrix r;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            r.set(i, j, a.at(j, i));
+    return r;
+}
+
+namespace detail {
+
+/// Sum of a[k] * b[k]: each product (below 2^62) is aligned to the largest exponent with two bits of room for
+/// the carries, so what alignment loses is below 2^-58 of the largest product.
+constexpr Element sum_of_products(const Element (&a)[4], const Element (&b)[4]) {
+    constexpr std::int32_t none = -0x10000;
+    std::int64_t product[4] = {};
+    std::int32_t exponent[4] = {}, top = none;
+    for (int k = 0; k < 4; ++k) {
+        product[k] = mul_s32(a[k].m, b[k].m);
+        exponent[k] = a[k].e + b[k].e - clz64(abs_u64(product[k]));
+        if (product[k] != 0 && exponent[k] > top)
+            top = exponent[k];
+    }
+    if (top == none)
+        return {};
+    top += 3; // the largest product shifted to 2^61 at most: four of them stay below 2^63
+    std::int64_t sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        const int right = top - (a[k].e + b[k].e);
+        sum += right >= 0 ? shift_right_round(product[k], right)
+                          : static_cast<std::int64_t>(static_cast<std::uint64_t>(product[k])
+                                                      << (product[k] == 0 ? 0 : -right));
+    }
+    return make_element(sum, top + 2 * element_bias);
+}
+
+} // namespace detail
+
+/// a * b (GL 1.3, 2.10.2: MultMatrix makes C * M). Each element is within 2^-31 of itself plus 2^-58 of its
+/// largest term.
+constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
+    Matrix r;
+    for (int i = 0; i < 4; ++i) {
+        const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};
+        for (int j = 0; j < 4; ++j) {
+            const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
+            r.set(i, j, detail::sum_of_products(row, column));
+        }
+    }
+    return r;
+}
+
+} // namespace spangle::numeric
