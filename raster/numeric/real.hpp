@@ -115,22 +115,22 @@ constexpr Real signed_unit(std::int32_t c, int bits) {
 
 /// Integers as components (GL 1.3, table 2.6): c / (2^b - 1) and (2c + 1) / (2^b - 1).
 constexpr Real normalized_ubyte(std::uint8_t c) {
-    return detail::ratio(false, c, 0xFF);
+    return detail::unit_fraction(false, c, 8);
 }
 constexpr Real normalized_ushort(std::uint16_t c) {
-    return detail::ratio(false, c, 0xFFFF);
+    return detail::unit_fraction(false, c, 16);
 }
 constexpr Real normalized_uint(std::uint32_t c) {
-    return detail::ratio(false, c, 0xFFFFFFFF);
+    return detail::unit_fraction(false, c, 32);
 }
 constexpr Real normalized_byte(std::int8_t c) {
-    return detail::signed_unit(c, 0xFF);
+    return detail::signed_unit(c, 8);
 }
 constexpr Real normalized_short(std::int16_t c) {
-    return detail::signed_unit(c, 0xFFFF);
+    return detail::signed_unit(c, 16);
 }
 constexpr Real normalized_int(std::int32_t c) {
-    return detail::signed_unit(c, 0xFFFFFFFF);
+    return detail::signed_unit(c, 32);
 }
 
 // --- order
