@@ -78,7 +78,7 @@ struct Context {
 void set_current_context(Context* context);
 
 #if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
-#define SPANGLE_THREAD_LOCAL __thread // constant-initialised: no guard, no wrapper function
+#define SPANGLE_THREAD_LOCAL __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
 #else
 #define SPANGLE_THREAD_LOCAL
 #endif

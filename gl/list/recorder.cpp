@@ -166,11 +166,14 @@ Chunk* end_recording(Context& context) {
     ListRecorder& r = context.list.recorder;
     if (Word* end = record(context, nullptr, 0); end == nullptr) {
         free_chain(*context.arena, r.first);
+        begin_recording(context);
         return nullptr;
     }
     r.last->words = static_cast<std::uint32_t>(r.write - r.last->data());
     context.arena->shrink(r.last, sizeof(Chunk) + r.last->words * sizeof(Word));
-    return r.first;
+    Chunk* const first = r.first;
+    begin_recording(context);
+    return first;
 }
 
 void free_chain(Arena& arena, Chunk* first) {

@@ -1,0 +1,87 @@
+#include "gl/context/create.hpp"
+
+#include <new>
+
+#include "gl/context/hooks.hpp"
+#include "gl/context/share_group.hpp"
+#include "gl/list/chunk.hpp"
+
+namespace spangle::gl {
+
+namespace detail {
+constinit SPANGLE_THREAD_LOCAL Context* current = nullptr;
+}
+
+void set_current_context(Context* context) { detail::current = context; }
+
+namespace {
+
+void destroy_group(ShareGroup* group) {
+    Arena& arena = group->arena;
+#if SPANGLE_FEATURE_LISTS
+    for (std::uint32_t i = 0; i < group->lists.capacity(); ++i)
+        if (group->lists.slot(i).name != 0)
+            list::free_chain(arena, static_cast<list::Chunk*>(group->lists.slot(i).object));
+#endif
+    for (std::uint32_t i = 0; i < group->textures.capacity(); ++i)
+        if (group->textures.slot(i).name != 0 && group->textures.slot(i).object != nullptr)
+            destroy_texture(arena, group->textures.slot(i).object);
+    group->lists.clear(arena);
+    group->textures.clear(arena);
+    arena.free(group);
+}
+
+} // namespace
+
+Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
+    void* const memory = arena.allocate(sizeof(Context));
+    void* const group_memory = share == nullptr ? arena.allocate(sizeof(ShareGroup)) : nullptr;
+    if (memory == nullptr || (share == nullptr && group_memory == nullptr)) {
+        arena.free(memory);
+        arena.free(group_memory);
+        return nullptr;
+    }
+    auto* const context = new (memory) Context;
+    context->arena = &arena;
+    context->tier = config.tier;
+    context->engine = config.engine;
+    context->share = share != nullptr ? share->share : new (group_memory) ShareGroup(arena);
+    ++context->share->references;
+    return context;
+}
+
+void destroy_context(Context* context) {
+    if (context == nullptr)
+        return;
+    if (current_context() == context)
+        set_current_context(nullptr);
+#if SPANGLE_FEATURE_LISTS
+    list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
+#endif
+    release_textures(*context);
+    if (--context->share->references == 0)
+        destroy_group(context->share);
+    context->arena->free(context);
+}
+
+void make_current(Context* context, const raster::Surface& surface, bool double_buffered) {
+    set_current_context(context);
+    if (context == nullptr)
+        return;
+    Drawable& drawable = context->drawable;
+    drawable.surface = surface;
+    drawable.double_buffered = double_buffered;
+    context->dirty = dirty_all;
+    if (drawable.bound_before)
+        return;
+    drawable.bound_before = true;
+    const GLenum buffer = double_buffered ? GL_BACK : GL_FRONT;
+    context->fragment_ops.draw_buffer = context->fragment_ops.read_buffer = buffer;
+    for (auto* box : {&context->transform.viewport, &context->fragment_ops.scissor_box}) {
+        (*box)[0] = (*box)[1] = 0;
+        (*box)[2] = surface.width;
+        (*box)[3] = surface.height;
+    }
+}
+
+} // namespace spangle::gl

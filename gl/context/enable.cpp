@@ -1,0 +1,56 @@
+// Enable, Disable, IsEnabled (GL 1.3, 6.1.1).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/context/state_table.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// The row of a capability; else the error is set and null comes back.
+const StateRow* find_switch(Context& context, GLenum cap, bool client_too) {
+    const StateRow* const row = find_state(cap);
+    if (row == nullptr || row->toggle == Switch::none || (row->toggle == Switch::client && !client_too)) {
+        error(context, GL_INVALID_ENUM);
+        return nullptr;
+    }
+    if (row->left_out) {
+        error(context, GL_INVALID_OPERATION, row->missing);
+        return nullptr;
+    }
+    return row;
+}
+
+void set(Context& context, GLenum cap, bool on) {
+    const StateRow* const row = find_switch(context, cap, false);
+    if (row == nullptr)
+        return;
+    *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + row->where) = on;
+    context.dirty = dirty_all;
+#if SPANGLE_FEATURE_LIGHTING
+    if (on && cap == GL_COLOR_MATERIAL)
+        color_material_enabled(context);
+#endif
+}
+
+} // namespace
+
+namespace cmd {
+
+void Enable(Context& context, GLenum cap) { set(context, cap, true); }
+
+void Disable(Context& context, GLenum cap) { set(context, cap, false); }
+
+GLboolean IsEnabled(Context& context, GLenum cap) {
+    const StateRow* const row = find_switch(context, cap, true);
+    if (row == nullptr)
+        return GL_FALSE;
+    Param value[most_values];
+    load_state(context, *row, value);
+    return value[0].word != 0;
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl

@@ -1,0 +1,92 @@
+// Get{Boolean,Integer,Float,Double,Fixed}v, GetPointerv, GetString, GetError (GL 1.3, 2.5, 6.1.2, 6.1.11).
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/state_table.hpp"
+#include "gl/context/version.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+template <class T>
+void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
+    const StateRow* const row = find_state(pname);
+    if (row == nullptr)
+        return error(context, GL_INVALID_ENUM);
+    if (row->left_out)
+        return error(context, GL_INVALID_OPERATION, row->missing);
+    if (out == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGet: null pointer"));
+    Param value[most_values];
+    load_state(context, *row, value);
+    for (int i = 0; i < row->count; ++i)
+        out[i] = convert(row->kind, value[i]);
+}
+
+} // namespace
+
+namespace cmd {
+
+void GetBooleanv(Context& context, GLenum pname, GLboolean* params) {
+    get(context, pname, params, convert::to_boolean);
+}
+void GetIntegerv(Context& context, GLenum pname, GLint* params) { get(context, pname, params, convert::to_int); }
+void GetFloatv(Context& context, GLenum pname, GLfloat* params) { get(context, pname, params, convert::to_float); }
+void GetDoublev(Context& context, GLenum pname, GLdouble* params) { get(context, pname, params, convert::to_double); }
+void GetFixedvOES(Context& context, GLenum pname, GLfixed* params) { get(context, pname, params, convert::to_fixed); }
+
+void GetPointerv(Context& context, GLenum pname, void** params) {
+    const ArraysState& arrays = context.arrays;
+    const void* pointer = nullptr;
+    switch (pname) {
+    case GL_VERTEX_ARRAY_POINTER:
+        pointer = arrays.vertex.pointer;
+        break;
+    case GL_NORMAL_ARRAY_POINTER:
+        pointer = arrays.normal.pointer;
+        break;
+    case GL_COLOR_ARRAY_POINTER:
+        pointer = arrays.color.pointer;
+        break;
+    case GL_TEXTURE_COORD_ARRAY_POINTER:
+        pointer = arrays.tex_coord[0].pointer;
+        break;
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+    if (params == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetPointerv: null pointer"));
+    *params = const_cast<void*>(pointer);
+}
+
+GLenum GetError(Context& context) {
+    const GLenum code = context.error_code;
+    context.error_code = GL_NO_ERROR;
+    return code;
+}
+
+const GLubyte* GetString(Context& context, GLenum name) {
+    const char* text = nullptr;
+    switch (name) {
+    case GL_VENDOR:
+        text = "Spangle";
+        break;
+    case GL_RENDERER:
+        text = "Spangle fixed point";
+        break;
+    case GL_VERSION:
+        text = "1.0 Spangle " SPANGLE_VERSION " (subset)";
+        break;
+    case GL_EXTENSIONS:
+        text = ""; // none is whole yet
+        break;
+    default:
+        error(context, GL_INVALID_ENUM);
+    }
+    return reinterpret_cast<const GLubyte*>(text);
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl

@@ -1,0 +1,316 @@
+#include "gl/context/state_table.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/context/limits.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+template <class T>
+constexpr Source source_of_type() {
+    using Element = std::remove_all_extents_t<T>;
+    return std::is_same_v<Element, bool> ? Source::boolean : std::is_same_v<Element, Real> ? Source::real : Source::integer;
+}
+
+template <class T>
+constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
+    constexpr Source source = source_of_type<T>();
+    static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
+    return {name,
+            source == Source::real ? Kind::real : Kind::integer,
+            source,
+            toggle,
+            static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>)),
+            static_cast<std::uint32_t>(offset),
+            nullptr,
+            nullptr,
+            false};
+}
+
+/// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
+constexpr StateRow linear(StateRow row) {
+    row.kind = Kind::color;
+    return row;
+}
+
+constexpr StateRow constant(GLenum name, std::int32_t value) {
+    return {name, Kind::integer, Source::constant, Switch::none, 1, static_cast<std::uint32_t>(value), nullptr, nullptr, false};
+}
+
+constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count, void (*compute)(const Context&, GLenum, Param*)) {
+    return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
+}
+
+/// A row of an optional system: INVALID_OPERATION and a message in a build without it.
+constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
+    row.left_out = !present;
+    row.missing = text;
+    return row;
+}
+constexpr StateRow of_lighting(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_LIGHTING != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LIGHTING"), row);
+}
+constexpr StateRow of_fog(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_FOG != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"), row);
+}
+constexpr StateRow of_lists(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"), row);
+}
+
+Param integer(std::int32_t value) { return Param::from_integer(static_cast<std::uint32_t>(value)); }
+
+void matrix(const Context& context, GLenum name, Param* out) {
+    const Matrix16 top = top_matrix(context, name);
+    for (int i = 0; i < 16; ++i)
+        out[i] = Param::from(top.m[i]);
+}
+
+void depth_of_stack(const Context& context, GLenum name, Param* out) { out[0] = integer(stack_depth(context, name)); }
+
+void viewport_limits(const Context&, GLenum, Param* out) { out[0] = out[1] = integer(max_viewport_dim); }
+
+void size_range(const Context&, GLenum name, Param* out) {
+    const bool point = name == GL_POINT_SIZE_RANGE || name == GL_ALIASED_POINT_SIZE_RANGE;
+    out[0] = integer(1);
+    out[1] = integer(point ? max_point_size : max_line_width);
+}
+
+void binding(const Context& context, GLenum, Param* out) { out[0] = Param::from_integer(texture_binding_2d(context)); }
+
+void bits(const Context& context, GLenum name, Param* out) {
+    const raster::Surface& surface = context.drawable.surface;
+    const FormatInfo format = format_info(surface.format);
+    const std::uint8_t colors[] = {format.red_bits, format.green_bits, format.blue_bits, format.alpha_bits};
+    if (name == GL_DEPTH_BITS)
+        out[0] = integer(surface.depth_format == DepthFormat::none ? 0 : surface.depth_format == DepthFormat::z16 ? 16 : 24);
+    else if (name == GL_STENCIL_BITS)
+        out[0] = integer(surface.depth_format == DepthFormat::z24s8 ? 8 : 0);
+    else
+        out[0] = integer(colors[name - GL_RED_BITS]);
+}
+
+#define STORED(NAME, MEMBER) stored<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(NAME, offsetof(Context, MEMBER))
+#define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
+#define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
+#define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
+
+// In the order of GL 1.3, 6.2.
+constexpr auto unsorted = std::to_array<StateRow>({
+    // Current values
+    linear(STORED(GL_CURRENT_COLOR, current.color)),
+    linear(STORED(GL_CURRENT_NORMAL, current.normal)),
+    STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0]),
+    // Vertex arrays
+    CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
+    STORED(GL_VERTEX_ARRAY_SIZE, arrays.vertex.size),
+    STORED(GL_VERTEX_ARRAY_TYPE, arrays.vertex.type),
+    STORED(GL_VERTEX_ARRAY_STRIDE, arrays.vertex.stride),
+    CLIENT_SWITCH(GL_NORMAL_ARRAY, arrays.normal.enabled),
+    STORED(GL_NORMAL_ARRAY_TYPE, arrays.normal.type),
+    STORED(GL_NORMAL_ARRAY_STRIDE, arrays.normal.stride),
+    CLIENT_SWITCH(GL_COLOR_ARRAY, arrays.color.enabled),
+    STORED(GL_COLOR_ARRAY_SIZE, arrays.color.size),
+    STORED(GL_COLOR_ARRAY_TYPE, arrays.color.type),
+    STORED(GL_COLOR_ARRAY_STRIDE, arrays.color.stride),
+    CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled),
+    STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size),
+    STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type),
+    STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride),
+    // Transformation
+    computed(GL_MODELVIEW_MATRIX, Kind::real, 16, matrix),
+    computed(GL_PROJECTION_MATRIX, Kind::real, 16, matrix),
+    computed(GL_TEXTURE_MATRIX, Kind::real, 16, matrix),
+    computed(GL_MODELVIEW_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
+    computed(GL_PROJECTION_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
+    computed(GL_TEXTURE_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
+    STORED(GL_MATRIX_MODE, transform.matrix_mode),
+    STORED(GL_VIEWPORT, transform.viewport),
+    linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
+    SWITCH(GL_NORMALIZE, transform.normalize),
+    SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
+    // Colouring
+    of_fog(linear(STORED(GL_FOG_COLOR, fog.color))),
+    of_fog(STORED(GL_FOG_DENSITY, fog.density)),
+    of_fog(STORED(GL_FOG_START, fog.start)),
+    of_fog(STORED(GL_FOG_END, fog.end)),
+    of_fog(STORED(GL_FOG_MODE, fog.mode)),
+    of_fog(SWITCH(GL_FOG, fog.fog)),
+    STORED(GL_SHADE_MODEL, polygon.shade_model),
+    // Lighting
+    of_lighting(SWITCH(GL_LIGHTING, lighting.lighting)),
+    of_lighting(SWITCH(GL_COLOR_MATERIAL, lighting.color_material)),
+    of_lighting(STORED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_parameter)),
+    of_lighting(STORED(GL_COLOR_MATERIAL_FACE, lighting.color_material_face)),
+    of_lighting(linear(STORED(GL_LIGHT_MODEL_AMBIENT, lighting.model_ambient))),
+    of_lighting(STORED(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer)),
+    of_lighting(STORED(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side)),
+    of_lighting(STORED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control)),
+    LIGHT(0), LIGHT(1), LIGHT(2), LIGHT(3), LIGHT(4), LIGHT(5), LIGHT(6), LIGHT(7),
+    // Rasterization
+    STORED(GL_POINT_SIZE, polygon.point_size),
+    STORED(GL_LINE_WIDTH, polygon.line_width),
+    SWITCH(GL_CULL_FACE, polygon.cull_face),
+    STORED(GL_CULL_FACE_MODE, polygon.cull_face_mode),
+    STORED(GL_FRONT_FACE, polygon.front_face),
+    // Textures
+    SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d),
+    computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, binding),
+    // Pixel operations
+    SWITCH(GL_SCISSOR_TEST, fragment_ops.scissor_test),
+    STORED(GL_SCISSOR_BOX, fragment_ops.scissor_box),
+    SWITCH(GL_ALPHA_TEST, fragment_ops.alpha_test),
+    STORED(GL_ALPHA_TEST_FUNC, fragment_ops.alpha_func),
+    linear(STORED(GL_ALPHA_TEST_REF, fragment_ops.alpha_ref)),
+    SWITCH(GL_STENCIL_TEST, fragment_ops.stencil_test),
+    STORED(GL_STENCIL_FUNC, fragment_ops.stencil_func),
+    STORED(GL_STENCIL_VALUE_MASK, fragment_ops.stencil_value_mask),
+    STORED(GL_STENCIL_REF, fragment_ops.stencil_ref),
+    STORED(GL_STENCIL_FAIL, fragment_ops.stencil_fail),
+    STORED(GL_STENCIL_PASS_DEPTH_FAIL, fragment_ops.stencil_pass_depth_fail),
+    STORED(GL_STENCIL_PASS_DEPTH_PASS, fragment_ops.stencil_pass_depth_pass),
+    SWITCH(GL_DEPTH_TEST, fragment_ops.depth_test),
+    STORED(GL_DEPTH_FUNC, fragment_ops.depth_func),
+    SWITCH(GL_BLEND, fragment_ops.blend),
+    STORED(GL_BLEND_SRC, fragment_ops.blend_src),
+    STORED(GL_BLEND_DST, fragment_ops.blend_dst),
+    SWITCH(GL_DITHER, fragment_ops.dither),
+    // Framebuffer control
+    STORED(GL_DRAW_BUFFER, fragment_ops.draw_buffer),
+    STORED(GL_COLOR_WRITEMASK, fragment_ops.color_mask),
+    STORED(GL_DEPTH_WRITEMASK, fragment_ops.depth_mask),
+    STORED(GL_STENCIL_WRITEMASK, fragment_ops.stencil_write_mask),
+    linear(STORED(GL_COLOR_CLEAR_VALUE, fragment_ops.color_clear)),
+    linear(STORED(GL_DEPTH_CLEAR_VALUE, fragment_ops.depth_clear)),
+    STORED(GL_STENCIL_CLEAR_VALUE, fragment_ops.stencil_clear),
+    // Pixels
+    STORED(GL_UNPACK_SWAP_BYTES, pixel_store.unpack.swap_bytes),
+    STORED(GL_UNPACK_LSB_FIRST, pixel_store.unpack.lsb_first),
+    STORED(GL_UNPACK_IMAGE_HEIGHT, pixel_store.unpack.image_height),
+    STORED(GL_UNPACK_SKIP_IMAGES, pixel_store.unpack.skip_images),
+    STORED(GL_UNPACK_ROW_LENGTH, pixel_store.unpack.row_length),
+    STORED(GL_UNPACK_SKIP_ROWS, pixel_store.unpack.skip_rows),
+    STORED(GL_UNPACK_SKIP_PIXELS, pixel_store.unpack.skip_pixels),
+    STORED(GL_UNPACK_ALIGNMENT, pixel_store.unpack.alignment),
+    STORED(GL_PACK_SWAP_BYTES, pixel_store.pack.swap_bytes),
+    STORED(GL_PACK_LSB_FIRST, pixel_store.pack.lsb_first),
+    STORED(GL_PACK_IMAGE_HEIGHT, pixel_store.pack.image_height),
+    STORED(GL_PACK_SKIP_IMAGES, pixel_store.pack.skip_images),
+    STORED(GL_PACK_ROW_LENGTH, pixel_store.pack.row_length),
+    STORED(GL_PACK_SKIP_ROWS, pixel_store.pack.skip_rows),
+    STORED(GL_PACK_SKIP_PIXELS, pixel_store.pack.skip_pixels),
+    STORED(GL_PACK_ALIGNMENT, pixel_store.pack.alignment),
+    STORED(GL_READ_BUFFER, fragment_ops.read_buffer),
+    // Display lists
+    of_lists(STORED(GL_LIST_BASE, list.base)),
+    of_lists(STORED(GL_LIST_INDEX, list.index)),
+    of_lists(STORED(GL_LIST_MODE, list.mode)),
+    of_lists(constant(GL_MAX_LIST_NESTING, max_list_nesting)),
+    // Hints
+    STORED(GL_PERSPECTIVE_CORRECTION_HINT, hint.perspective_correction),
+    STORED(GL_POINT_SMOOTH_HINT, hint.point_smooth),
+    STORED(GL_LINE_SMOOTH_HINT, hint.line_smooth),
+    STORED(GL_POLYGON_SMOOTH_HINT, hint.polygon_smooth),
+    STORED(GL_FOG_HINT, hint.fog),
+    // Limits
+    of_lighting(constant(GL_MAX_LIGHTS, max_lights)),
+    constant(GL_MAX_MODELVIEW_STACK_DEPTH, modelview_stack_entries),
+    constant(GL_MAX_PROJECTION_STACK_DEPTH, projection_stack_entries),
+    constant(GL_MAX_TEXTURE_STACK_DEPTH, texture_stack_entries),
+    constant(GL_SUBPIXEL_BITS, 8),
+    constant(GL_MAX_TEXTURE_SIZE, max_texture_size),
+    computed(GL_MAX_VIEWPORT_DIMS, Kind::integer, 2, viewport_limits),
+    computed(GL_POINT_SIZE_RANGE, Kind::integer, 2, size_range),
+    computed(GL_ALIASED_POINT_SIZE_RANGE, Kind::integer, 2, size_range),
+    computed(GL_LINE_WIDTH_RANGE, Kind::integer, 2, size_range),
+    computed(GL_ALIASED_LINE_WIDTH_RANGE, Kind::integer, 2, size_range),
+    constant(GL_POINT_SIZE_GRANULARITY, 1),
+    constant(GL_LINE_WIDTH_GRANULARITY, 1),
+    constant(GL_MAX_ELEMENTS_INDICES, 65536),
+    constant(GL_MAX_ELEMENTS_VERTICES, 65536),
+    constant(GL_AUX_BUFFERS, 0),
+    constant(GL_RGBA_MODE, 1),
+    constant(GL_INDEX_MODE, 0),
+    STORED(GL_DOUBLEBUFFER, drawable.double_buffered),
+    constant(GL_STEREO, 0),
+    computed(GL_RED_BITS, Kind::integer, 1, bits),
+    computed(GL_GREEN_BITS, Kind::integer, 1, bits),
+    computed(GL_BLUE_BITS, Kind::integer, 1, bits),
+    computed(GL_ALPHA_BITS, Kind::integer, 1, bits),
+    constant(GL_INDEX_BITS, 0),
+    computed(GL_DEPTH_BITS, Kind::integer, 1, bits),
+    computed(GL_STENCIL_BITS, Kind::integer, 1, bits),
+    constant(GL_ACCUM_RED_BITS, 0),
+    constant(GL_ACCUM_GREEN_BITS, 0),
+    constant(GL_ACCUM_BLUE_BITS, 0),
+    constant(GL_ACCUM_ALPHA_BITS, 0),
+});
+
+#undef STORED
+#undef SWITCH
+#undef CLIENT_SWITCH
+#undef LIGHT
+
+constexpr auto sorted_by_name() {
+    auto rows = unsorted;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        for (std::size_t k = i; k > 0 && rows[k].name < rows[k - 1].name; --k)
+            std::swap(rows[k], rows[k - 1]);
+    return rows;
+}
+
+constexpr auto table = sorted_by_name();
+
+constexpr bool names_differ() {
+    for (std::size_t i = 1; i < table.size(); ++i)
+        if (table[i].name == table[i - 1].name)
+            return false;
+    return true;
+}
+static_assert(names_differ());
+
+} // namespace
+
+const StateRow* find_state(GLenum name) {
+    std::size_t low = 0, high = table.size();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (table[middle].name == name)
+            return &table[middle];
+        (table[middle].name < name ? low : high) = table[middle].name < name ? middle + 1 : middle;
+    }
+    return nullptr;
+}
+
+void load_state(const Context& context, const StateRow& row, Param* out) {
+    const auto* const from = reinterpret_cast<const unsigned char*>(&context) + row.where;
+    switch (row.source) {
+    case Source::boolean:
+        for (int i = 0; i < row.count; ++i)
+            out[i] = integer(reinterpret_cast<const bool*>(from)[i]);
+        break;
+    case Source::integer:
+        for (int i = 0; i < row.count; ++i)
+            std::memcpy(&out[i].word, from + static_cast<std::size_t>(i) * sizeof(std::uint32_t), sizeof(std::uint32_t));
+        break;
+    case Source::real:
+        for (int i = 0; i < row.count; ++i)
+            out[i] = Param::from(reinterpret_cast<const Real*>(from)[i]);
+        break;
+    case Source::constant:
+        out[0] = Param::from_integer(row.where);
+        break;
+    case Source::computed:
+        row.compute(context, row.name, out);
+        break;
+    }
+}
+
+} // namespace spangle::gl
