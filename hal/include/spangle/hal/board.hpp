@@ -18,11 +18,9 @@ struct Board {
     std::uint32_t command_cost_ns = 0;
 };
 
-/// The rule this board breaks, or null.
+/// The rule this board breaks, or null. It must name a panel.
 constexpr const char* flaw(const Board& board) {
     const PanelConfig& display = board.display;
-    if (display.panel == nullptr)
-        return "board: no panel";
     const PanelDesc& panel = *display.panel;
     if (const char* rule = flaw(panel))
         return rule;

@@ -1,0 +1,125 @@
+// Panels and boards as data: programs as bytes, and descriptions that must not compile.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "boards/boards.hpp"
+#include <spangle/hal/board.hpp>
+#include <spangle/panels.hpp>
+
+using namespace spangle;
+using namespace spangle::hal;
+
+TEST(InitProgram, IsBytesInFlash) {
+    constexpr auto program = init_program(cmd(0xC0, 0x23), cmd(0x11), delay_ms(120), cmd(0xC5, 0x3E, 0x28));
+    static_assert(program == ProgramBytes<11>{0xC0, 1, 0x23, 0x11, 0, 12, 0xFF, 0xC5, 2, 0x3E, 0x28});
+    Program at = program;
+    EXPECT_EQ(at.next().params[0], 0x23);
+    EXPECT_EQ(at.next().command, 0x11);
+    const Program::Step pause = at.next();
+    EXPECT_EQ(pause.delay_micros, 120000u);
+    EXPECT_EQ(pause.count, 0);
+    const Program::Step last = at.next();
+    EXPECT_EQ(last.command, 0xC5);
+    EXPECT_EQ(last.count, 2);
+    EXPECT_EQ(last.params[1], 0x28);
+    EXPECT_TRUE(at.empty());
+}
+
+TEST(InitProgram, DelaysRoundUp) {
+    EXPECT_EQ(Program(delay_ms(1)).next().delay_micros, 10000u);
+    EXPECT_EQ(Program(delay_ms(11)).next().delay_micros, 20000u);
+}
+
+TEST(InitProgram, CutShortIsSeen) {
+    static constexpr ProgramBytes<3> cut = {0xC0, 2, 0x23};
+    static constexpr ProgramBytes<1> lone = {0xC0};
+    EXPECT_FALSE(well_formed(cut));
+    EXPECT_FALSE(well_formed(lone));
+    EXPECT_TRUE(well_formed(panels::ili9341::setup));
+    PanelDesc panel = panels::ili9341_240x320;
+    panel.setup = cut;
+    EXPECT_STREQ(flaw(panel), "panel: the setup program is cut short");
+}
+
+TEST(PanelData, FlawsAreNamed) {
+    const auto flawed = [](auto change) {
+        PanelDesc panel = panels::st7789_135x240;
+        change(panel);
+        const char* rule = flaw(panel);
+        return std::string(rule != nullptr ? rule : "");
+    };
+    EXPECT_EQ(flawed([](PanelDesc&) {}), "");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.offset.x = 105; }), "");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.offset.x = 106; }),
+              "panel: the glass is wider than the memory behind it");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.offset.y = 81; }),
+              "panel: the glass is taller than the memory behind it");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.offset.y = -1; }), "panel: the offset is negative");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.glass.width = 0; }), "panel: the glass has no size");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.memory.height = 0; }), "panel: the memory has no size");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.memory.width = 4097; }),
+              "panel: the memory is larger than 4096 x 4096");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.mount = dcs::MV; }), "panel: a mount is made of MX and MY only");
+    EXPECT_EQ(flawed([](PanelDesc& p) { p.timing.reset_low_us = 9; }),
+              "panel: a reset pulse is at least 10 us");
+}
+
+TEST(BoardData, FlawsAreNamed) {
+    const auto flawed = [](auto change) {
+        Board board = boards::ili9341_spi;
+        change(board);
+        const char* rule = flaw(board);
+        return std::string(rule != nullptr ? rule : "");
+    };
+    EXPECT_EQ(flawed([](Board&) {}), "");
+    EXPECT_EQ(flawed([](Board& b) { b.display.format = PixelFormat::rgb888; }), "");
+    EXPECT_EQ(flawed([](Board& b) { b.display.format = PixelFormat::rgb565_le; }),
+              "board: the panel cannot take this format on this bus");
+    EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 3; }), "board: one or two buffers");
+    EXPECT_EQ(flawed([](Board& b) { b.read_hz = 0; }),
+              "board: reading back needs a read clock and a panel that answers");
+    EXPECT_EQ(flawed([](Board& b) { b.display.wait_te = true; }), "board: waiting for TE without a TE line");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 0; }), "board: no write clock");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 80000000; }), "");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 80000001; }),
+              "board: the write clock is faster than this panel is known to take");
+    EXPECT_EQ(flawed([](Board& b) {
+                  b.bus = BusKind::i8080, b.write_hz = 15200000, b.read_hz = 0, b.display.read_back = false;
+              }),
+              "board: the write clock is faster than this panel is known to take");
+    EXPECT_EQ(flawed([](Board& b) { b.read_hz = 6700000; }),
+              "board: the read clock is faster than the datasheet allows");
+}
+
+TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {
+    PanelDesc ili9488 = panels::ili9341_240x320;
+    ili9488.serial = {.rgb565 = 0, .rgb666 = 0x66};
+    Board board = boards::ili9341_spi;
+    board.display.panel = &ili9488;
+    EXPECT_STREQ(flaw(board), "board: the panel cannot take this format on this bus");
+    board.display.format = PixelFormat::rgb888;
+    EXPECT_EQ(flaw(board), nullptr);
+}
+
+TEST(BoardData, NamesAreUniqueAndSound) {
+    std::set<std::string> names;
+    for (const Board* board : boards::all) {
+        EXPECT_TRUE(names.insert(board->name).second) << board->name;
+        EXPECT_EQ(flaw(*board), nullptr) << board->name;
+        const BusCaps caps = bus_caps(*board);
+        EXPECT_EQ(caps.write_hz, board->write_hz);
+        EXPECT_EQ(caps.bits_per_cycle, board->bus == BusKind::spi4 ? 1 : 8);
+        EXPECT_EQ(caps.has_te, board->has_te);
+    }
+    for (const char* wanted :
+         {"ili9341-spi", "ili9341-8080", "st7789-240", "st7789-135x240", "st7735-128x160"})
+        EXPECT_TRUE(names.count(wanted)) << wanted;
+}
+
+TEST(PanelData, RefreshFollowsFromTheRegisters) {
+    EXPECT_NEAR(1e6 / panels::ili9341_240x320.timing.frame_us, 615000.0 / (27 * 324), 0.05);
+    EXPECT_NEAR(1e6 / panels::st7789_240x320.timing.frame_us, 1e7 / ((250 + 16 * 15) * 344), 0.05);
+    EXPECT_NEAR(1e6 / panels::st7735_128x160.timing.frame_us, 850000.0 / (42 * (160 + 89)), 0.05);
+}
