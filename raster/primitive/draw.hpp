@@ -1,4 +1,5 @@
-// Window-space primitives to fragments: the one interface between GL and pixels. A band recorder can stand in for it.
+// Window-space primitives to fragments: the one interface between GL and pixels. A band recorder can stand in
+// for it.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_
     return static_cast<std::int64_t>(bx - ax) * (cy - ay) - static_cast<std::int64_t>(cx - ax) * (by - ay);
 }
 
-/// V is FixedVertex, DoubleVertex or ShadowVertex; the fixed one is compiled into firmware, the others on hosts only.
-/// `provoking` gives the colour when state.flat; area2 = signed_area of the three (never 0).
+/// V is FixedVertex, DoubleVertex or ShadowVertex; the fixed one is compiled into firmware, the others on
+/// hosts only. `provoking` gives the colour when state.flat; area2 = signed_area of the three (never 0).
 template <class V>
 void draw_triangle(const DrawState& state, const Surface& target, const V& a, const V& b, const V& c,
                    const V& provoking, std::int64_t area2);

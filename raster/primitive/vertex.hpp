@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "raster/span/fragment_state.hpp"
+#include "raster/surface/units.hpp"
 
 namespace spangle::raster {
 
@@ -11,37 +12,33 @@ namespace spangle::raster {
 inline constexpr int subpixel_bits = 8;
 inline constexpr std::int32_t subpixel_one = 1 << subpixel_bits;
 
-/// Colour unit of the fixed policy: 255ths with 20 fraction bits, so 8-bit colours are exact integers.
-inline constexpr int color_fraction_bits = 20;
-inline constexpr std::uint32_t color_one = 255u << color_fraction_bits;
-
-/// Depth of the fixed policy: Q0.30, 1.0 = 2^30.
-inline constexpr std::uint32_t depth_one = 1u << 30;
-
 /// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices.
 struct FixedVertex {
-    std::int32_t x, y;           ///< window, n.8, y up; |x|, |y| within the guard band (4 x the largest viewport)
-    std::uint32_t z;             ///< 0 .. depth_one
-    std::uint32_t w_mantissa;    ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
+    std::int32_t x, y; ///< window, n.8, y up; |x|, |y| within the guard band (4 x the largest viewport)
+    std::uint32_t z;   ///< 0 .. depth_one
+    std::uint32_t w_mantissa; ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
     std::int16_t w_exponent;
-    std::int16_t fog_exponent;   ///< eye distance |z_e| = fog_mantissa * 2^fog_exponent
+    std::int16_t fog_exponent; ///< eye distance |z_e| = fog_mantissa * 2^fog_exponent
     std::uint32_t fog_mantissa;
-    std::uint32_t color[4];      ///< RGBA, colour units, 0 .. color_one
-    std::uint32_t secondary[3];  ///< RGB, colour units
+    std::uint32_t color[4];     ///< RGBA, colour units, 0 .. color_one
+    std::uint32_t secondary[3]; ///< RGB, colour units
     struct TexCoord {
-        std::int32_t s, t, q;    ///< value = mantissa * 2^exponent, after the texture matrix; common exponent
+        std::int32_t s, t, q; ///< value = mantissa * 2^exponent, after the texture matrix; common exponent
         std::int16_t exponent;
-        std::int16_t q_is_one;   ///< nonzero: q is exactly 1 (and its mantissa is not looked at)
+        std::int16_t q_is_one; ///< nonzero: q is exactly 1 (and its mantissa is not looked at)
     } tex[max_texture_units];
 };
 
-/// Reference policy: same snapped x, y; everything else in double, in GL's own units (colours and depth 0..1).
+/// Reference policy: same snapped x, y; everything else in double, in GL's own units (colours and depth
+/// 0..1).
 struct DoubleVertex {
     std::int32_t x, y;
     double z, inv_w, fog;
     double color[4], secondary[3];
-    struct TexCoord { double s, t, q; } tex[max_texture_units];
-    double x_exact, y_exact;     ///< window position before snapping, for the coverage_unsnapped report
+    struct TexCoord {
+        double s, t, q;
+    } tex[max_texture_units];
+    double x_exact, y_exact; ///< window position before snapping, for the coverage_unsnapped report
 };
 
 /// Both at once, every step recorded (design 2: diagnosis and profiling). The picture comes from `fixed`.
@@ -49,5 +46,30 @@ struct ShadowVertex {
     FixedVertex fixed;
     DoubleVertex twin;
 };
+
+/// Where coverage sees a vertex, whatever the policy.
+struct Position {
+    std::int32_t x, y;
+};
+constexpr Position position(const FixedVertex& v) {
+    return {v.x, v.y};
+}
+constexpr Position position(const DoubleVertex& v) {
+    return {v.x, v.y};
+}
+constexpr Position position(const ShadowVertex& v) {
+    return {v.fixed.x, v.fixed.y};
+}
+
+/// Where it was before snapping, pixels; policies that know.
+struct ExactPosition {
+    double x, y;
+};
+constexpr ExactPosition exact_position(const DoubleVertex& v) {
+    return {v.x_exact, v.y_exact};
+}
+constexpr ExactPosition exact_position(const ShadowVertex& v) {
+    return exact_position(v.twin);
+}
 
 } // namespace spangle::raster

@@ -11,11 +11,26 @@
 
 namespace spangle::raster {
 
+#ifndef SPANGLE_FIRMWARE
+/// Told what is covered, for reports. Window coordinates; either function may be null.
+struct Observer {
+    /// Before the spans of a triangle: the snapped vertices (n.8), and where they were before snapping if the
+    /// policy knows (else null).
+    void (*triangle)(Observer&, const std::int32_t x[3], const std::int32_t y[3], const double exact_x[3],
+                     const double exact_y[3], Rect scissor) = nullptr;
+    /// Each span about to be drawn, of any primitive: columns [begin, end) of row y.
+    void (*span)(Observer&, std::int32_t y, std::int32_t begin, std::int32_t end) = nullptr;
+};
+#endif
+
 /// What was drawn, for whoever asks. Wraps.
 struct Counters {
-    std::uint32_t triangles = 0; ///< triangles, lines and points rasterized
+    std::uint32_t triangles = 0; ///< triangles, lines and points that reached a pixel
     std::uint32_t fragments = 0; ///< inside the scissor rectangle
     std::uint32_t passed = 0;    ///< past all tests; only where FragmentState::count
+#ifndef SPANGLE_FIRMWARE
+    Observer* observer = nullptr;
+#endif
 };
 
 /// A function of some signature: void(const Span<P>&) for a span, void(Packet<N>&, const Span<P>&) for a
@@ -53,7 +68,11 @@ struct DrawState {
     Tier tier = Tier::exact;
     PixelFormat format{};
     DepthFormat depth_format{};
-    Counters* counters = nullptr; ///< may be null
+    struct Wraps {
+        bool s = true, t = true;
+    } wraps[max_texture_units]; ///< REPEAT; decides the form of texture coordinates (number.hpp, TexCoords)
+    std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
+    Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
     Variant variant[kind_count];
     /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
     bool nothing = false;

@@ -1,5 +1,6 @@
-// What GL asks of a fragment, in the rasterizer's own words. GL fills this plain description; raster::compile() turns
-// it into a DrawState (canonical key + constants + chosen span function). Order of operations: Red Book, appendix E.
+// What GL asks of a fragment, in the rasterizer's own words. GL fills this plain description;
+// raster::compile() turns it into a DrawState (canonical key + constants + chosen span function). Order of
+// operations: Red Book, appendix E.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +9,22 @@
 
 namespace spangle::raster {
 
-/// Enumerators stand in the order of GL's tokens, so a token minus the first token of its group is the enumerator.
+/// Enumerators stand in the order of GL's tokens, so a token minus the first token of its group is the
+/// enumerator.
 enum class Compare : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
 enum class StencilOp : std::uint8_t { keep, zero, replace, incr, decr, invert, incr_wrap, decr_wrap };
 enum class BlendFactor : std::uint8_t {
-    zero, one, src_color, one_minus_src_color, src_alpha, one_minus_src_alpha,
-    dst_alpha, one_minus_dst_alpha, dst_color, one_minus_dst_color, src_alpha_saturate,
+    zero,
+    one,
+    src_color,
+    one_minus_src_color,
+    src_alpha,
+    one_minus_src_alpha,
+    dst_alpha,
+    one_minus_dst_alpha,
+    dst_color,
+    one_minus_dst_color,
+    src_alpha_saturate,
 };
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, clamp_to_border };
 enum class Filter : std::uint8_t { nearest, linear };
@@ -29,23 +40,27 @@ enum class Tier : std::uint8_t { exact, balanced, fast };
 enum class TexelFormat : std::uint8_t { a8, l8, i8, la88, rgb565, rgb888, rgba8888 };
 
 struct TextureLevel {
-    const std::uint8_t* texels = nullptr; ///< first texel inside the border, row t = 0 first (see border below)
-    std::uint16_t width = 0, height = 0;  ///< without border
-    std::uint32_t stride = 0;             ///< bytes from row t to t + 1
+    const std::uint8_t* texels =
+        nullptr; ///< first texel inside the border, row t = 0 first (see border below)
+    std::uint16_t width = 0, height = 0; ///< without border
+    std::uint32_t stride = 0;            ///< bytes from row t to t + 1
 };
 
 inline constexpr int max_texture_levels = 12; // 2048 x 2048
 
-/// An immutable view of a complete texture, ready to sample. Colours of 8 bits are k/255, of 5 and 6 bits k/31, k/63.
+/// An immutable view of a complete texture, ready to sample. Colours of 8 bits are k/255, of 5 and 6 bits
+/// k/31, k/63.
 struct Texture {
-    TextureLevel level[max_texture_levels]; ///< level[0] is the base level (TEXTURE_BASE_LEVEL already applied)
-    std::uint8_t level_count = 0;           ///< 1 without mipmaps
+    TextureLevel
+        level[max_texture_levels]; ///< level[0] is the base level (TEXTURE_BASE_LEVEL already applied)
+    std::uint8_t level_count = 0;  ///< 1 without mipmaps
     TexelFormat format = TexelFormat::rgb888;
     BaseFormat base = BaseFormat::rgb;
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
     Filter mag = Filter::linear, min = Filter::nearest;
     MipFilter mip = MipFilter::none;
-    std::uint8_t border_texels = 0;         ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
+    std::uint8_t border_texels =
+        0; ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
     std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8
     std::uint8_t border_color[4] = {0, 0, 0, 0};              ///< RGBA, 255ths
 };
@@ -66,16 +81,16 @@ struct StencilState {
 
 struct FragmentState {
     TextureUnit unit[max_texture_units];
-    bool flat = false;           ///< colour of the provoking vertex
-    bool color_sum = false;      ///< add the secondary colour after texturing
-    bool perspective = true;     ///< some w != 1 may occur; false lets 2D programs skip 1/w altogether
+    bool flat = false;       ///< colour of the provoking vertex
+    bool color_sum = false;  ///< add the secondary colour after texturing
+    bool perspective = true; ///< some w != 1 may occur; false lets 2D programs skip 1/w altogether
     bool fog = false;
     FogMode fog_mode = FogMode::exp;
-    std::uint32_t fog_color[3] = {0, 0, 0};   ///< Colour units
+    std::uint32_t fog_color[3] = {0, 0, 0};                             ///< Colour units
     std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set
     bool alpha_test = false;
     Compare alpha_func = Compare::always;
-    std::uint8_t alpha_ref = 0;               ///< 255ths
+    std::uint8_t alpha_ref = 0; ///< 255ths
     bool stencil_test = false;
     StencilState stencil;
     bool depth_test = false, depth_write = true;
@@ -83,11 +98,11 @@ struct FragmentState {
     bool blend = false;
     BlendFactor blend_src = BlendFactor::one, blend_dst = BlendFactor::zero;
     bool dither = true;
-    std::uint8_t color_mask = 0xF;            ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 also when DrawBuffer is NONE
-    Rect scissor;                             ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact;                  ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
-    Tier fog_tier = Tier::exact;              ///< FOG_HINT
-    bool count = false;                       ///< count passing fragments in Counters::passed (costs time)
+    std::uint8_t color_mask = 0xF; ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 also when DrawBuffer is NONE
+    Rect scissor;                  ///< already intersected with the surface; drawing never leaves it
+    Tier tier = Tier::exact;       ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
+    Tier fog_tier = Tier::exact;   ///< FOG_HINT
+    bool count = false;            ///< count passing fragments in Counters::passed (costs time)
 };
 
 } // namespace spangle::raster

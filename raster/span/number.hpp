@@ -15,7 +15,6 @@ template <class T> struct Rgba { T r, g, b, a; };
 /// texture does; texel = s >> (32 - log2 size)); with the other wraps a signed word, `clamped_coord_bits`
 /// fraction bits, saturated.
 template <class T, int Count> struct TexCoords { T s[Count], t[Count]; };
-inline constexpr int clamped_coord_bits = 28;
 
 /// Exact tier, and the order of things for the others: 255ths with 20 fraction bits.
 struct Exact {

@@ -25,6 +25,9 @@ struct Fixed {
 
 inline constexpr int guard_bits = 16;
 
+/// Fraction bits of texture coordinates that do not wrap (number.hpp, TexCoords).
+inline constexpr int clamped_coord_bits = 28;
+
 /// Value at the centre of pixel 0 (the anchor) and difference from pixel to pixel. `at` is exact: no error
 /// accumulates and any pixel can be first.
 template <class T> struct Interpolant {

@@ -1,0 +1,28 @@
+#include "raster/primitive/draw.hpp"
+
+#include "raster/primitive/line.hpp"
+#include "raster/primitive/point.hpp"
+#include "raster/primitive/triangle.hpp"
+
+namespace spangle::raster {
+
+template <>
+void draw_triangle<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
+                                const FixedVertex& b, const FixedVertex& c, const FixedVertex& provoking,
+                                std::int64_t area2) {
+    draw_triangle_of<Fixed>(state, target, a, b, c, provoking, area2);
+}
+
+template <>
+void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
+                            const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
+    draw_line_of<Fixed>(state, target, a, b, provoking, width);
+}
+
+template <>
+void draw_point<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& v,
+                             std::int32_t size) {
+    draw_point_of<Fixed>(state, target, v, size);
+}
+
+} // namespace spangle::raster

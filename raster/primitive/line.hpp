@@ -1,0 +1,76 @@
+// Lines of whole widths: diamond exit, replicated across the minor axis (GL 1.3, 3.4.1 and 3.4.2).
+#pragma once
+
+#include "raster/primitive/diamond.hpp"
+#include "raster/primitive/draw.hpp"
+#include "raster/primitive/pen.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// The centre of fragment `i`, subpixels.
+constexpr std::int32_t center_of(std::int32_t i) {
+    return i * subpixel_one + subpixel_one / 2;
+}
+
+/// Attributes run from one end of the line to the other; where the centre of the first or last fragment lies
+/// beyond the end, the end is moved there, so that no attribute is extrapolated (depth could wrap).
+struct LineInterval {
+    std::int32_t begin, end;
+    LineInterval(const DiamondWalk& walk, std::int32_t a, std::int32_t b) {
+        const std::int32_t first = center_of(walk.major);
+        const std::int32_t last = center_of(walk.major + (walk.count - 1) * walk.direction);
+        begin = (first - a) * walk.direction < 0 ? first : a;
+        end = (last - b) * walk.direction > 0 ? last : b;
+    }
+};
+
+template <class P> void draw_x_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk walk, std::int32_t width) {
+    while (walk.count > 0) {
+        const std::int32_t row = walk.minor, from = walk.major;
+        std::int32_t to = from;
+        do {
+            to = walk.major;
+            walk.step();
+        } while (walk.count > 0 && walk.minor == row);
+        const std::int32_t left = from < to ? from : to, right = (from < to ? to : from) + 1;
+        std::int32_t y = row < pen.row_begin() ? pen.row_begin() : row;
+        const std::int32_t top = row + width < pen.row_end() ? row + width : pen.row_end();
+        for (; y < top; ++y)
+            pen.draw(setup, y, left, right);
+    }
+}
+
+template <class P> void draw_y_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk walk, std::int32_t width) {
+    for (; walk.count > 0; walk.step())
+        if (pen.sees(walk.minor, walk.minor + width))
+            pen.draw(setup, walk.major, walk.minor, walk.minor + width);
+}
+
+} // namespace detail
+
+template <class P>
+void draw_line_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
+                  const typename P::Vertex& b, const typename P::Vertex& provoking, std::int32_t width) {
+    Pen<P> pen(state, target);
+    const Position pa = position(a), pb = position(b);
+    DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));
+    if (state.nothing || walk.count == 0)
+        return;
+    const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);
+    if (walk.along_x)
+        walk.clip(pen.column_begin(), pen.column_end());
+    else
+        walk.clip(pen.row_begin(), pen.row_end());
+    if (walk.count == 0)
+        return;
+    pen.primitive();
+    Setup<P> setup(pen.span, a, b, provoking, walk.along_x, interval.begin, interval.end);
+    if (walk.along_x)
+        detail::draw_x_major(pen, setup, walk, width);
+    else
+        detail::draw_y_major(pen, setup, walk, width);
+}
+
+} // namespace spangle::raster

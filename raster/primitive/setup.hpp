@@ -1,0 +1,110 @@
+// Set-up: from vertices to interpolants of spans.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/primitive/vertex.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster {
+
+/// Plane equations of one primitive, for the attributes its state needs; writes them into a span and moves
+/// the span's anchor. Each policy specialises it.
+template <class P> class Setup;
+
+/// Fixed policy. All products fit 64 bits; the coefficients of gradients have 30 bits, so that an attribute
+/// is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a compact one.
+/// Values start at the pixel of the lowest vertex: order of vertices, integer translation, scissor and bands
+/// change nothing.
+template <> class Setup<Fixed> {
+  public:
+    using Vertex = FixedVertex;
+
+    /// Triangle; a, b, c sorted by y (then x), area2 their signed area, not 0.
+    Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
+          std::int64_t area2);
+    /// Line: attributes vary along its major axis, from a at coordinate `begin` to b at `end` (subpixels).
+    Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
+          std::int32_t begin, std::int32_t end);
+    /// Point: nothing varies.
+    Setup(Span<Fixed>& span, const Vertex& v);
+
+    /// The anchor moves to pixel (x, y): span.x, span.y and all values. Exact, so the way there does not
+    /// matter.
+    void move_to(std::int32_t x, std::int32_t y) {
+        const auto columns = static_cast<std::uint32_t>(x - span_.x),
+                   rows = static_cast<std::uint32_t>(y - span_.y);
+        span_.x = x;
+        span_.y = y;
+        for (int i = 0; i < affine_count_; ++i)
+            affine_[i].at->value += columns * affine_[i].at->dx + rows * affine_[i].dy;
+        if (projective_count_ != 0)
+            move_projective(columns, rows);
+    }
+
+    // Bounds, for tests and proofs.
+    static constexpr int coefficient_bits = 30; ///< |mantissa| of a gradient's coefficient <= 2^30
+    static constexpr int value_bits = 31;       ///< |difference| of an attribute between two vertices < 2^31
+    /// Above this ratio of window box to area a triangle is interpolated along its longer axis only:
+    /// two-dimensional gradients would lose too much there, and its centres lie within a fraction of a pixel
+    /// of a line.
+    static constexpr std::int64_t thin_aspect = 1 << 10;
+
+  private:
+    struct AffinePlane {
+        Interpolant<std::uint32_t>* at;
+        std::uint32_t dy;
+    };
+    struct ProjectivePlane {
+        Interpolant<std::uint64_t>* at;
+        std::uint64_t dy;
+    };
+    struct Gradient {
+        std::int64_t dx, dy; ///< per pixel
+    };
+    /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
+    struct UnitValues {
+        std::int32_t s[3], t[3], q[3];
+        std::int64_t s0, t0; ///< at v_[0], repeats with 32 fraction bits
+        int shift;           ///< s[i] counts 2^(shift - 32) repeats
+        bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
+    };
+
+    void start();
+    void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
+    void in_plane(std::int64_t area2);
+    void attributes(const Vertex& provoking);
+    bool weights();
+    void load_unit(int unit, UnitValues& u) const;
+    void load_homogeneous(int unit, UnitValues& u) const;
+    void load_fog(std::int32_t fog[3]) const;
+    bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
+    bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
+    bool colors_affine() const;
+    Kind choose_kind(const UnitValues units[], bool same_w, bool same_color, const std::int32_t fog[3]) const;
+
+    void move_projective(std::uint32_t columns, std::uint32_t rows);
+    Gradient gradient(const std::int32_t v[3], int up) const;
+    std::uint64_t to_anchor(const Gradient& g) const;
+    void add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
+    std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
+    void add_depth();
+    void constant_colors(const Vertex& provoking);
+    void add_color(int component, bool secondary);
+    void add_unit(int unit, const UnitValues& u);
+
+    Span<Fixed>& span_;
+    const DrawState& state_;
+    const Vertex* v_[3];         ///< reference vertices; values start at v_[0]
+    std::int32_t cx_[2], cy_[2]; ///< d/dx = (d1 cx[0] + d2 cx[1]) 2^-ex, with d1 = v1 - v0 and d2 = v2 - v0
+    int ex_, ey_;
+    std::int32_t ox_, oy_; ///< from v_[0] to the centre of its pixel, subpixels
+    std::int32_t q_[3];    ///< 1/w of v_, largest in [2^29, 2^30)
+    std::uint32_t q_least_, q_range_;
+    int affine_count_ = 0, projective_count_ = 0;
+    AffinePlane affine_[9 + 2 * max_texture_units];
+    ProjectivePlane projective_[9 + 3 * max_texture_units];
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,88 @@
+// Triangles: sorted by y, walked exactly, set up when the first row shows a pixel (GL 1.3, 3.5.1).
+#pragma once
+
+#include "raster/primitive/draw.hpp"
+#include "raster/primitive/edge.hpp"
+#include "raster/primitive/pen.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+template <class V>
+inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const v[3]) {
+#ifndef SPANGLE_FIRMWARE
+    if (state.counters == nullptr || state.counters->observer == nullptr ||
+        state.counters->observer->triangle == nullptr)
+        return;
+    std::int32_t x[3], y[3];
+    for (int i = 0; i < 3; ++i)
+        x[i] = position(*v[i]).x, y[i] = position(*v[i]).y;
+    Observer& observer = *state.counters->observer;
+    if constexpr (requires { exact_position(*v[0]); }) {
+        double exact_x[3], exact_y[3];
+        for (int i = 0; i < 3; ++i)
+            exact_x[i] = exact_position(*v[i]).x, exact_y[i] = exact_position(*v[i]).y;
+        observer.triangle(observer, x, y, exact_x, exact_y, state.fragment.scissor);
+    } else {
+        observer.triangle(observer, x, y, nullptr, nullptr, state.fragment.scissor);
+    }
+#endif
+}
+
+/// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
+/// in.
+template <class V> inline bool below(const V* a, const V* b) {
+    return position(*a).y != position(*b).y ? position(*a).y < position(*b).y
+                                            : position(*a).x < position(*b).x;
+}
+
+template <class V> inline void sort_pair(const V*& low, const V*& high, bool& odd) {
+    if (below(high, low)) {
+        const V* const t = low;
+        low = high;
+        high = t;
+        odd = !odd;
+    }
+}
+
+} // namespace detail
+
+template <class P>
+void draw_triangle_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
+                      const typename P::Vertex& b, const typename P::Vertex& c,
+                      const typename P::Vertex& provoking, std::int64_t area2) {
+    const typename P::Vertex *low = &a, *middle = &b, *high = &c;
+    bool odd = false;
+    detail::sort_pair(low, middle, odd);
+    detail::sort_pair(middle, high, odd);
+    detail::sort_pair(low, middle, odd);
+    if (odd)
+        area2 = -area2;
+    const std::int32_t xs[3] = {position(*low).x, position(*middle).x, position(*high).x};
+    const std::int32_t ys[3] = {position(*low).y, position(*middle).y, position(*high).y};
+    const std::int32_t least =
+        xs[0] < xs[2] ? (xs[0] < xs[1] ? xs[0] : xs[1]) : (xs[2] < xs[1] ? xs[2] : xs[1]);
+    const std::int32_t most =
+        xs[0] > xs[2] ? (xs[0] > xs[1] ? xs[0] : xs[1]) : (xs[2] > xs[1] ? xs[2] : xs[1]);
+
+    const typename P::Vertex* const corners[3] = {low, middle, high};
+    detail::observe(state, corners);
+    Pen<P> pen(state, target);
+    if (state.nothing || !pen.sees(first_center(least), first_center(most)))
+        return;
+    const bool small = most - least <= small_extent && ys[2] - ys[0] <= small_extent;
+    TriangleRows rows(xs, ys, area2 < 0, small, pen.row_begin(), pen.row_end());
+    do {
+        if (!rows.next())
+            return;
+    } while (!pen.sees(rows.left, rows.right));
+    pen.primitive();
+    Setup<P> setup(pen.span, *low, *middle, *high, provoking, area2);
+    do {
+        if (pen.sees(rows.left, rows.right))
+            pen.draw(setup, rows.y, rows.left, rows.right);
+    } while (rows.next());
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,225 @@
+// The primary colour of a fragment, and the colour sum (GL 1.3, 3.9).
+#pragma once
+
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/stage.hpp"
+
+namespace spangle::raster {
+
+/// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
+/// counts as the least positive one.
+struct Inverse {
+    std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
+    int zeros;
+    SPANGLE_INLINE explicit Inverse(std::int32_t q) {
+        const std::uint32_t positive = q > 0 ? static_cast<std::uint32_t>(q) : 1u;
+        zeros = numeric::clz32(positive);
+        mantissa = numeric::reciprocal(positive << zeros);
+    }
+};
+
+/// A projective accumulator without its guard bits.
+SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> guard_bits));
+}
+
+/// Colour affine in the window (or constant). Alpha: it is looked at.
+template <class N, bool Alpha> struct Gouraud : StageBase {
+    static constexpr unsigned out = field_color;
+    using U32 = typename N::L::U32;
+    U32 r, g, b, dr, dg, db;
+    [[no_unique_address]] std::conditional_t<Alpha, U32, StageBase> a, da;
+
+    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x) {
+        start(s, x, 0, r, dr);
+        start(s, x, 1, g, dg);
+        start(s, x, 2, b, db);
+        if constexpr (Alpha)
+            start(s, x, 3, a, da);
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.r = N::from_affine(r);
+        p.color.g = N::from_affine(g);
+        p.color.b = N::from_affine(b);
+        if constexpr (Alpha)
+            p.color.a = N::from_affine(a);
+        else
+            p.color.a = N::from_units(color_one);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        r += dr;
+        g += dg;
+        b += db;
+        if constexpr (Alpha)
+            a += da;
+    }
+
+  private:
+    SPANGLE_INLINE static void start(const Span<Fixed>& s, std::int32_t x, int c, U32& v, U32& dv) {
+        const auto& interpolant = s.color_value[c];
+        v = N::L::ramp(interpolant.at(x), interpolant.dx);
+        dv = N::L::splat32(interpolant.dx * static_cast<std::uint32_t>(N::lanes));
+    }
+};
+
+/// The same, of which nothing but the top bits is stored.
+template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<Count>;
+    typename N::L::U32 r, g, b, dr, dg, db;
+
+    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
+        : r(N::L::ramp(s.color_value[0].at(x), s.color_value[0].dx)),
+          g(N::L::ramp(s.color_value[1].at(x), s.color_value[1].dx)),
+          b(N::L::ramp(s.color_value[2].at(x), s.color_value[2].dx)),
+          dr(N::L::splat32(s.color_value[0].dx * Count)), dg(N::L::splat32(s.color_value[1].dx * Count)),
+          db(N::L::splat32(s.color_value[2].dx * Count)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color = N::from_affine(r, g, b);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        r += dr;
+        g += dg;
+        b += db;
+    }
+};
+
+/// One colour for the whole primitive, ready to store.
+template <int Count> struct FlatWord : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<Count>;
+    typename N::T word;
+    SPANGLE_INLINE FlatWord(const Span<Fixed>& s, std::int32_t) : word(N::L::splat(s.flat_word)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = word;
+        return true;
+    }
+};
+
+namespace detail {
+
+/// A colour from (colour * q) and 1/q, colour units.
+SPANGLE_INLINE std::uint32_t projective_color(std::uint64_t accumulator, const Inverse& inverse) {
+    const std::int32_t v = unguarded(accumulator);
+    if (v <= 0)
+        return 0;
+    // v / q * 2^28, v < 2^30 and mantissa <= 2^31.
+    const std::uint64_t c =
+        numeric::mul_u32(static_cast<std::uint32_t>(v), inverse.mantissa) >> (34 - inverse.zeros);
+    return c < color_one ? static_cast<std::uint32_t>(c) : color_one;
+}
+
+} // namespace detail
+
+/// Perspective-correct colour, divided at every fragment (GL 1.3, equation 3.6).
+template <class N, bool Alpha> struct GouraudQ : StageBase {
+    static constexpr unsigned out = field_color;
+    static constexpr int channels = Alpha ? 4 : 3;
+    std::uint64_t q, dq, c[channels], dc[channels];
+
+    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t x) : q(s.q.at(x)), dq(s.q.dx) {
+        for (int i = 0; i < channels; ++i)
+            c[i] = s.color_q[i].at(x), dc[i] = s.color_q[i].dx;
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const Inverse inverse(unguarded(q));
+        p.color.r = N::from_units(detail::projective_color(c[0], inverse));
+        p.color.g = N::from_units(detail::projective_color(c[1], inverse));
+        p.color.b = N::from_units(detail::projective_color(c[2], inverse));
+        if constexpr (Alpha)
+            p.color.a = N::from_units(detail::projective_color(c[3], inverse));
+        else
+            p.color.a = N::from_units(color_one);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        q += dq;
+        for (int i = 0; i < channels; ++i)
+            c[i] += dc[i];
+    }
+};
+
+/// Adds the secondary colour, componentwise, clamped.
+template <class N, bool Projective> struct ColorSum : StageBase {
+    static constexpr unsigned in = field_color, out = field_color;
+    using Word = std::conditional_t<Projective, std::uint64_t, std::uint32_t>;
+    Word q{}, dq{}, c[3], dc[3];
+
+    SPANGLE_INLINE ColorSum(const Span<Fixed>& s, std::int32_t x) {
+        for (int i = 0; i < 3; ++i) {
+            if constexpr (Projective)
+                c[i] = s.secondary_q[i].at(x), dc[i] = s.secondary_q[i].dx;
+            else
+                c[i] = s.secondary[i].at(x), dc[i] = s.secondary[i].dx;
+        }
+        if constexpr (Projective)
+            q = s.q.at(x), dq = s.q.dx;
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (Projective) {
+            const Inverse inverse(unguarded(q));
+            sum(p, N::from_units(detail::projective_color(c[0], inverse)),
+                N::from_units(detail::projective_color(c[1], inverse)),
+                N::from_units(detail::projective_color(c[2], inverse)));
+        } else {
+            sum(p, N::from_affine(c[0]), N::from_affine(c[1]), N::from_affine(c[2]));
+        }
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        if constexpr (Projective)
+            q += dq;
+        for (int i = 0; i < 3; ++i)
+            c[i] += dc[i];
+    }
+
+  private:
+    SPANGLE_INLINE static void sum(Px<N>& p, typename N::T r, typename N::T g, typename N::T b) {
+        p.color.r = N::add(p.color.r, r);
+        p.color.g = N::add(p.color.g, g);
+        p.color.b = N::add(p.color.b, b);
+    }
+};
+
+/// The fog coordinate, s7.24.
+template <class N, bool Projective> struct FogCoord;
+
+template <class N> struct FogCoord<N, false> : StageBase {
+    static constexpr unsigned out = field_fog;
+    typename N::L::U32 v, dv;
+    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
+        : v(N::L::ramp(s.fog.at(x), s.fog.dx)),
+          dv(N::L::splat32(s.fog.dx * static_cast<std::uint32_t>(N::lanes))) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.fog = v;
+        return true;
+    }
+    SPANGLE_INLINE void step() { v += dv; }
+};
+
+template <class N> struct FogCoord<N, true> : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned out = field_fog;
+    std::uint64_t q, dq, f, df;
+    int exponent;
+    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
+        : q(s.q.at(x)), dq(s.q.dx), f(s.fog_q.at(x)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const Inverse inverse(unguarded(q));
+        const std::int64_t product = std::int64_t{unguarded(f)} * inverse.mantissa; // f/q 2^(62 - zeros)
+        const int down = 38 - inverse.zeros - exponent;
+        p.fog =
+            static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
+                                                 : numeric::scale_saturate(product, -down));
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        q += dq;
+        f += df;
+    }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,165 @@
+// Depth: the code of a fragment, the test (GL 1.3, 4.1.6).
+#pragma once
+
+#include <cstring>
+
+#include "raster/span/draw_state.hpp"
+#include "raster/span/stage.hpp"
+
+namespace spangle::raster {
+
+/// Compare as GL writes it: incoming OP stored.
+template <Compare Func, class T> SPANGLE_INLINE constexpr bool compare(T incoming, T stored) {
+    switch (Func) {
+    case Compare::never:
+        return false;
+    case Compare::less:
+        return incoming < stored;
+    case Compare::equal:
+        return incoming == stored;
+    case Compare::lequal:
+        return incoming <= stored;
+    case Compare::greater:
+        return incoming > stored;
+    case Compare::notequal:
+        return incoming != stored;
+    case Compare::gequal:
+        return incoming >= stored;
+    case Compare::always:
+        return true;
+    }
+    return true;
+}
+
+/// The same, mode at run time.
+template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incoming, T stored) {
+    // GL's order makes an enumerator the set of outcomes it lets pass: less 1, equal 2, greater 4.
+    const unsigned outcome = incoming < stored ? 1u : incoming == stored ? 2u : 4u;
+    return (static_cast<unsigned>(func) & outcome) != 0;
+}
+
+/// The interpolated depth of the fixed policy. `code<Bits>()`: what a depth buffer of 16 or 24 bits stores.
+template <class N> struct DepthValue : StageBase {
+    typename N::L::U32 z, dz;
+    SPANGLE_INLINE DepthValue(const Span<Fixed>& s, std::int32_t x)
+        : z(N::L::ramp(s.z.at(x), s.z.dx)), dz(N::L::splat32(s.z.dx * static_cast<std::uint32_t>(N::lanes))) {
+    }
+    SPANGLE_INLINE void step() { z += dz; }
+};
+
+template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
+
+/// 16 bits.
+template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, Func, Write> : DepthValue<N> {
+    static constexpr bool kill = true, effect = Write;
+    using L = typename N::L;
+    std::uint8_t* plane;
+    SPANGLE_INLINE Depth(const Span<Fixed>& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        std::uint8_t* const at = plane + 2 * p.i;
+        const typename L::U16 incoming = L::high_half(this->z);
+        if constexpr (N::lanes == 1) {
+            if (!compare<Func>(incoming, L::load(at)))
+                return false;
+            if constexpr (Write)
+                L::store(at, incoming);
+            return true;
+        } else {
+            const typename L::U16 stored = L::load(at);
+            p.live = L::both(p.live, passes(incoming, stored));
+            if constexpr (Write)
+                L::store(at, L::select(p.live, incoming, stored));
+            return L::any(p.live);
+        }
+    }
+
+  private:
+    SPANGLE_INLINE static typename L::Mask passes(typename L::U16 incoming, typename L::U16 stored) {
+        switch (Func) {
+        case Compare::never:
+            return L::negate(L::all);
+        case Compare::less:
+            return L::less(incoming, stored);
+        case Compare::equal:
+            return L::equal(incoming, stored);
+        case Compare::lequal:
+            return L::negate(L::less(stored, incoming));
+        case Compare::greater:
+            return L::less(stored, incoming);
+        case Compare::notequal:
+            return L::negate(L::equal(incoming, stored));
+        case Compare::gequal:
+            return L::negate(L::less(incoming, stored));
+        case Compare::always:
+            return L::all;
+        }
+        return L::all;
+    }
+};
+
+/// 24 bits above 8 of stencil, which stay.
+template <class N, Compare Func, bool Write>
+struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
+    static_assert(N::lanes == 1);
+    static constexpr bool kill = true, effect = Write;
+    std::uint8_t* plane;
+    SPANGLE_INLINE Depth(const Span<Fixed>& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
+        std::uint32_t stored;
+        std::memcpy(&stored, at, 4);
+        if (!compare<Func>(this->z >> 8, stored >> 8))
+            return false;
+        if constexpr (Write) {
+            const std::uint32_t word = (this->z & ~0xFFu) | (stored & 0xFF);
+            std::memcpy(at, &word, 4);
+        }
+        return true;
+    }
+};
+
+/// Function and write mask at run time: the depth test of the chain.
+template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
+    static_assert(N::lanes == 1);
+    static constexpr bool kill = true, effect = true;
+    std::uint8_t* plane;
+    Compare func;
+    bool write;
+    SPANGLE_INLINE DepthGeneral(const Span<Fixed>& s, std::int32_t x)
+        : DepthValue<N>(s, x), plane(s.depth), func(s.state->fragment.depth_func),
+          write(s.state->fragment.depth_write) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        using Word = std::conditional_t<Format == DepthFormat::z16, std::uint16_t, std::uint32_t>;
+        constexpr int stencil_bits = Format == DepthFormat::z16 ? 0 : 8;
+        constexpr Word stencil = (1u << stencil_bits) - 1;
+        auto* const at = static_cast<std::uint8_t*>(
+            __builtin_assume_aligned(plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
+        Word stored;
+        std::memcpy(&stored, at, sizeof stored);
+        const auto word = static_cast<Word>(this->z >> (32 - 8 * sizeof(Word)));
+        if (!compare<std::uint32_t>(func, word >> stencil_bits, stored >> stencil_bits))
+            return false;
+        if (write) {
+            const auto merged = static_cast<Word>((word & ~stencil) | (stored & stencil));
+            std::memcpy(at, &merged, sizeof merged);
+        }
+        return true;
+    }
+};
+
+/// Counts what passed all tests (occlusion, statistics).
+template <class N> struct Count : StageBase {
+    static constexpr bool effect = true;
+    std::uint32_t* passed;
+    SPANGLE_INLINE Count(const Span<typename N::Policy>& s, std::int32_t)
+        : passed(&s.state->counters->passed) {}
+    SPANGLE_INLINE bool operator()(Px<N>&) const {
+        ++*passed;
+        return true;
+    }
+};
+
+} // namespace spangle::raster
