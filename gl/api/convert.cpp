@@ -2,6 +2,7 @@
 
 namespace spangle::gl::convert {
 
+Real cast_special(std::uint32_t bits) { return numeric::from_float_bits(bits); }
 Real cast_d(GLdouble v) { return numeric::from_double(v); }
 Real cast_x(GLfixed v) { return numeric::from_fixed16(v); }
 Real cast_i(GLint v) { return numeric::from_i32(v); }

@@ -1,13 +1,21 @@
 // The border of the API: every scalar becomes a Real or an integer here, once (design 1).
 #pragma once
 
+#include <bit>
+
 #include "gl/api/family.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl::convert {
 
 // At face value. Floats are moves and inline; the others are functions, so that wrappers stay thin.
-inline Real cast_f(GLfloat v) { return numeric::from_float(v); }
+[[gnu::cold]] Real cast_special(std::uint32_t bits); ///< NaN and infinities
+inline Real cast_f(GLfloat v) {
+    const auto bits = std::bit_cast<std::uint32_t>(v);
+    if ((bits & 0x7F800000) == 0x7F800000) [[unlikely]]
+        return cast_special(bits);
+    return {bits};
+}
 Real cast_d(GLdouble v);
 Real cast_x(GLfixed v);
 Real cast_i(GLint v);

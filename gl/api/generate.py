@@ -176,7 +176,7 @@ class Family:
         for code, suffix in self.types:
             name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
             body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n"
-                    f"    Params found;\n    issue<family::{self.name}>({', '.join(call)}, found);\n"
+                    f"    Params found;\n    fetch<family::{self.name}>(found, {', '.join(call)});\n"
                     f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
 

@@ -25,9 +25,10 @@ constexpr std::uint8_t stops = static_cast<std::uint8_t>(
     (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run now. Errors
-/// of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary 9).
+/// of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary 9). Arguments come by
+/// value, so that they stay in registers on the way that does not come here.
 template <class F, class... A>
-[[gnu::noinline, gnu::cold]] bool admit(Context& context, A&... args) {
+[[gnu::noinline, gnu::cold]] bool admit(Context& context, A... args) {
     if constexpr ((stops<F> & gate_compiling) != 0) {
         if ((context.gate & gate_compiling) != 0) {
             if constexpr (F::listing == Listing::words)
@@ -48,7 +49,7 @@ template <class F, class... A>
 }
 
 template <class F, class... A>
-inline void issue(A&&... args) {
+inline void issue(A... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
         return;
@@ -61,13 +62,22 @@ inline void issue(A&&... args) {
 
 /// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
 template <class F, class... A>
-inline auto ask(A&&... args) -> decltype(F::run(*current_context(), args...)) {
+inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     Context* context = current_context();
     if (context == nullptr)
         return 0;
     if ((context->gate & stops<F>) != 0 && !admit<F>(*context, args...))
         return 0;
     return F::run(*context, args...);
+}
+
+/// The same for queries of parameters; `out` stays empty when they may not run.
+template <class F, class... A>
+inline void fetch(Params& out, A... args) {
+    Context* context = current_context();
+    if (context == nullptr || ((context->gate & stops<F>) != 0 && !admit<F>(*context, args...)))
+        return;
+    F::run(*context, args..., out);
 }
 
 } // namespace spangle::gl

@@ -5,6 +5,7 @@
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
+#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
 
@@ -36,8 +37,10 @@ void destroy_group(ShareGroup* group) {
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
     void* const memory = arena.allocate(sizeof(Context));
     void* const group_memory = share == nullptr ? arena.allocate(sizeof(ShareGroup)) : nullptr;
-    if (memory == nullptr || (share == nullptr && group_memory == nullptr)) {
+    void* const pipeline = arena.allocate(config.engine->pipeline_bytes);
+    if (memory == nullptr || pipeline == nullptr || (share == nullptr && group_memory == nullptr)) {
         arena.free(memory);
+        arena.free(pipeline);
         arena.free(group_memory);
         return nullptr;
     }
@@ -45,6 +48,8 @@ Context* create_context(Arena& arena, const ContextConfig& config, Context* shar
     context->arena = &arena;
     context->tier = config.tier;
     context->engine = config.engine;
+    context->pipeline = pipeline;
+    config.engine->construct(pipeline);
     context->share = share != nullptr ? share->share : new (group_memory) ShareGroup(arena);
     ++context->share->references;
     return context;
@@ -61,7 +66,9 @@ void destroy_context(Context* context) {
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);
-    context->arena->free(context);
+    Arena& arena = *context->arena;
+    arena.free(context->pipeline);
+    arena.free(context);
 }
 
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered) {
@@ -71,7 +78,7 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     Drawable& drawable = context->drawable;
     drawable.surface = surface;
     drawable.double_buffered = double_buffered;
-    context->dirty = dirty_all;
+    context->touch_all();
     if (drawable.bound_before)
         return;
     drawable.bound_before = true;

@@ -27,7 +27,7 @@ void set(Context& context, GLenum cap, bool on) {
     if (row == nullptr)
         return;
     *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + row->where) = on;
-    context.dirty = dirty_all;
+    context.touch_all();
 #if SPANGLE_FEATURE_LIGHTING
     if (on && cap == GL_COLOR_MATERIAL)
         color_material_enabled(context);

@@ -46,7 +46,7 @@ void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetLightfv: null pointer"));
     Params found;
-    issue<family::GetLight>(light, pname, found);
+    fetch<family::GetLight>(found, light, pname);
     convert::store_f(shape::GetLight(pname), found, params);
 }
 
@@ -54,7 +54,7 @@ void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetLightiv: null pointer"));
     Params found;
-    issue<family::GetLight>(light, pname, found);
+    fetch<family::GetLight>(found, light, pname);
     convert::store_i(shape::GetLight(pname), found, params);
 }
 
@@ -62,7 +62,7 @@ void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetLightxvOES: null pointer"));
     Params found;
-    issue<family::GetLight>(light, pname, found);
+    fetch<family::GetLight>(found, light, pname);
     convert::store_x(shape::GetLight(pname), found, params);
 }
 
@@ -130,7 +130,7 @@ void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetMaterialfv: null pointer"));
     Params found;
-    issue<family::GetMaterial>(face, pname, found);
+    fetch<family::GetMaterial>(found, face, pname);
     convert::store_f(shape::GetMaterial(pname), found, params);
 }
 
@@ -138,7 +138,7 @@ void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetMaterialiv: null pointer"));
     Params found;
-    issue<family::GetMaterial>(face, pname, found);
+    fetch<family::GetMaterial>(found, face, pname);
     convert::store_i(shape::GetMaterial(pname), found, params);
 }
 
@@ -146,7 +146,7 @@ void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
     Params found;
-    issue<family::GetMaterial>(face, pname, found);
+    fetch<family::GetMaterial>(found, face, pname);
     convert::store_x(shape::GetMaterial(pname), found, params);
 }
 

@@ -68,7 +68,7 @@ void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexParameterfv: null pointer"));
     Params found;
-    issue<family::GetTexParameter>(target, pname, found);
+    fetch<family::GetTexParameter>(found, target, pname);
     convert::store_f(shape::GetTexParameter(pname), found, params);
 }
 
@@ -76,7 +76,7 @@ void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) 
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexParameteriv: null pointer"));
     Params found;
-    issue<family::GetTexParameter>(target, pname, found);
+    fetch<family::GetTexParameter>(found, target, pname);
     convert::store_i(shape::GetTexParameter(pname), found, params);
 }
 
@@ -84,7 +84,7 @@ void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* par
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
     Params found;
-    issue<family::GetTexParameter>(target, pname, found);
+    fetch<family::GetTexParameter>(found, target, pname);
     convert::store_x(shape::GetTexParameter(pname), found, params);
 }
 
@@ -122,7 +122,7 @@ void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexEnvfv: null pointer"));
     Params found;
-    issue<family::GetTexEnv>(target, pname, found);
+    fetch<family::GetTexEnv>(found, target, pname);
     convert::store_f(shape::GetTexEnv(pname), found, params);
 }
 
@@ -130,7 +130,7 @@ void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexEnviv: null pointer"));
     Params found;
-    issue<family::GetTexEnv>(target, pname, found);
+    fetch<family::GetTexEnv>(found, target, pname);
     convert::store_i(shape::GetTexEnv(pname), found, params);
 }
 
@@ -138,7 +138,7 @@ void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
     Params found;
-    issue<family::GetTexEnv>(target, pname, found);
+    fetch<family::GetTexEnv>(found, target, pname);
     convert::store_x(shape::GetTexEnv(pname), found, params);
 }
 
@@ -146,7 +146,7 @@ void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pnam
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterfv: null pointer"));
     Params found;
-    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    fetch<family::GetTexLevelParameter>(found, target, level, pname);
     convert::store_f(shape::GetTexLevelParameter(pname), found, params);
 }
 
@@ -154,7 +154,7 @@ void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pnam
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexLevelParameteriv: null pointer"));
     Params found;
-    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    fetch<family::GetTexLevelParameter>(found, target, level, pname);
     convert::store_i(shape::GetTexLevelParameter(pname), found, params);
 }
 
@@ -162,7 +162,7 @@ void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum p
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
     Params found;
-    issue<family::GetTexLevelParameter>(target, level, pname, found);
+    fetch<family::GetTexLevelParameter>(found, target, level, pname);
     convert::store_x(shape::GetTexLevelParameter(pname), found, params);
 }
 
