@@ -1,0 +1,42 @@
+// How one group of components lies in client memory, from a format and a type (GL 1.3, 3.6.4, tables 3.5
+// to 3.12).
+#pragma once
+
+#include "gl/pixel/pixel_store_state.hpp"
+
+namespace spangle::gl {
+
+/// What a component of a group is.
+enum class Channel : std::uint8_t { red, green, blue, alpha, luminance, depth, stencil };
+
+enum class ElementKind : std::uint8_t { unsigned_integer, signed_integer, real, bitmap };
+
+struct PixelLayout {
+    std::uint8_t components = 0;    ///< of a group
+    std::uint8_t elements = 0;      ///< of a group; 1 for packed types
+    std::uint8_t element_bytes = 0; ///< 1 for BITMAP, whose groups are single bits
+    ElementKind kind = ElementKind::unsigned_integer;
+    Channel channel[4] = {};
+    bool packed = false;
+    std::uint8_t bits[4] = {};  ///< of component i in its element
+    std::uint8_t shift[4] = {}; ///< packed types: lowest bit of component i
+
+    std::uint32_t group_bytes() const { return std::uint32_t{elements} * element_bytes; }
+};
+
+/// INVALID_ENUM: unknown format or type, or BITMAP of colours; INVALID_OPERATION: a packed type with another
+/// number of components; else NO_ERROR, and `out` is valid.
+GLenum pixel_layout(GLenum format, GLenum type, PixelLayout& out);
+
+/// Where the rows of an image `width` groups wide are: the first one at `skip`, each next one `stride`
+/// further. With BITMAP, group 0 of a row is bit `skip_bits` of its first byte, counted in the order
+/// LSB_FIRST says.
+struct ImageRows {
+    std::size_t stride = 0, skip = 0;
+    unsigned skip_bits = 0;
+};
+
+/// GL 1.3, 3.6.4: k = n l, or a / s * ceil(s n l / a) when the elements are smaller than the alignment.
+ImageRows image_rows(const PixelStore& store, const PixelLayout& layout, GLsizei width);
+
+} // namespace spangle::gl
