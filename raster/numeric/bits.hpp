@@ -93,6 +93,20 @@ constexpr std::uint64_t shift_right_sticky(std::uint64_t v, int n) {
     return (v >> n) | ((v << (64 - n)) != 0 ? 1u : 0u);
 }
 
+struct Product128 {
+    std::uint64_t high, low;
+};
+
+/// a * b in full, from 32-bit products: there is no 128-bit type on 32-bit targets.
+constexpr Product128 mul_u64(std::uint64_t a, std::uint64_t b) {
+    const auto a0 = static_cast<std::uint32_t>(a), a1 = static_cast<std::uint32_t>(a >> 32);
+    const auto b0 = static_cast<std::uint32_t>(b), b1 = static_cast<std::uint32_t>(b >> 32);
+    const std::uint64_t low = mul_u32(a0, b0);
+    const std::uint64_t middle = mul_u32(a1, b0) + (low >> 32); // at most (2^32 - 1) 2^32: no carry lost
+    const std::uint64_t cross = mul_u32(a0, b1) + static_cast<std::uint32_t>(middle);
+    return {mul_u32(a1, b1) + (middle >> 32) + (cross >> 32), cross << 32 | static_cast<std::uint32_t>(low)};
+}
+
 SPANGLE_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
     constexpr std::int64_t low = std::numeric_limits<std::int32_t>::min();
     constexpr std::int64_t high = std::numeric_limits<std::int32_t>::max();

@@ -198,8 +198,14 @@ constexpr Block reciprocal(Block v) {
     return make_block(v.m < 0 ? -r : r, zeros - 62 - v.e); // 1/v = r * 2^-30 * 2^(zeros - 32) * 2^-e
 }
 
+/// a/b within half a unit, exact where the quotient is; by 0 as reciprocal(). A long division: for state, not
+/// for vertices.
 constexpr Block div(Block a, Block b) {
-    return mul(a, reciprocal(b));
+    if (b.m == 0 || a.m == 0)
+        return a.m == 0 ? Block{} : Block{a.m < 0 ? -block_max : block_max, 16384};
+    const std::uint64_t q = divide(std::uint64_t{abs_u32(a.m)} << 32, abs_u32(b.m)).quotient; // 32 or 33 bits
+    const auto v = static_cast<std::int64_t>(q);
+    return make_block((a.m < 0) != (b.m < 0) ? -v : v, a.e - b.e - 32);
 }
 
 /// 1/sqrt(v); for v <= 0 the largest block.
