@@ -32,6 +32,14 @@ enum Gate : std::uint8_t {
     gate_compiling = 2, ///< between NewList and EndList
 };
 
+/// Which derived state must be computed again before the next primitive. Whoever changes state says changed(); whoever
+/// derives clears the bits.
+enum Dirty : std::uint8_t {
+    dirty_vertex = 1,   ///< matrices, normals, lighting
+    dirty_fragment = 2, ///< what raster::FragmentState is filled from, the drawable included
+    dirty_all = 0xFF,
+};
+
 /// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
 struct Drawable {
     raster::Surface surface;
@@ -41,6 +49,7 @@ struct Drawable {
 
 struct Context {
     std::uint8_t gate = 0; ///< Gate bits
+    std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 
     CurrentState current;
@@ -65,9 +74,6 @@ struct Context {
 
     void changed(Dirty bits) { dirty = static_cast<std::uint8_t>(dirty | bits); }
     bool inside_begin_end() const { return (gate & gate_inside) != 0; }
-
-    /// Everything derived from state is derived again before the next primitive.
-    void touch_all() { transform.dirty = lighting.dirty = fragments.dirty = true; }
 };
 
 /// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.

@@ -78,7 +78,7 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     Drawable& drawable = context->drawable;
     drawable.surface = surface;
     drawable.double_buffered = double_buffered;
-    context->touch_all();
+    context->changed(dirty_all);
     if (drawable.bound_before)
         return;
     drawable.bound_before = true;

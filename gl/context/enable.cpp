@@ -26,8 +26,11 @@ void set(Context& context, GLenum cap, bool on) {
     const StateRow* const row = find_switch(context, cap, false);
     if (row == nullptr)
         return;
-    *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + row->where) = on;
-    context.touch_all();
+    bool& flag = *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + row->where);
+    if (flag == on)
+        return;
+    flag = on;
+    context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
     if (on && cap == GL_COLOR_MATERIAL)
         color_material_enabled(context);
