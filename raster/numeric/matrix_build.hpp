@@ -1,0 +1,134 @@
+// The matrices GL's commands make (GL 1.3, 2.10.2), and the inverse transpose that normals need (2.10.3).
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/block_matrix.hpp"
+#include "raster/numeric/matrix.hpp"
+#include "raster/numeric/trigonometry.hpp"
+
+namespace spangle::numeric {
+
+constexpr Matrix translate(Real x, Real y, Real z) {
+    Matrix r = identity();
+    r.set(0, 3, to_element(x));
+    r.set(1, 3, to_element(y));
+    r.set(2, 3, to_element(z));
+    return r;
+}
+
+constexpr Matrix scale(Real x, Real y, Real z) {
+    Matrix r;
+    r.set(0, 0, to_element(x));
+    r.set(1, 1, to_element(y));
+    r.set(2, 2, to_element(z));
+    r.set(3, 3, element_one);
+    return r;
+}
+
+/// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector. Elements within
+/// 2^-31.
+constexpr Matrix rotate(Real degrees, Real x, Real y, Real z) {
+    const Block3 axis = to_block(x, y, z);
+    if (axis.m[0] == 0 && axis.m[1] == 0 && axis.m[2] == 0)
+        return identity();
+    const Unit3Q60 u = normalize_q60(axis);
+    const SinCos a = sincos_degrees(degrees);
+    const std::int64_t versine = q60_one - a.cos;
+    Matrix r = identity();
+    for (int i = 0; i < 3; ++i) {
+        const int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
+        const std::int64_t even = mul_q60(mul_q60(u.m[i], u.m[j]), versine), odd = mul_q60(u.m[k], a.sin);
+        r.set(i, i, make_element(a.cos + mul_q60(mul_q60(u.m[i], u.m[i]), versine), -60));
+        r.set(j, i, make_element(even + odd, -60));
+        r.set(i, j, make_element(even - odd, -60));
+    }
+    return r;
+}
+
+/// Where l = r, b = t or n = f GL reports INVALID_VALUE before it comes here; the result is then some large
+/// matrix.
+constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near, Real far) {
+    const Block l = to_block(left), r = to_block(right), b = to_block(bottom), t = to_block(top),
+                n = to_block(near), f = to_block(far);
+    const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
+    const Block near2 = mul(n, to_block(from_i32(2)));
+    Matrix m;
+    m.set(0, 0, to_element(div(near2, width)));
+    m.set(1, 1, to_element(div(near2, height)));
+    m.set(0, 2, to_element(div(add(r, l), width)));
+    m.set(1, 2, to_element(div(add(t, b), height)));
+    m.set(2, 2, to_element(negate(div(add(f, n), depth))));
+    m.set(3, 2, to_element(-one));
+    m.set(2, 3, to_element(negate(div(mul(near2, f), depth))));
+    return m;
+}
+
+constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, Real far) {
+    const Block l = to_block(left), r = to_block(right), b = to_block(bottom), t = to_block(top),
+                n = to_block(near), f = to_block(far), two = to_block(from_i32(2));
+    const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
+    Matrix m;
+    m.set(0, 0, to_element(div(two, width)));
+    m.set(1, 1, to_element(div(two, height)));
+    m.set(2, 2, to_element(negate(div(two, depth))));
+    m.set(0, 3, to_element(negate(div(add(r, l), width))));
+    m.set(1, 3, to_element(negate(div(add(t, b), height))));
+    m.set(2, 3, to_element(negate(div(add(f, n), depth))));
+    m.set(3, 3, element_one);
+    return m;
+}
+
+namespace detail {
+
+/// a d - b c, both products exact before they are subtracted.
+constexpr Block determinant2(Block a, Block b, Block c, Block d) {
+    const std::int64_t p = mul_s32(a.m, d.m), q = mul_s32(b.m, c.m);
+    const std::int32_t ep = a.e + d.e, eq = b.e + c.e;
+    if (p == 0)
+        return make_block(-q, eq);
+    if (q == 0)
+        return make_block(p, ep);
+    // |p|, |q| < 2^60; the larger exponent keeps its place two bits up.
+    return ep >= eq ? make_block(p * 4 - shift_right_round(q * 4, ep - eq), ep - 2)
+                    : make_block(shift_right_round(p * 4, eq - ep) - q * 4, eq - 2);
+}
+
+} // namespace detail
+
+/// Column-major inverse transpose of the upper left 3 x 3: what normals are multiplied with (GL 1.3, 2.10.3).
+/// Where the matrix is singular GL leaves the result open: the cofactors are given undivided, so directions
+/// that survive are right.
+struct NormalMatrix {
+    Block at[9];
+    Block row_scale; ///< RESCALE_NORMAL: 1 / length of the third row of the inverse
+    bool singular = false;
+};
+
+constexpr NormalMatrix inverse_transpose(const Matrix& a) {
+    Block v[9];
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+            v[3 * j + i] = to_block(a.at(i, j));
+    NormalMatrix r;
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) { // cofactor of (i, j): cyclic indices carry the sign
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            r.at[3 * j + i] =
+                detail::determinant2(v[3 * j1 + i1], v[3 * j2 + i1], v[3 * j1 + i2], v[3 * j2 + i2]);
+        }
+    const Block determinant = add(add(mul(v[0], r.at[0]), mul(v[1], r.at[1])), mul(v[2], r.at[2]));
+    r.singular = determinant.m == 0;
+    if (!r.singular)
+        for (Block& c : r.at)
+            c = div(c, determinant);
+    // Row 3 of the inverse is column 3 of the inverse transpose.
+    r.row_scale = rsqrt(add(add(mul(r.at[6], r.at[6]), mul(r.at[7], r.at[7])), mul(r.at[8], r.at[8])));
+    return r;
+}
+
+constexpr BlockMatrix3 to_block_matrix(const NormalMatrix& n) {
+    return to_block_matrix(n.at);
+}
+
+} // namespace spangle::numeric
