@@ -1,0 +1,439 @@
+// The oracle of damage: after every present that succeeds, the panel's memory equals the surface. And it is
+// damage, not everything: what did not change is not sent.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/hal/fake_panel_bus.hpp"
+#include <spangle/hal/panel_display.hpp>
+#include <spangle/panels.hpp>
+
+using namespace hal_test;
+
+namespace {
+
+constexpr PanelDesc tiny = panel({.name = "tiny",
+                                  .memory = {48, 64},
+                                  .glass = {36, 50},
+                                  .offset = {5, 9},
+                                  .mount = dcs::MX,
+                                  .order = ColorOrder::bgr,
+                                  .inverted = true,
+                                  .serial = {.rgb565 = 0x55, .rgb666 = 0x66},
+                                  .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
+                                  .setup = {},
+                                  .timing = {.frame_us = 10000, .scan_lines = 70, .porch_lines = 6},
+                                  .identity = {.id = 0x858552},
+                                  .quirks = {}});
+
+/// A rasterizer as the display sees it: clears and rectangles, and the extents they leave.
+struct Painter {
+    Frame frame;
+    DisplayInfo info;
+
+    void fill(const Rect& r, std::uint32_t value) {
+        const int bytes = format_info(info.format).bytes_per_pixel;
+        for (int y = r.y; y < r.y + r.h; ++y)
+            for (int x = r.x; x < r.x + r.w; ++x)
+                for (int b = 0; b < bytes; ++b)
+                    frame.pixels[y * frame.stride + x * bytes + b] =
+                        static_cast<std::uint8_t>(value >> 8 * (bytes - 1 - b));
+    }
+    void draw(const Rect& r, std::uint32_t value) {
+        fill(r, value);
+        for (int y = r.y; y < r.y + r.h; ++y) {
+            RowSpan& row = frame.extents->rows[y];
+            row.begin = static_cast<std::int16_t>(std::min<int>(row.begin, r.x));
+            row.end = static_cast<std::int16_t>(std::max<int>(row.end, r.x + r.w));
+        }
+    }
+    void clear(std::uint32_t value) {
+        fill({0, 0, info.width, info.height}, value);
+        for (int y = 0; y < info.height; ++y)
+            frame.extents->rows[y] = RowSpan{};
+        frame.extents->cleared = true;
+        frame.extents->clear_value = value;
+    }
+};
+
+struct Bench {
+    FakePanelBus bus;
+    PanelStorage<64, 2, 8> storage; // eight ops: most frames take several lists
+    PanelDisplay display;
+    PanelConfig config;
+
+    Bench(PanelConfig c, BusCaps caps = spi())
+        : bus(tiny, caps), display(bus, c, storage.memory()), config(c) {}
+
+    Painter acquire() {
+        const auto frame = display.acquire();
+        EXPECT_TRUE(frame.ok()) << frame.error().rule;
+        return {frame.value(), display.info()};
+    }
+
+    std::uint32_t surface(const Frame& frame, int x, int y) const {
+        const int bytes = format_info(config.format).bytes_per_pixel;
+        std::uint32_t value = 0;
+        for (int b = 0; b < bytes; ++b)
+            value = value << 8 | frame.pixels[y * frame.stride + x * bytes + b];
+        return value;
+    }
+
+    /// The pixel of the panel's memory behind picture (x, y), found as the controller would write it.
+    std::uint32_t on_panel(int x, int y) const {
+        const Placement& placed = display.placement();
+        int column = x + placed.offset.x, row = y + placed.offset.y;
+        if (placed.madctl & 0x20)
+            std::swap(column, row);
+        if (placed.madctl & 0x40)
+            column = tiny.memory.width - 1 - column;
+        if (placed.madctl & 0x80)
+            row = tiny.memory.height - 1 - row;
+        return bus.model.at(column, row);
+    }
+
+    ::testing::AssertionResult shows(const Frame& frame) const {
+        const DisplayInfo info = display.info();
+        for (int y = 0; y < info.height; ++y)
+            for (int x = 0; x < info.width; ++x)
+                if (on_panel(x, y) != surface(frame, x, y))
+                    return ::testing::AssertionFailure()
+                           << "(" << x << "," << y << "): panel " << on_panel(x, y) << ", surface "
+                           << surface(frame, x, y);
+        if (bus.model.stray != 0)
+            return ::testing::AssertionFailure() << "writes outside the memory";
+        if (bus.model.overrun != 0)
+            return ::testing::AssertionFailure() << "more pixels than the window holds";
+        return ::testing::AssertionSuccess();
+    }
+};
+
+int pick(std::mt19937& random, int below) {
+    return static_cast<int>(random() % static_cast<unsigned>(below));
+}
+
+Rect random_rect(std::mt19937& random, const DisplayInfo& info) {
+    const int x = pick(random, info.width), y = pick(random, info.height);
+    return {x, y, 1 + pick(random, info.width - x), 1 + pick(random, info.height - y)};
+}
+
+void random_frame(std::mt19937& random, Painter painter) {
+    const std::uint32_t clears[] = {0x0000, 0x1234, 0xF00F};
+    if (painter.frame.age == 0 && pick(random, 2) != 0)
+        painter.clear(clears[pick(random, 3)]);
+    for (int n = pick(random, 5); n > 0; --n) {
+        if (pick(random, 3) == 0)
+            painter.clear(clears[pick(random, 8) == 0 ? pick(random, 3) : 0]);
+        else
+            painter.draw(random_rect(random, painter.info), random());
+    }
+}
+
+/// One fault, or none.
+void upset(std::mt19937& random, FakePanelBus& bus) {
+    switch (pick(random, 12)) {
+    case 0:
+        bus.refuse_submits = 1 + pick(random, 2);
+        break;
+    case 1:
+    case 2:
+        bus.fail_after_bytes = pick(random, 3000);
+        break;
+    case 3:
+        bus.late_waits = 1 + pick(random, 3);
+        break;
+    default:
+        break;
+    }
+}
+
+PanelConfig config(Orientation o, int buffers, PixelFormat format = PixelFormat::rgb565_be) {
+    PanelConfig c;
+    c.panel = &tiny;
+    c.orientation = o;
+    c.format = format;
+    c.buffers = static_cast<std::uint8_t>(buffers);
+    return c;
+}
+
+struct Tally {
+    long frames = 0, failures = 0;
+};
+
+void run_oracle(PanelConfig c, BusCaps caps, unsigned seed, bool faults, int frames, Tally& tally) {
+    Bench bench(c, caps);
+    ASSERT_TRUE(bench.display.init().ok());
+    std::mt19937 random(seed);
+    for (int n = 0; n < frames; ++n) {
+        const auto frame = bench.display.acquire();
+        if (!frame.ok()) { // a late transfer still reads the buffer
+            ASSERT_EQ(frame.error().fault, Fault::busy);
+            bench.bus.run_pending();
+            continue;
+        }
+        random_frame(random, {frame.value(), bench.display.info()});
+        if (faults)
+            upset(random, bench.bus);
+        const Result<void> sent = bench.display.present();
+        ++tally.frames;
+        if (!sent.ok()) {
+            ++tally.failures;
+            ASSERT_STRNE(sent.error().rule, "");
+            continue;
+        }
+        if (c.buffers == 2 && faults && !bench.display.finish().ok()) {
+            ++tally.failures; // told now: the next present sends it again
+            continue;
+        }
+        if (c.buffers == 1 || pick(random, 2) == 0) {
+            ASSERT_TRUE(bench.display.finish().ok());
+            ASSERT_TRUE(bench.shows(frame.value())) << "frame " << n;
+        }
+    }
+}
+
+} // namespace
+
+TEST(Present, PanelEqualsSurfaceInAllOrientations) {
+    Tally tally;
+    unsigned seed = 1;
+    for (const Orientation o : orientations)
+        for (int buffers = 1; buffers <= 2; ++buffers)
+            for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb888})
+                run_oracle(config(o, buffers, format), spi(), ++seed, false, 120, tally);
+    EXPECT_EQ(tally.frames, 8 * 2 * 2 * 120);
+    EXPECT_EQ(tally.failures, 0);
+}
+
+TEST(Present, NoFaultLosesDamage) {
+    Tally tally;
+    for (unsigned seed = 1; seed <= 40; ++seed)
+        run_oracle(config(orientations[seed % 8], 1 + static_cast<int>(seed % 2)), spi(), seed, true, 200,
+                   tally);
+    EXPECT_GT(tally.failures, 500) << "faults did not happen";
+}
+
+TEST(Present, ShortOperationsOfTheBusAreRespected) {
+    for (std::uint32_t most : {4u, 5u, 7u, 64u, 73u, 200u}) {
+        BusCaps caps = spi();
+        caps.max_transfer = most;
+        Tally tally;
+        run_oracle(config({Rotation::r90, false}, 1), caps, most, false, 30, tally);
+        Bench bench(config({}, 1, PixelFormat::rgb888), caps);
+        ASSERT_TRUE(bench.display.init().ok());
+        Painter painter = bench.acquire();
+        painter.draw({1, 1, 30, 40}, 0x123456);
+        ASSERT_TRUE(bench.display.present().ok());
+        EXPECT_LE(bench.bus.longest_op, most);
+        EXPECT_TRUE(bench.shows(painter.frame));
+    }
+}
+
+TEST(Present, UnchangedClearSendsOldAndNewPlaces) {
+    Bench bench(config({}, 1));
+    ASSERT_TRUE(bench.display.init().ok());
+    for (int n = 0; n < 2; ++n) {
+        Painter painter = bench.acquire();
+        painter.clear(0x1111);
+        painter.draw({2, 3, 4, 5}, 0xABCD);
+        ASSERT_TRUE(bench.display.present().ok());
+    }
+    bench.bus.pixel_bytes = 0;
+    Painter painter = bench.acquire();
+    painter.clear(0x1111);
+    painter.draw({20, 30, 6, 7}, 0x5678);
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.bus.pixel_bytes, (4 * 5 + 6 * 7) * 2);
+    EXPECT_TRUE(bench.shows(painter.frame));
+}
+
+TEST(Present, ChangedClearSendsEverything) {
+    Bench bench(config({}, 1));
+    ASSERT_TRUE(bench.display.init().ok());
+    for (std::uint32_t value : {0x1111u, 0x2222u}) {
+        bench.bus.pixel_bytes = 0;
+        Painter painter = bench.acquire();
+        painter.clear(value);
+        ASSERT_TRUE(bench.display.present().ok());
+        EXPECT_EQ(bench.bus.pixel_bytes, 36 * 50 * 2);
+    }
+}
+
+TEST(Present, NothingTouchedSendsNothing) {
+    for (int buffers = 1; buffers <= 2; ++buffers) {
+        Bench bench(config({}, buffers));
+        ASSERT_TRUE(bench.display.init().ok());
+        for (int n = 0; n < 3; ++n) {
+            Painter painter = bench.acquire();
+            painter.clear(0x1111);
+            ASSERT_TRUE(bench.display.present().ok());
+        }
+        ASSERT_TRUE(bench.display.finish().ok());
+        const int submits = bench.bus.submits;
+        Painter painter = bench.acquire();
+        painter.clear(0x1111);
+        ASSERT_TRUE(bench.display.present().ok());
+        EXPECT_EQ(bench.bus.submits, submits) << buffers << " buffers";
+    }
+}
+
+TEST(Present, TwoBuffersWithoutClearSendTheLastFrameToo) {
+    Bench bench(config({}, 2));
+    ASSERT_TRUE(bench.display.init().ok());
+    for (int n = 0; n < 2; ++n) { // both buffers known
+        bench.acquire().clear(0x1111);
+        ASSERT_TRUE(bench.display.present().ok());
+    }
+    Painter first = bench.acquire();
+    EXPECT_EQ(first.frame.age, 2);
+    first.draw({0, 0, 3, 3}, 0xAAAA);
+    ASSERT_TRUE(bench.display.present().ok());
+    ASSERT_TRUE(bench.display.finish().ok());
+    bench.bus.pixel_bytes = 0;
+    Painter second = bench.acquire();
+    second.draw({10, 20, 2, 2}, 0xBBBB);
+    ASSERT_TRUE(bench.display.present().ok());
+    ASSERT_TRUE(bench.display.finish().ok());
+    EXPECT_EQ(bench.bus.pixel_bytes, (3 * 3 + 2 * 2) * 2);
+    EXPECT_TRUE(bench.shows(second.frame));
+}
+
+TEST(Present, BufferAgeIsTheNumberOfBuffersOnceTheyAreDrawn) {
+    for (int buffers = 1; buffers <= 2; ++buffers) {
+        Bench bench(config({}, buffers));
+        ASSERT_TRUE(bench.display.init().ok());
+        std::uint8_t* last = nullptr;
+        for (int n = 0; n < 4; ++n) {
+            const Frame frame = bench.acquire().frame;
+            EXPECT_EQ(frame.age, n < buffers ? 0 : buffers);
+            EXPECT_EQ(frame.pixels == last, buffers == 1 && n > 0);
+            EXPECT_EQ(bench.acquire().frame.pixels, frame.pixels) << "the same until present";
+            last = frame.pixels;
+            ASSERT_TRUE(bench.display.present().ok());
+        }
+    }
+}
+
+TEST(Present, OneListWhenItFits) {
+    FakePanelBus bus(tiny, spi());
+    PanelStorage<50, 1> storage;
+    PanelDisplay display(bus, config({}, 1), storage.memory());
+    ASSERT_TRUE(display.init().ok());
+    const int submits = bus.submits;
+    bus.log.clear();
+    ASSERT_TRUE(display.present().ok());
+    EXPECT_EQ(bus.submits, submits + 1);
+    EXPECT_EQ(bus.log, "2C ")
+        << "the window is the one the black fill used: CASET and RASET are not sent again";
+    EXPECT_EQ(bus.last_list.back().rows, 1u) << "full rows go out as one block";
+}
+
+TEST(Present, WindowIsSentAgainAfterAFault) {
+    FakePanelBus bus(tiny, spi());
+    PanelStorage<50, 1> storage;
+    PanelDisplay display(bus, config({}, 1), storage.memory());
+    ASSERT_TRUE(display.init().ok());
+    bus.fail_after_bytes = 100;
+    const Result<void> sent = display.present();
+    EXPECT_EQ(sent.error().fault, Fault::short_write);
+    bus.log.clear();
+    ASSERT_TRUE(display.present().ok());
+    EXPECT_EQ(bus.log, "2A 00 07 00 2a 2B 00 09 00 3a 2C "); // MX: 48 - (36 + 5) = 7
+}
+
+TEST(Present, QuirkSendsTheWindowEachTime) {
+    PanelDesc clone = tiny;
+    clone.quirks.resend_window = true;
+    PanelConfig c = config({}, 1);
+    c.panel = &clone;
+    FakePanelBus bus(tiny, spi());
+    PanelStorage<50, 1> storage;
+    PanelDisplay display(bus, c, storage.memory());
+    ASSERT_TRUE(display.init().ok());
+    bus.log.clear();
+    ASSERT_TRUE(display.present().ok());
+    EXPECT_EQ(bus.log, "2A 00 07 00 2a 2B 00 09 00 3a 2C ");
+}
+
+TEST(Present, LateTransferKeepsTheFrame) {
+    Bench bench(config({}, 1));
+    ASSERT_TRUE(bench.display.init().ok());
+    Painter painter = bench.acquire();
+    painter.draw({0, 0, 4, 4}, 0x7777);
+    bench.bus.late_waits = 1;
+    EXPECT_EQ(bench.display.present().error().fault, Fault::timeout);
+    EXPECT_EQ(bench.display.acquire().error().fault, Fault::busy);
+    bench.bus.late_waits = 1;
+    EXPECT_EQ(bench.display.init().error().fault, Fault::busy);
+    bench.bus.run_pending();
+    EXPECT_EQ(bench.acquire().frame.pixels, painter.frame.pixels);
+    painter.draw({5, 5, 4, 4}, 0x8888);
+    bench.bus.pixel_bytes = 0;
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.bus.pixel_bytes, 36 * 50 * 2) << "what a late transfer carried is not trusted";
+    EXPECT_TRUE(bench.shows(painter.frame));
+}
+
+TEST(Present, InitRecoversAPanelThatLostItsPower) {
+    Bench bench(config({}, 2));
+    ASSERT_TRUE(bench.display.init().ok());
+    Painter painter = bench.acquire();
+    painter.clear(0x1111);
+    painter.draw({3, 3, 9, 9}, 0x4242);
+    ASSERT_TRUE(bench.display.present().ok());
+    ASSERT_TRUE(bench.display.finish().ok());
+    std::fill(bench.bus.model.memory.begin(), bench.bus.model.memory.end(), 0xBAD);
+    ASSERT_TRUE(bench.display.init().ok());
+    Painter next = bench.acquire();
+    next.clear(0x1111);
+    ASSERT_TRUE(bench.display.present().ok());
+    ASSERT_TRUE(bench.display.finish().ok());
+    EXPECT_TRUE(bench.shows(next.frame));
+}
+
+TEST(Present, ExtentsOutsideThePictureAreClipped) {
+    Bench bench(config({}, 1));
+    ASSERT_TRUE(bench.display.init().ok());
+    ASSERT_TRUE(bench.display.present().ok());
+    bench.bus.pixel_bytes = 0;
+    Painter painter = bench.acquire();
+    painter.frame.extents->rows[7] = {-5, 3};
+    painter.frame.extents->rows[20] = {30, 999};
+    painter.frame.extents->rows[30] = {40, 50};
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.bus.pixel_bytes, (3 + 6) * 2);
+    EXPECT_TRUE(bench.shows(painter.frame));
+}
+
+TEST(Present, FollowsOrLeadsTheBeam) {
+    struct {
+        std::uint32_t hz;
+        Orientation orientation;
+        long delay_us;
+        const char* why;
+    } const cases[] = {
+        {40000000, {Rotation::r0}, 0, "0.7 ms of pixels fit in 10 ms: lead"},
+        {2000000, {Rotation::r0}, 10000 / 70 * (6 + 8), "14.4 ms do not: follow eight lines behind"},
+        {2000000, {Rotation::r90}, 0, "columns are not scan order"},
+        {2000000, {Rotation::r180}, 0, "rows from the bottom are not scan order"},
+    };
+    for (const auto& c : cases) {
+        PanelConfig cfg = config(c.orientation, 1);
+        cfg.wait_te = true;
+        BusCaps caps = spi(c.hz);
+        caps.has_te = true;
+        Bench bench(cfg, caps);
+        ASSERT_TRUE(bench.display.init().ok());
+        EXPECT_TRUE(bench.bus.te_on);
+        bench.bus.delay_us = 0;
+        ASSERT_TRUE(bench.display.present().ok());
+        EXPECT_EQ(bench.bus.te_waits, 1) << c.why;
+        EXPECT_EQ(bench.bus.delay_us, c.delay_us) << c.why;
+        bench.bus.te_missing = true;
+        bench.acquire().draw({0, 0, 1, 1}, 1);
+        EXPECT_EQ(bench.display.present().error().fault, Fault::timeout);
+        bench.bus.te_missing = false;
+        EXPECT_TRUE(bench.display.present().ok());
+        EXPECT_TRUE(bench.shows(bench.acquire().frame));
+    }
+}
