@@ -19,9 +19,12 @@ inline constexpr int element_bias = -22;
 inline constexpr int element_least = -149, element_most = 104;
 
 /// Column-major: element (row i, column j) is at 4 * j + i. Mantissas and exponents apart: 80 bytes, not 128.
+/// The identity unless something else is set.
 struct Matrix {
-    std::int32_t m[16] = {};
-    std::int8_t e[16] = {};
+    static constexpr std::int32_t one = 1 << 30;
+    static constexpr std::int8_t one_e = -30 - element_bias;
+    std::int32_t m[16] = {one, 0, 0, 0, 0, one, 0, 0, 0, 0, one, 0, 0, 0, 0, one};
+    std::int8_t e[16] = {one_e, 0, 0, 0, 0, one_e, 0, 0, 0, 0, one_e, 0, 0, 0, 0, one_e};
 
     constexpr Element at(int row, int column) const { return {m[4 * column + row], e[4 * column + row]}; }
     constexpr void set(int row, int column, Element v) {
@@ -73,15 +76,13 @@ inline constexpr Element element_one = to_element(one);
 // --- matrices
 // ------------------------------------------------------------------------------------------------------
 
-constexpr Matrix identity() {
-    Matrix r;
-    for (int i = 0; i < 4; ++i)
-        r.set(i, i, element_one);
-    return r;
+/// Element (row, column) for arithmetic.
+constexpr Block element(const Matrix& a, int row, int column) {
+    return to_block(a.at(row, column));
 }
 
 /// Column-major, as LoadMatrix takes it.
-constexpr Matrix to_matrix(const Real (&v)[16]) {
+constexpr Matrix matrix_from_reals(const Real (&v)[16]) {
     Matrix r;
     for (int i = 0; i < 16; ++i)
         r.set(i & 3, i >> 2, to_element(v[i]));

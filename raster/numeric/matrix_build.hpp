@@ -9,33 +9,32 @@
 
 namespace spangle::numeric {
 
-constexpr Matrix translate(Real x, Real y, Real z) {
-    Matrix r = identity();
+constexpr Matrix translation(Real x, Real y, Real z) {
+    Matrix r;
     r.set(0, 3, to_element(x));
     r.set(1, 3, to_element(y));
     r.set(2, 3, to_element(z));
     return r;
 }
 
-constexpr Matrix scale(Real x, Real y, Real z) {
+constexpr Matrix scaling(Real x, Real y, Real z) {
     Matrix r;
     r.set(0, 0, to_element(x));
     r.set(1, 1, to_element(y));
     r.set(2, 2, to_element(z));
-    r.set(3, 3, element_one);
     return r;
 }
 
 /// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector. Elements within
 /// 2^-31.
-constexpr Matrix rotate(Real degrees, Real x, Real y, Real z) {
+constexpr Matrix rotation(Real degrees, Real x, Real y, Real z) {
     const Block3 axis = to_block(x, y, z);
     if (axis.m[0] == 0 && axis.m[1] == 0 && axis.m[2] == 0)
-        return identity();
+        return {};
     const Unit3Q60 u = normalize_q60(axis);
     const SinCos a = sincos_degrees(degrees);
     const std::int64_t versine = q60_one - a.cos;
-    Matrix r = identity();
+    Matrix r;
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
         const std::int64_t even = mul_q60(mul_q60(u.m[i], u.m[j]), versine), odd = mul_q60(u.m[k], a.sin);
@@ -60,6 +59,7 @@ constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near
     m.set(1, 2, to_element(div(add(t, b), height)));
     m.set(2, 2, to_element(negate(div(add(f, n), depth))));
     m.set(3, 2, to_element(-one));
+    m.set(3, 3, Element{});
     m.set(2, 3, to_element(negate(div(mul(near2, f), depth))));
     return m;
 }
@@ -75,7 +75,6 @@ constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, 
     m.set(0, 3, to_element(negate(div(add(r, l), width))));
     m.set(1, 3, to_element(negate(div(add(t, b), height))));
     m.set(2, 3, to_element(negate(div(add(f, n), depth))));
-    m.set(3, 3, element_one);
     return m;
 }
 
@@ -129,6 +128,43 @@ constexpr NormalMatrix inverse_transpose(const Matrix& a) {
 
 constexpr BlockMatrix3 to_block_matrix(const NormalMatrix& n) {
     return to_block_matrix(n.at);
+}
+
+/// The inverse by 2 x 2 minors of the upper and the lower half; false, and `out` as it was, where the
+/// determinant is 0.
+constexpr bool inverse(const Matrix& a, Matrix& out) {
+    constexpr int pair[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+    Block v[4][4], upper[6], lower[6]; // upper: rows 0 and 1, lower: rows 2 and 3, of the columns in `pair`
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            v[i][j] = element(a, i, j);
+    for (int p = 0; p < 6; ++p) {
+        const int j = pair[p][0], k = pair[p][1];
+        upper[p] = detail::determinant2(v[0][j], v[0][k], v[1][j], v[1][k]);
+        lower[p] = detail::determinant2(v[2][j], v[2][k], v[3][j], v[3][k]);
+    }
+    Block determinant;
+    for (int p = 0; p < 6; ++p) { // Laplace; pairs 1 and 4 are odd permutations
+        const Block term = mul(upper[p], lower[5 - p]);
+        determinant = p == 1 || p == 4 ? sub(determinant, term) : add(determinant, term);
+    }
+    if (determinant.m == 0)
+        return false;
+    // Row i of the adjugate leaves column i out: the three other columns and the minors of their pairs.
+    constexpr int rest[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+    constexpr int minor[4][3] = {
+        {5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}}; // without its first, second, third column
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) {
+            const Block* row = v[j ^ 1]; // the other row of the half that j is in
+            const Block* minors = j < 2 ? lower : upper;
+            const Block c =
+                add(sub(mul(row[rest[i][0]], minors[minor[i][0]]), mul(row[rest[i][1]], minors[minor[i][1]])),
+                    mul(row[rest[i][2]], minors[minor[i][2]]));
+            const Block quotient = div(c, determinant);
+            out.set(i, j, to_element((i + j) % 2 == 0 ? quotient : negate(quotient)));
+        }
+    return true;
 }
 
 } // namespace spangle::numeric
