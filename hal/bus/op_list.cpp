@@ -134,6 +134,8 @@ std::uint64_t op_time(const Op& op, const BusCaps& caps) {
 } // namespace
 
 std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
+    if (bytes >> 40 != 0)
+        return forever; // bits * 10^6 stays below 2^63
     return cycles_time(bus_cycles(caps, bytes * 8), caps.write_hz);
 }
 

@@ -160,7 +160,8 @@ Result<void> PanelDisplay::append_registers() {
     if (const auto r = make_room(6); !r)
         return r;
     unsigned madctl = placement_.madctl;
-    if (panel.order == ColorOrder::bgr) madctl |= dcs::BGR;
+    if (panel.order == ColorOrder::bgr)
+        madctl |= dcs::BGR;
     ops_.command_byte(dcs::MADCTL, static_cast<std::uint8_t>(madctl));
     ops_.command_byte(dcs::COLMOD, colmod(panel, kind(caps_), config_.format));
     ops_.command(panel.inverted ? dcs::INVON : dcs::INVOFF);
