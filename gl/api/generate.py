@@ -432,6 +432,7 @@ def test_table(chapters, tokens):
                     accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"
+                    label = {"enum": "enum_", "int": "int_"}.get(label, label)
                     args.append(f"{{Kind::{label}, {accepted}, {low}, {high}, {arg.good if arg else '0'}, "
                                 f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
                 arg_list = array("Arg", args) if args else "{}"
