@@ -5,17 +5,9 @@
 #include <cstdint>
 
 #include "raster/numeric/block.hpp"
+#include "raster/numeric/q60.hpp"
 
 namespace spangle::numeric {
-
-inline constexpr std::int64_t q60_one = std::int64_t{1} << 60;
-
-/// a * b for |a|, |b| <= 4, |a * b| < 8; nearest.
-constexpr std::int64_t mul_q60(std::int64_t a, std::int64_t b) {
-    const Product128 p = mul_u64(abs_u64(a), abs_u64(b));
-    const auto r = static_cast<std::int64_t>((p.high << 4 | p.low >> 60) + (p.low >> 59 & 1));
-    return (a < 0) != (b < 0) ? -r : r;
-}
 
 /// Q4.60, within 2^-57.
 struct SinCos {

@@ -1,0 +1,159 @@
+// Powers of numbers in [0, 1], for specular and spot exponents and for fog: x^n = 2^(-n L) with L = -log2(x).
+// The number in a name is the error bound: exact is 2^-21 (the exponent 128 multiplies what log2 gets wrong
+// by 88), _14 and _10 are the tiers balanced and fast (design 3).
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+#include "raster/numeric/q60.hpp"
+#include "raster/numeric/real.hpp"
+
+namespace spangle::numeric {
+
+namespace detail {
+
+inline constexpr std::uint32_t log2_e_q31 = 0xB8AA3B29; // 1 / ln 2
+
+/// For each 64th of [1, 2): c = Q16 of 1 / its middle, and log2 of 1/c in Q0.32.
+struct Log2Table {
+    std::uint32_t inverse[64];
+    std::uint32_t log2[64];
+    constexpr Log2Table() : inverse{}, log2{} {
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            inverse[i] = ((1u << 24) / (129 + 2 * i) + 1) / 2; // 2^16 * 128 / (129 + 2i)
+            log2[i] = 0u - fraction_of_log2(std::uint64_t{inverse[i]} << (clz32(inverse[i]) + 32));
+        }
+    }
+    /// Fraction of log2(v / 2^63), v >= 2^63, Q0.32: squaring doubles a logarithm, what crosses 2 is its next
+    /// bit.
+    static constexpr std::uint32_t fraction_of_log2(std::uint64_t v) {
+        std::uint64_t bits = 0;
+        for (int i = 0; i < 33; ++i) {
+            const std::uint64_t square = mul_u64(v, v).high; // Q2.62
+            const bool carry = square >> 63 != 0;
+            bits = bits << 1 | (carry ? 1u : 0u);
+            v = carry ? square : square << 1;
+        }
+        return static_cast<std::uint32_t>((bits + 1) >> 1);
+    }
+};
+inline constexpr Log2Table log2_table;
+
+/// 2^(-i/64) in Q1.31.
+struct Exp2Table {
+    std::uint32_t at[64];
+    constexpr Exp2Table() : at{} {
+        constexpr std::int64_t ln2_q60 = 0x0B17217F7D1CF79A;
+        for (std::int64_t i = 0; i < 64; ++i) {
+            const std::int64_t y = i * (ln2_q60 / 64);
+            std::int64_t sum = q60_one; // 1 - y (1 - y/2 (1 - y/3 ...)), 24 terms: 0.7^24 / 24! < 2^-90
+            for (std::int64_t k = 24; k > 0; --k)
+                sum = q60_one - mul_q60(y / k, sum);
+            at[i] = static_cast<std::uint32_t>((sum + (1 << 28)) >> 29);
+        }
+    }
+};
+inline constexpr Exp2Table exp2_table;
+
+/// -log2(x) for x = v / 2^30, 0 < v < 2^30, Q5.32. Within 2^-31 (terms 4), 2^-21.5 (terms 2).
+template <int terms> SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint32_t v) {
+    const int zeros = clz32(v);         // >= 2
+    const std::uint32_t a = v << zeros; // [1, 2) in Q1.31
+    const std::uint32_t i = (a >> 25) & 63;
+    // r = a c - 1, |r| < 2^-6.9, Q0.38
+    const auto r = static_cast<std::int32_t>(
+        static_cast<std::int64_t>(mul_u32(a, log2_table.inverse[i]) - (std::uint64_t{1} << 47)) >> 9);
+    // log2(1 + r) = r/ln2 (1 - r/2 + r^2/3 - r^3/4): the bracket in Q2.30.
+    std::int32_t bracket = 1 << 30;
+    if constexpr (terms == 4) {
+        constexpr std::int32_t third = 0x15555555, quarter = 0x10000000; // Q0.30
+        const std::int32_t tail = third - static_cast<std::int32_t>(mul_s32(r, quarter) >> 38);
+        const std::int32_t half = (1 << 29) - static_cast<std::int32_t>(mul_s32(r, tail) >> 38);
+        bracket -= static_cast<std::int32_t>(mul_s32(r, half) >> 38);
+    } else {
+        bracket -= r >> 9; // r/2: Q0.38 to Q0.30
+    }
+    const auto scaled =
+        static_cast<std::int32_t>((mul_s32(bracket, static_cast<std::int32_t>(log2_e_q31 >> 1))) >> 30);
+    const std::int64_t fraction =
+        std::int64_t{log2_table.log2[i]} + (mul_s32(r, scaled) >> 36); // Q30 * Q38 -> Q32
+    // x = a 2^(1 - zeros) in Q1.31 over 2^30: log2(x) = fraction + 1 - zeros
+    const std::int64_t l = (static_cast<std::int64_t>(zeros - 1) << 32) - fraction;
+    return static_cast<std::uint64_t>(l < 0 ? 0 : l);
+}
+
+/// 2^(-q / 2^24) in Q0.30: relative error 2^-26 (terms 3), 2^-20 (2), 2^-14 (1).
+template <int terms> SPANGLE_INLINE constexpr std::uint32_t exp2_minus(std::uint32_t q) {
+    const std::uint32_t down = q >> 24;
+    if (down > 30)
+        return 0;
+    constexpr std::uint32_t ln2_q32 = 0xB17217F8;
+    const auto y = static_cast<std::uint32_t>(mul_u32(q & 0x3FFFF, ln2_q32) >> 24); // Q0.32, < 2^-6.5
+    std::uint32_t fall = y;                                                         // 1 - e^-y
+    if constexpr (terms >= 2)
+        fall -= mul_high_u32(y, y) >> 1;
+    if constexpr (terms >= 3)
+        fall += mul_high_u32(mul_high_u32(y, y), y) / 6;
+    const std::uint64_t product = mul_u32(exp2_table.at[(q >> 18) & 63], 0x80000000u - (fall >> 1)); // Q2.62
+    const std::uint32_t shift = 32 + down;
+    return static_cast<std::uint32_t>(((product >> (shift - 1)) + 1) >> 1);
+}
+
+template <int log_terms, int exp_terms>
+constexpr std::int32_t pow_unit(std::int32_t x, std::uint32_t exponent) {
+    constexpr std::int32_t unit = 1 << 30;
+    if (exponent == 0 || x >= unit)
+        return unit; // 0^0 = 1 (GL 1.3, 2.1.1)
+    if (x <= 0)
+        return 0;
+    const std::uint64_t l = minus_log2<log_terms>(static_cast<std::uint32_t>(x));
+    const std::uint64_t q = mul_u32(exponent, static_cast<std::uint32_t>(l >> 32)) +
+                            ((mul_u32(exponent, static_cast<std::uint32_t>(l)) + (1u << 31)) >> 32);
+    return q >> 32 != 0 ? 0 : static_cast<std::int32_t>(exp2_minus<exp_terms>(static_cast<std::uint32_t>(q)));
+}
+
+} // namespace detail
+
+/// GL's exponents, 0 .. 128, in the form the powers take: Q8.24, clamped.
+constexpr std::uint32_t power_exponent(Real n) {
+    const std::int32_t q = to_fixed(n, 23);
+    return static_cast<std::uint32_t>(clamp<std::int32_t>(q, 0, 128 << 23)) << 1;
+}
+
+/// x^n, x and the result in Q2.30, x clamped to [0, 1], n from power_exponent(). 0^0 = 1; never falls where x
+/// rises.
+constexpr std::int32_t pow_unit(std::int32_t x, std::uint32_t exponent) {
+    return detail::pow_unit<4, 3>(x, exponent);
+}
+constexpr std::int32_t pow_unit_14(std::int32_t x, std::uint32_t exponent) {
+    return detail::pow_unit<2, 2>(x, exponent);
+}
+constexpr std::int32_t pow_unit_10(std::int32_t x, std::uint32_t exponent) {
+    return detail::pow_unit<2, 1>(x, exponent);
+}
+constexpr std::int32_t pow_unit(std::int32_t x, Real n) {
+    return pow_unit(x, power_exponent(n));
+}
+
+/// 2^-q, q in Q8.24, result in Q0.30 (1 is 2^30).
+constexpr std::uint32_t exp2_neg(std::uint32_t q) {
+    return detail::exp2_minus<3>(q);
+}
+constexpr std::uint32_t exp2_neg_14(std::uint32_t q) {
+    return detail::exp2_minus<2>(q);
+}
+constexpr std::uint32_t exp2_neg_10(std::uint32_t q) {
+    return detail::exp2_minus<1>(q);
+}
+
+/// q / ln 2 in Q8.24, saturated: exp(-x) = exp2_neg(to_base_2(x)).
+constexpr std::uint32_t to_base_2(std::uint32_t q) {
+    const std::uint64_t v = (mul_u32(q, detail::log2_e_q31) + (1u << 30)) >> 31;
+    return v > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(v);
+}
+constexpr std::uint32_t exp_neg(std::uint32_t q) {
+    return exp2_neg(to_base_2(q));
+}
+
+} // namespace spangle::numeric
