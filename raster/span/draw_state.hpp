@@ -81,6 +81,9 @@ struct DrawState {
 /// V: the vertex type of the policy. The fixed one is compiled into firmware, the others on hosts only.
 template <class V> DrawState compile(const FragmentState& fragment, const Surface& target);
 
+/// All of a DrawState but its variants, the same in every policy.
+void prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
+
 /// The key of one kind; what `compile` looks fused spans up by.
 Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);
 

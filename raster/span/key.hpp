@@ -31,6 +31,7 @@ struct Key {
     DepthFormat depth_format{}; ///< none unless depth or stencil is used
     UnitKey unit[max_texture_units];
     bool color = true; ///< a primary colour is looked at
+    bool color_alpha = false; ///< and its alpha
     bool color_sum = false;
     bool fog = false;
     FogMode fog_mode{};

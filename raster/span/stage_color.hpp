@@ -87,18 +87,6 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     }
 };
 
-/// One colour for the whole primitive, ready to store.
-template <int Count> struct FlatWord : StageBase {
-    static constexpr unsigned out = field_color;
-    using N = Raw565<Count>;
-    typename N::T word;
-    SPANGLE_INLINE FlatWord(const Span<Fixed>& s, std::int32_t) : word(N::L::splat(s.flat_word)) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.word = word;
-        return true;
-    }
-};
-
 namespace detail {
 
 /// A colour from (colour * q) and 1/q, colour units.

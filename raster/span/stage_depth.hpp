@@ -155,9 +155,10 @@ template <class N> struct Count : StageBase {
     static constexpr bool effect = true;
     std::uint32_t* passed;
     SPANGLE_INLINE Count(const Span<typename N::Policy>& s, std::int32_t)
-        : passed(&s.state->counters->passed) {}
+        : passed(s.state->counters == nullptr ? nullptr : &s.state->counters->passed) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const {
-        ++*passed;
+        if (passed != nullptr)
+            ++*passed;
         return true;
     }
 };

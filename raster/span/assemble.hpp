@@ -1,0 +1,112 @@
+// From a key to its chain: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses it.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/key.hpp"
+#include "raster/span/stage_blend.hpp"
+#include "raster/span/stage_color.hpp"
+#include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_store.hpp"
+#include "raster/span/stage_tests.hpp"
+#include "raster/span/stage_texture.hpp"
+#include "raster/span/stage_texture_lod.hpp"
+
+namespace spangle::raster {
+
+/// Appends stages of number system N to a chain.
+template <class N>
+class ChainBuilder {
+  public:
+    explicit ChainBuilder(Variant& variant) : variant_(variant) {
+        variant.run = reinterpret_cast<AnyFunction>(&chain_span<N>);
+    }
+    template <class S>
+    void add() {
+        variant_.chain[count_++] = reinterpret_cast<AnyFunction>(&chain_stage<N, S>);
+        variant_.chain[count_] = nullptr;
+    }
+    /// One of two, decided at run time.
+    template <class WhenTrue, class WhenFalse>
+    void choose(bool condition) {
+        condition ? add<WhenTrue>() : add<WhenFalse>();
+    }
+
+  private:
+    Variant& variant_;
+    int count_ = 0;
+};
+
+/// The depth test may go first when nothing after it can drop the fragment: same bytes, less work.
+constexpr bool early_tests(const Key& key) {
+    return key.alpha == Compare::always;
+}
+
+template <class N>
+void add_tests(ChainBuilder<N>& chain, const Key& key) {
+    if (key.stencil)
+        chain.template add<StencilDepth<N>>();
+    else if (key.depth != Compare::always || key.depth_write)
+        chain.template choose<DepthGeneral<N, DepthFormat::z16>, DepthGeneral<N, DepthFormat::z24s8>>(
+            key.depth_format == DepthFormat::z16);
+    if (key.count)
+        chain.template add<Count<N>>();
+}
+
+template <class N, int Unit>
+void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    if (!key.unit[Unit].on)
+        return;
+    const Texture& texture = *state.unit[Unit].texture;
+    chain.template choose<Coord<N, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
+    if (texture.mip != MipFilter::none || texture.mag != texture.min)
+        chain.template add<Lod<N, Unit>>();
+    chain.template add<Texture2D<N, Unit>>();
+}
+
+template <class N, PixelFormat Format>
+void add_output(ChainBuilder<N>& chain, const Key& key) {
+    if (key.blend)
+        chain.template add<Blend<N, Format>>();
+    if (key.masked)
+        chain.template add<StoreMasked<N, Format>>();
+    else
+        chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither);
+}
+
+/// Everything there is, modes at run time.
+template <class N>
+void assemble(Variant& variant, const Key& key, const FragmentState& state) {
+    ChainBuilder<N> chain(variant);
+    const bool early = early_tests(key);
+    if (early)
+        add_tests(chain, key);
+    if (key.color) {
+        if (key.kind == Kind::full)
+            chain.template choose<GouraudQ<N, true>, GouraudQ<N, false>>(key.color_alpha);
+        else
+            chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
+    }
+    add_unit<N, 0>(chain, key, state);
+    add_unit<N, 1>(chain, key, state);
+    if (key.color_sum)
+        chain.template choose<ColorSum<N, true>, ColorSum<N, false>>(key.kind == Kind::full);
+    if (key.fog) {
+        chain.template choose<FogCoord<N, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+        chain.template add<Fog<N>>();
+    }
+    if (key.alpha != Compare::always)
+        chain.template add<AlphaTest<N>>();
+    if (!early)
+        add_tests(chain, key);
+    switch (key.format) {
+    case PixelFormat::rgb565_be: return add_output<N, PixelFormat::rgb565_be>(chain, key);
+    case PixelFormat::rgb565_le: return add_output<N, PixelFormat::rgb565_le>(chain, key);
+    case PixelFormat::rgb888: return add_output<N, PixelFormat::rgb888>(chain, key);
+    case PixelFormat::rgba8888: return add_output<N, PixelFormat::rgba8888>(chain, key);
+    }
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,123 @@
+#include "raster/span/draw_state.hpp"
+
+#include "raster/numeric/real.hpp"
+#include "raster/span/assemble.hpp"
+#include "raster/span/fused_table.hpp"
+#include "raster/span/stage_raw.hpp"
+
+namespace spangle::raster {
+
+namespace {
+
+using numeric::Real;
+
+/// Fog coordinates of vertices (FogConstants). END = START is undefined: the saturated quotient does no harm.
+FogConstants fog_constants(const FragmentState& state) {
+    constexpr Real log2_e{0x3FB8AA3B}, sqrt_log2_e{0x3F99BE60};
+    FogConstants fog;
+    Real scale = numeric::from_float_bits(state.fog_density);
+    if (state.fog_mode == FogMode::linear) {
+        const Real end = numeric::from_float_bits(state.fog_end);
+        scale = numeric::div(numeric::real_one, numeric::sub(numeric::from_float_bits(state.fog_start), end));
+        const auto offset = numeric::detail::unpack(numeric::mul(-end, scale));
+        const int up = offset.exponent + 24;
+        const auto magnitude = up >= 0 ? std::int64_t{offset.mantissa} << (up < 36 ? up : 36)
+                                       : std::int64_t{offset.mantissa} >> (up > -31 ? -up : 31);
+        fog.offset = offset.negative ? -magnitude : magnitude;
+    } else {
+        scale = numeric::mul(scale, state.fog_mode == FogMode::exp ? log2_e : sqrt_log2_e);
+    }
+    const auto parts = numeric::detail::unpack(scale);
+    fog.scale = static_cast<std::int32_t>(parts.mantissa);
+    fog.scale = parts.negative ? -fog.scale : fog.scale;
+    fog.scale_exponent = parts.exponent;
+    return fog;
+}
+
+std::uint8_t log2_of(std::uint32_t size) {
+    return static_cast<std::uint8_t>(size == 0 ? 0 : 31 - numeric::clz32(size));
+}
+
+bool draws_nothing(const FragmentState& state, const Key& key) {
+    const bool writes = state.color_mask != 0 || key.depth_write || key.stencil || key.count;
+    return !writes || state.scissor.w <= 0 || state.scissor.h <= 0 || key.alpha == Compare::never ||
+           (key.depth == Compare::never && !key.stencil);
+}
+
+using Raw = Raw565<1>;
+
+void assemble_raw(Variant& variant, const Key& key) {
+    ChainBuilder<Raw> chain(variant);
+    add_tests(chain, key);
+    const UnitKey& unit = key.unit[0];
+    if (unit.on) {
+        chain.choose<Coord<Raw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
+        chain.choose<TextureFixed<Raw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
+                     TextureFixed<Raw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
+            unit.texels == TexelFormat::rgb565);
+    } else if (key.kind == Kind::flat) {
+        chain.add<FlatWord<1>>();
+    } else {
+        chain.add<Gouraud<Raw, false>>();
+    }
+    chain.choose<StoreRaw<1, PixelFormat::rgb565_be>, StoreRaw<1, PixelFormat::rgb565_le>>(
+        key.format == PixelFormat::rgb565_be);
+}
+
+void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
+    variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
+    switch (key.number) {
+    case Number::raw565: assemble_raw(variant, key); break;
+    case Number::balanced: assemble<Balanced<1>>(variant, key, state); break;
+    default: assemble<Exact>(variant, key, state); break;
+    }
+    if (const SpanFunction run = find_fused(key); run != nullptr)
+        variant.run = reinterpret_cast<AnyFunction>(run);
+}
+
+} // namespace
+
+void prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
+    draw.fragment = state;
+    draw.tier = state.tier;
+    draw.format = target.format;
+    const Key key = make_key(state, target, Kind::affine);
+    draw.depth_format = key.depth_format;
+    draw.nothing = draws_nothing(state, key);
+    draw.needs.z = key.depth != Compare::always || key.depth_write;
+    draw.needs.rgb = key.color;
+    draw.needs.alpha = key.color_alpha;
+    draw.needs.secondary = key.color_sum;
+    draw.needs.fog = key.fog;
+    if (key.fog)
+        draw.fog = fog_constants(state);
+    for (int i = 0; i < max_texture_units; ++i) {
+        draw.needs.unit[i] = key.unit[i].on;
+        if (!key.unit[i].on)
+            continue;
+        const Texture& texture = *state.unit[i].texture;
+        draw.wraps[i] = {texture.wrap_s == Wrap::repeat, texture.wrap_t == Wrap::repeat};
+        draw.log2_width[i] = log2_of(texture.level[0].width);
+        draw.log2_height[i] = log2_of(texture.level[0].height);
+    }
+}
+
+template <>
+DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
+    DrawState draw;
+    prepare(draw, state, target);
+    for (int i = 0; i < kind_count && !draw.nothing; ++i) {
+        const auto kind = static_cast<Kind>(i);
+        const Key key = make_key(state, target, kind);
+        const bool plain = !draw.needs.unit[0] && !draw.needs.unit[1] && !draw.needs.fog;
+        // A list of its own for one colour is worth it where the colour is stored as it is.
+        if (kind == Kind::flat && !(plain && key.number == Number::raw565))
+            continue;
+        if (kind == Kind::textured && plain)
+            continue;
+        choose_span(draw.variant[i], key, state);
+    }
+    return draw;
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,26 @@
+// Keys that have a loop of their own.
+#pragma once
+
+#include <cstddef>
+
+#include "raster/span/key.hpp"
+#include "raster/span/span.hpp"
+
+namespace spangle::raster {
+
+using SpanFunction = void (*)(const Span<Fixed>&);
+
+struct FusedSpan {
+    Key key;
+    SpanFunction run;
+    SpanFunction narrow; ///< the same with one lane only, for the tests; null in firmware
+};
+
+/// null: draw with the chain.
+SpanFunction find_fused(const Key& key);
+
+/// The whole table, for the tests.
+const FusedSpan* fused_spans();
+std::size_t fused_span_count();
+
+} // namespace spangle::raster

@@ -1,0 +1,122 @@
+// From GL's state to the canonical key.
+#include "raster/span/draw_state.hpp"
+
+namespace spangle::raster {
+
+namespace {
+
+bool is_565(PixelFormat format) {
+    return format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le;
+}
+
+bool unit_on(const TextureUnit& unit) {
+    return unit.texture != nullptr;
+}
+
+/// Modes a fused loop can have: one image, no border, both wraps REPEAT.
+UnitKey unit_key(const TextureUnit& unit) {
+    UnitKey key;
+    if (!unit_on(unit))
+        return key;
+    key.on = true;
+    const Texture& texture = *unit.texture;
+    key.general = texture.mip != MipFilter::none || texture.mag != texture.min || texture.wrap_s != Wrap::repeat ||
+                  texture.wrap_t != Wrap::repeat || texture.border_texels != 0;
+    if (key.general)
+        return key;
+    key.texels = texture.format;
+    key.base = texture.base;
+    key.filter = texture.mag;
+    key.env = unit.env;
+    return key;
+}
+
+/// Does the primary colour (or its alpha) get past the texture units? (GL 1.3, tables 3.21 and 3.22)
+bool color_survives(const FragmentState& state, bool alpha) {
+    for (const TextureUnit& unit : state.unit) {
+        if (!unit_on(unit) || unit.env != TexEnv::replace)
+            continue;
+        const BaseFormat base = unit.texture->base;
+        const bool has_alpha = base != BaseFormat::rgb && base != BaseFormat::luminance;
+        const bool has_color = base != BaseFormat::alpha;
+        if (alpha ? has_alpha : has_color)
+            return false;
+    }
+    return true;
+}
+
+bool source_alpha(BlendFactor f) {
+    return f == BlendFactor::src_alpha || f == BlendFactor::one_minus_src_alpha || f == BlendFactor::src_alpha_saturate;
+}
+
+bool blends(const FragmentState& state) {
+    return state.blend && !(state.blend_src == BlendFactor::one && state.blend_dst == BlendFactor::zero);
+}
+
+/// Something after the texture units looks at alpha.
+bool alpha_is_read(const Key& key) {
+    return key.alpha != Compare::always || key.format == PixelFormat::rgba8888 ||
+           (key.blend && (source_alpha(key.blend_src) || source_alpha(key.blend_dst)));
+}
+
+/// The colour is 16 bits from its source to the surface.
+bool raw(const Key& key, const FragmentState& state) {
+    if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend || key.masked ||
+        key.stencil)
+        return false;
+    const UnitKey& unit = key.unit[0];
+    if (!unit.on && !key.unit[1].on)
+        return !state.dither && key.kind <= Kind::affine;
+    if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
+        unit.base != BaseFormat::rgb)
+        return false;
+    if (key.kind == Kind::flat || key.kind == Kind::full || (key.kind == Kind::textured && state.tier == Tier::exact))
+        return false;
+    // Colours of 5 and 6 bits are exact: dithering leaves them as they are.
+    return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);
+}
+
+} // namespace
+
+Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
+    Key key;
+    key.kind = kind;
+    key.format = target.format;
+    for (int i = 0; i < max_texture_units; ++i)
+        key.unit[i] = unit_key(state.unit[i]);
+    key.color_sum = state.color_sum;
+    key.fog = state.fog;
+    if (key.fog)
+        key.fog_mode = state.fog_mode;
+    if (state.alpha_test)
+        key.alpha = state.alpha_func;
+    const bool has_depth = target.depth != nullptr && target.depth_format != DepthFormat::none;
+    key.stencil = state.stencil_test && target.depth != nullptr && target.depth_format == DepthFormat::z24s8;
+    if (has_depth && state.depth_test) {
+        key.depth = state.depth_func;
+        key.depth_write = state.depth_write;
+    }
+    if (key.stencil || key.depth != Compare::always || key.depth_write)
+        key.depth_format = target.depth_format;
+    key.blend = blends(state);
+    if (key.blend) {
+        key.blend_src = state.blend_src;
+        key.blend_dst = state.blend_dst;
+    }
+    const std::uint8_t channels = format_info(target.format).alpha_bits != 0 ? 0xF : 0x7;
+    key.masked = (state.color_mask & channels) != channels;
+    key.count = state.count;
+    key.color = color_survives(state, false);
+    key.color_alpha = color_survives(state, true) && alpha_is_read(key);
+    key.color = key.color || key.color_alpha;
+    if (raw(key, state)) {
+        key.number = Number::raw565;
+        key.color_alpha = false;
+    } else {
+        key.number = state.tier == Tier::exact ? Number::exact : Number::balanced;
+        key.dither = state.dither && is_565(key.format);
+    }
+    return key;
+}
+
+} // namespace spangle::raster

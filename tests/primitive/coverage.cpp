@@ -1,0 +1,125 @@
+// Triangles: exact coverage, each centre once, whatever else is asked of the row (GL 1.3, 3.5.1; rows D08,
+// A05).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/primitive/coverage_fuzz.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+TEST(Coverage, FiftyThousandFuzzedTrianglesMatchTheEdgeEquations) {
+    EXPECT_EQ(coverage_mismatches(7, 40000, 40, 24), 0);
+    EXPECT_EQ(coverage_mismatches(8, 10000, 96, 70), 0);
+}
+
+/// The doc's rule on whole pixels: left and bottom edges own their centres.
+TEST(Coverage, RectangleOnCentresOwnsLeftAndBottom) {
+    CountingTarget target(8, 8);
+    const std::int32_t lo = 2 * 256 + 128, hi = 5 * 256 + 128;
+    const std::int32_t ax[3] = {lo, hi, hi}, ay[3] = {lo, lo, hi}, bx[3] = {lo, hi, lo}, by[3] = {lo, hi, hi};
+    target.triangle(ax, ay);
+    target.triangle(bx, by);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            EXPECT_EQ(target.at(x, y), (x >= 2 && x < 5 && y >= 2 && y < 5) ? 1 : 0) << x << ',' << y;
+}
+
+/// A fan around any centre fills the window exactly once.
+TEST(Coverage, FansLeaveNoHolesAndHitNothingTwice) {
+    std::mt19937 random(3);
+    CountingTarget target(64, 48);
+    const std::int32_t w = 64 * 256, h = 48 * 256;
+    for (int round = 0; round < 120; ++round) {
+        std::vector<std::pair<std::int32_t, std::int32_t>> rim;
+        const int n = 3 + static_cast<int>(random() % 60);
+        std::vector<std::int32_t> along;
+        const auto side = [&](std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1) {
+            along.assign(1, 0);
+            for (int i = 0; i < n; ++i)
+                along.push_back(static_cast<std::int32_t>(random() % 4096));
+            std::sort(along.begin(), along.end());
+            for (const std::int32_t t : along)
+                rim.emplace_back(x0 + (x1 - x0) / 4096 * t, y0 + (y1 - y0) / 4096 * t);
+        };
+        side(0, 0, w, 0);
+        side(w, 0, w, h);
+        side(w, h, 0, h);
+        side(0, h, 0, 0);
+        std::int32_t cx = 1 + static_cast<std::int32_t>(random() % (w - 2)),
+                     cy = 1 + static_cast<std::int32_t>(random() % (h - 2));
+        if (round % 3 == 0) // a corner in the middle of a fragment
+            cx = (cx & ~255) + 128, cy = (cy & ~255) + 128;
+        target.clear();
+        for (std::size_t i = 0; i < rim.size(); ++i) {
+            const auto [ax, ay] = rim[i];
+            const auto [bx, by] = rim[(i + 1) % rim.size()];
+            const std::int32_t x[3] = {cx, ax, bx}, y[3] = {cy, ay, by};
+            target.triangle(x, y);
+        }
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x)
+                ASSERT_EQ(target.at(x, y), 1) << "round " << round << " at " << x << ',' << y;
+    }
+}
+
+TEST(Coverage, IntegerTranslationMovesThePicture) {
+    std::mt19937 random(11);
+    CountingTarget here(96, 96), there(96, 96);
+    for (int n = 0; n < 400; ++n) {
+        const FuzzTriangle t = fuzz_triangle(random, 0, 48, 48);
+        FuzzTriangle moved = t;
+        const int dx = static_cast<int>(random() % 48), dy = static_cast<int>(random() % 48);
+        for (int k = 0; k < 3; ++k)
+            moved.x[k] += dx * 256, moved.y[k] += dy * 256;
+        here.clear();
+        there.clear();
+        here.triangle(t.x, t.y);
+        there.triangle(moved.x, moved.y);
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 48; ++x)
+                ASSERT_EQ(here.at(x, y), there.at(x + dx, y + dy));
+    }
+}
+
+TEST(Coverage, ScissorCutsAndNothingElse) {
+    std::mt19937 random(12);
+    CountingTarget whole(48, 40), cut(48, 40);
+    for (int n = 0; n < 2000; ++n) {
+        const FuzzTriangle t = fuzz_triangle(random, n % 7, 48, 40);
+        const int x0 = static_cast<int>(random() % 48), y0 = static_cast<int>(random() % 40);
+        const Rect box{x0, y0, static_cast<int>(random() % static_cast<unsigned>(49 - x0)),
+                       static_cast<int>(random() % static_cast<unsigned>(41 - y0))};
+        cut.state.fragment.scissor = box;
+        whole.clear();
+        cut.clear();
+        whole.triangle(t.x, t.y);
+        cut.triangle(t.x, t.y);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 48; ++x) {
+                const bool in = x >= box.x && x < box.x + box.w && y >= box.y && y < box.y + box.h;
+                ASSERT_EQ(cut.at(x, y), in ? whole.at(x, y) : 0);
+            }
+    }
+}
+
+TEST(Coverage, TouchedColumnsAreExactlyTheSpans) {
+    CountingTarget target(32, 16);
+    std::vector<RowSpan> rows(16);
+    target.surface.touched = rows.data() + 15; // stored top row first
+    target.surface.touched_step = -1;
+    const std::int32_t x[3] = {3 * 256, 20 * 256, 9 * 256}, y[3] = {2 * 256, 5 * 256, 12 * 256};
+    target.triangle(x, y);
+    for (int row = 0; row < 16; ++row) {
+        int begin = 32767, end = 0;
+        for (int c = 0; c < 32; ++c)
+            if (target.at(c, row) != 0)
+                begin = std::min(begin, c), end = c + 1;
+        EXPECT_EQ(rows[static_cast<std::size_t>(15 - row)].begin, begin);
+        EXPECT_EQ(rows[static_cast<std::size_t>(15 - row)].end, end);
+    }
+}
+
+} // namespace
+} // namespace spangle::raster::test
