@@ -34,6 +34,7 @@ class FakePanelBus final : public Bus {
     int madctl = -1, colmod = -1, submits = 0;
     bool inverted = false, awake = false, on = false, te_on = false;
     long pixel_bytes = 0, command_bytes = 0, repeats = 0, delay_us = 0, te_waits = 0;
+    long cut_pixels = 0; ///< operations that end inside a pixel
     std::uint32_t longest_op = 0, last_timeout = 0;
     std::string log;
     std::vector<Op> last_list;
@@ -104,10 +105,14 @@ class FakePanelBus final : public Bus {
         log += text;
     }
 
+    unsigned pixel_size() const { return (colmod & 7) == 6 ? 3 : 2; }
+
     bool run(const Op& op) {
         const std::uint32_t bytes = op.length * (op.kind == Op::Kind::command ? 1 : op.rows);
         if (op.kind != Op::Kind::read && bytes > longest_op)
             longest_op = bytes;
+        if (op.kind == Op::Kind::pixels && op.length % pixel_size() != 0)
+            ++cut_pixels;
         switch (op.kind) {
         case Op::Kind::command:
             return run_command(op);
@@ -185,7 +190,7 @@ class FakePanelBus final : public Bus {
         if (!spend(1))
             return false;
         held_ = held_ << 8 | byte;
-        const unsigned size = (colmod & 7) == 6 ? 3 : 2;
+        const unsigned size = pixel_size();
         if (++held_bytes_ < size)
             return true;
         model.pixel(held_ & (size == 3 ? 0xFFFFFF : 0xFFFF));

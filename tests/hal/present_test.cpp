@@ -225,6 +225,7 @@ TEST(Present, ShortOperationsOfTheBusAreRespected) {
         painter.draw({1, 1, 30, 40}, 0x123456);
         ASSERT_TRUE(bench.display.present().ok());
         EXPECT_LE(bench.bus.longest_op, most);
+        EXPECT_EQ(bench.bus.cut_pixels, 0);
         EXPECT_TRUE(bench.shows(painter.frame));
     }
 }
