@@ -2,10 +2,9 @@
 #pragma once
 
 #include "gl/context/types.hpp"
+#include "gl/texture/texture_object.hpp"
 
 namespace spangle::gl {
-
-struct TextureObject;
 
 struct TextureUnitState {
     bool texture_2d = false;
@@ -17,6 +16,13 @@ struct TextureUnitState {
 struct TextureState {
     TextureUnitState unit[texture_units];
     unsigned active = 0;
+    TextureObject default_2d;              ///< name 0, shared by all units
+    LevelShape proxy_2d[texture_levels]{}; ///< what PROXY_TEXTURE_2D was last asked
+
+    TextureObject& bound(unsigned u) { return unit[u].bound_2d != nullptr ? *unit[u].bound_2d : default_2d; }
+    const TextureObject& bound(unsigned u) const {
+        return unit[u].bound_2d != nullptr ? *unit[u].bound_2d : default_2d;
+    }
 };
 
 } // namespace spangle::gl
