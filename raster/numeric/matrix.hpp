@@ -76,6 +76,10 @@ inline constexpr Element element_one = to_element(one);
 // --- matrices
 // ------------------------------------------------------------------------------------------------------
 
+constexpr Matrix identity() {
+    return {};
+}
+
 /// Element (row, column) for arithmetic.
 constexpr Block element(const Matrix& a, int row, int column) {
     return to_block(a.at(row, column));

@@ -306,8 +306,8 @@ constexpr std::int32_t to_normalized_int(Real v) {
     const std::int32_t drop = -u.exponent; // >= 23
     // 32 fraction bits are plenty to round twice the wanted number, an integer plus a fraction of 2^-149 at
     // the finest.
-    const std::uint64_t product = u.mantissa * std::uint64_t{0xFFFFFFFF};               // 56 bits
-    const std::uint64_t fixed = shift_right_sticky(product << 7, drop); // Q.7 and sticky
+    const std::uint64_t product = u.mantissa * std::uint64_t{0xFFFFFFFF}; // 56 bits
+    const std::uint64_t fixed = shift_right_sticky(product << 7, drop);   // Q.7 and sticky
     const std::int64_t twice =
         (u.negative ? -static_cast<std::int64_t>(fixed) : static_cast<std::int64_t>(fixed)) - 128;
     return saturate_i32(shift_right_round(twice, 8));
