@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <type_traits>
 
 #include "boards/boards.hpp"
 #include <spangle/hal/board.hpp>
@@ -64,6 +65,38 @@ TEST(PanelData, FlawsAreNamed) {
     EXPECT_EQ(flawed([](PanelDesc& p) { p.mount = dcs::MV; }), "panel: a mount is made of MX and MY only");
     EXPECT_EQ(flawed([](PanelDesc& p) { p.timing.reset_low_us = 9; }),
               "panel: a reset pulse is at least 10 us");
+}
+
+namespace {
+
+template <int X> constexpr PanelDesc shifted() {
+    PanelDesc p = panels::st7789_135x240;
+    p.offset.x = X;
+    return p;
+}
+template <int X>
+concept DescribesAPanel = requires {
+    typename std::integral_constant<int, panel(shifted<X>()).glass.width>;
+};
+
+template <unsigned Hz> constexpr Board clocked() {
+    Board b = boards::ili9341_spi;
+    b.write_hz = Hz;
+    return b;
+}
+template <unsigned Hz>
+concept DescribesABoard = requires {
+    typename std::integral_constant<unsigned, board(clocked<Hz>()).write_hz>;
+};
+
+} // namespace
+
+TEST(PanelData, WrongDescriptionsDoNotCompile) {
+    static_assert(DescribesAPanel<105>);
+    static_assert(!DescribesAPanel<106>);
+    static_assert(DescribesABoard<80000000>);
+    static_assert(!DescribesABoard<80000001>);
+    SUCCEED();
 }
 
 TEST(BoardData, FlawsAreNamed) {
