@@ -1,4 +1,4 @@
-// The compiled form of all fragment state. Every command that changes such state sets `dirty`.
+// The compiled form of all fragment state, good while dirty_fragment is clear.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -6,7 +6,6 @@
 namespace spangle::gl {
 
 struct FragmentCache {
-    bool dirty = true;
     bool count_passed = false;
     raster::Counters* counters = nullptr;
     raster::DrawState state;

@@ -11,12 +11,14 @@ bool is_compare(GLenum func) {
 }
 
 bool is_stencil_op(GLenum op) {
-    return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR || op == GL_INVERT;
+    return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR ||
+           op == GL_INVERT;
 }
 
 /// Factors both sides take (GL 1.3, tables 4.1 and 4.2).
 bool is_common_factor(GLenum factor) {
-    return factor == GL_ZERO || factor == GL_ONE || (factor >= GL_SRC_ALPHA && factor <= GL_ONE_MINUS_DST_ALPHA);
+    return factor == GL_ZERO || factor == GL_ONE ||
+           (factor >= GL_SRC_ALPHA && factor <= GL_ONE_MINUS_DST_ALPHA);
 }
 
 /// Which buffers a name asks for.
@@ -24,18 +26,24 @@ enum : unsigned { front_buffer = 1, back_buffer = 2, missing_buffer = 4, unknown
 
 unsigned buffers_of(GLenum mode) {
     switch (mode) {
-    case GL_NONE: return 0;
+    case GL_NONE:
+        return 0;
     case GL_FRONT:
-    case GL_FRONT_LEFT: return front_buffer;
+    case GL_FRONT_LEFT:
+        return front_buffer;
     case GL_BACK:
-    case GL_BACK_LEFT: return back_buffer;
+    case GL_BACK_LEFT:
+        return back_buffer;
     case GL_LEFT:
-    case GL_FRONT_AND_BACK: return front_buffer | back_buffer;
+    case GL_FRONT_AND_BACK:
+        return front_buffer | back_buffer;
     case GL_FRONT_RIGHT:
     case GL_BACK_RIGHT:
     case GL_RIGHT:
-    case GL_AUX0: return missing_buffer;
-    default: return unknown_buffer;
+    case GL_AUX0:
+        return missing_buffer;
+    default:
+        return unknown_buffer;
     }
 }
 
@@ -47,62 +55,69 @@ unsigned existing_buffer(const Context& context) {
 } // namespace
 
 void Scissor(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
-    if (width < 0 || height < 0) return error(context, GL_INVALID_VALUE);
+    if (width < 0 || height < 0)
+        return error(context, GL_INVALID_VALUE);
     GLint* box = context.fragment_ops.scissor_box;
     box[0] = x;
     box[1] = y;
     box[2] = width;
     box[3] = height;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void AlphaFunc(Context& context, GLenum func, Real ref) {
-    if (!is_compare(func)) return error(context, GL_INVALID_ENUM);
+    if (!is_compare(func))
+        return error(context, GL_INVALID_ENUM);
     context.fragment_ops.alpha_func = func;
     context.fragment_ops.alpha_ref = numeric::clamp01(ref);
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void StencilFunc(Context& context, GLenum func, GLint ref, GLuint mask) {
-    if (!is_compare(func)) return error(context, GL_INVALID_ENUM);
+    if (!is_compare(func))
+        return error(context, GL_INVALID_ENUM);
     context.fragment_ops.stencil_func = func;
     context.fragment_ops.stencil_ref = ref;
     context.fragment_ops.stencil_value_mask = mask;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass) {
-    if (!is_stencil_op(fail) || !is_stencil_op(zfail) || !is_stencil_op(zpass)) return error(context, GL_INVALID_ENUM);
+    if (!is_stencil_op(fail) || !is_stencil_op(zfail) || !is_stencil_op(zpass))
+        return error(context, GL_INVALID_ENUM);
     context.fragment_ops.stencil_fail = fail;
     context.fragment_ops.stencil_pass_depth_fail = zfail;
     context.fragment_ops.stencil_pass_depth_pass = zpass;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void StencilMask(Context& context, GLuint mask) {
     context.fragment_ops.stencil_write_mask = mask;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void DepthFunc(Context& context, GLenum func) {
-    if (!is_compare(func)) return error(context, GL_INVALID_ENUM);
+    if (!is_compare(func))
+        return error(context, GL_INVALID_ENUM);
     context.fragment_ops.depth_func = func;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void DepthMask(Context& context, bool flag) {
     context.fragment_ops.depth_mask = flag;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor) {
-    const bool source = is_common_factor(sfactor) || sfactor == GL_DST_COLOR || sfactor == GL_ONE_MINUS_DST_COLOR ||
-                        sfactor == GL_SRC_ALPHA_SATURATE;
-    const bool destination = is_common_factor(dfactor) || dfactor == GL_SRC_COLOR || dfactor == GL_ONE_MINUS_SRC_COLOR;
-    if (!source || !destination) return error(context, GL_INVALID_ENUM);
+    const bool source = is_common_factor(sfactor) || sfactor == GL_DST_COLOR ||
+                        sfactor == GL_ONE_MINUS_DST_COLOR || sfactor == GL_SRC_ALPHA_SATURATE;
+    const bool destination =
+        is_common_factor(dfactor) || dfactor == GL_SRC_COLOR || dfactor == GL_ONE_MINUS_SRC_COLOR;
+    if (!source || !destination)
+        return error(context, GL_INVALID_ENUM);
     context.fragment_ops.blend_src = sfactor;
     context.fragment_ops.blend_dst = dfactor;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void ColorMask(Context& context, bool red, bool green, bool blue, bool alpha) {
@@ -111,12 +126,13 @@ void ColorMask(Context& context, bool red, bool green, bool blue, bool alpha) {
     mask[1] = green;
     mask[2] = blue;
     mask[3] = alpha;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void ClearColor(Context& context, Real red, Real green, Real blue, Real alpha) {
     const Real given[4] = {red, green, blue, alpha};
-    for (int c = 0; c < 4; ++c) context.fragment_ops.color_clear[c] = numeric::clamp01(given[c]);
+    for (int c = 0; c < 4; ++c)
+        context.fragment_ops.color_clear[c] = numeric::clamp01(given[c]);
 }
 
 void ClearDepth(Context& context, Real depth) {
@@ -129,18 +145,22 @@ void ClearStencil(Context& context, GLint s) {
 
 void DrawBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
-    if (asked == unknown_buffer) return error(context, GL_INVALID_ENUM);
+    if (asked == unknown_buffer)
+        return error(context, GL_INVALID_ENUM);
     if (mode != GL_NONE && (asked & existing_buffer(context)) == 0)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glDrawBuffer: this surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glDrawBuffer: this surface has no such buffer"));
     context.fragment_ops.draw_buffer = mode;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 void ReadBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
-    if (asked == unknown_buffer || mode == GL_NONE || mode == GL_FRONT_AND_BACK) return error(context, GL_INVALID_ENUM);
+    if (asked == unknown_buffer || mode == GL_NONE || mode == GL_FRONT_AND_BACK)
+        return error(context, GL_INVALID_ENUM);
     if ((asked & existing_buffer(context)) == 0)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glReadBuffer: this surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glReadBuffer: this surface has no such buffer"));
     context.fragment_ops.read_buffer = mode;
 }
 

@@ -15,27 +15,39 @@ raster::Compare compare_of(GLenum func) {
 
 raster::StencilOp stencil_op_of(GLenum op) {
     switch (op) {
-    case GL_ZERO: return raster::StencilOp::zero;
-    case GL_REPLACE: return raster::StencilOp::replace;
-    case GL_INCR: return raster::StencilOp::incr;
-    case GL_DECR: return raster::StencilOp::decr;
-    case GL_INVERT: return raster::StencilOp::invert;
-    default: return raster::StencilOp::keep;
+    case GL_ZERO:
+        return raster::StencilOp::zero;
+    case GL_REPLACE:
+        return raster::StencilOp::replace;
+    case GL_INCR:
+        return raster::StencilOp::incr;
+    case GL_DECR:
+        return raster::StencilOp::decr;
+    case GL_INVERT:
+        return raster::StencilOp::invert;
+    default:
+        return raster::StencilOp::keep;
     }
 }
 
 raster::BlendFactor factor_of(GLenum factor) {
-    if (factor <= GL_ONE) return static_cast<raster::BlendFactor>(factor);
+    if (factor <= GL_ONE)
+        return static_cast<raster::BlendFactor>(factor);
     return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR + 2);
 }
 
 raster::TexEnv env_of(GLenum mode) {
     switch (mode) {
-    case GL_REPLACE: return raster::TexEnv::replace;
-    case GL_DECAL: return raster::TexEnv::decal;
-    case GL_BLEND: return raster::TexEnv::blend;
-    case GL_ADD: return raster::TexEnv::add;
-    default: return raster::TexEnv::modulate;
+    case GL_REPLACE:
+        return raster::TexEnv::replace;
+    case GL_DECAL:
+        return raster::TexEnv::decal;
+    case GL_BLEND:
+        return raster::TexEnv::blend;
+    case GL_ADD:
+        return raster::TexEnv::add;
+    default:
+        return raster::TexEnv::modulate;
     }
 }
 
@@ -49,9 +61,11 @@ void fill_textures(const Context& context, raster::FragmentState& out) {
     for (int i = 0; i < texture_units; ++i) {
         const TextureUnitState& unit = context.texture.unit[i];
         out.unit[i].texture = unit.texture_2d ? complete_texture(context, i) : nullptr;
-        if (out.unit[i].texture == nullptr) continue;
+        if (out.unit[i].texture == nullptr)
+            continue;
         out.unit[i].env = env_of(unit.env_mode);
-        for (int c = 0; c < 4; ++c) out.unit[i].env_color[c] = color_units(unit.env_color[c]);
+        for (int c = 0; c < 4; ++c)
+            out.unit[i].env_color[c] = color_units(unit.env_color[c]);
     }
 }
 
@@ -62,7 +76,8 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
     out.fog_mode = fog.mode == GL_EXP    ? raster::FogMode::exp
                    : fog.mode == GL_EXP2 ? raster::FogMode::exp2
                                          : raster::FogMode::linear;
-    for (int c = 0; c < 3; ++c) out.fog_color[c] = color_units(fog.color[c]);
+    for (int c = 0; c < 3; ++c)
+        out.fog_color[c] = color_units(fog.color[c]);
     out.fog_density = numeric::to_float_bits(fog.density);
     out.fog_start = numeric::to_float_bits(fog.start);
     out.fog_end = numeric::to_float_bits(fog.end);
@@ -116,7 +131,8 @@ void fill(const Context& context, raster::FragmentState& out) {
 
 Rect drawing_rect(const Context& context) {
     const raster::Surface& s = context.drawable.surface;
-    if (!context.fragment_ops.scissor_test) return {0, 0, s.width, s.height};
+    if (!context.fragment_ops.scissor_test)
+        return {0, 0, s.width, s.height};
     const GLint* box = context.fragment_ops.scissor_box;
     const auto clamp = [](std::int64_t v, std::int32_t high) {
         return static_cast<std::int32_t>(v < 0 ? 0 : v > high ? high : v);
@@ -129,31 +145,34 @@ Rect drawing_rect(const Context& context) {
 
 std::uint8_t written_channels(const Context& context) {
     const FragmentOpsState& ops = context.fragment_ops;
-    if (ops.draw_buffer == GL_NONE) return 0;
+    if (ops.draw_buffer == GL_NONE)
+        return 0;
     unsigned mask = 0;
-    for (unsigned c = 0; c < 4; ++c) mask |= ops.color_mask[c] ? 1u << c : 0u;
+    for (unsigned c = 0; c < 4; ++c)
+        mask |= ops.color_mask[c] ? 1u << c : 0u;
     return static_cast<std::uint8_t>(mask);
 }
 
 raster::Tier tier_of(const Context& context, GLenum hint) {
-    if (hint == GL_FASTEST) return raster::Tier::fast;
+    if (hint == GL_FASTEST)
+        return raster::Tier::fast;
     return hint == GL_NICEST ? raster::Tier::exact : context.tier;
 }
 
 void observe(Context& context, raster::Counters* counters, bool count_passed) {
     context.fragments.counters = counters;
     context.fragments.count_passed = count_passed;
-    context.fragments.dirty = true;
+    context.changed(dirty_fragment);
 }
 
 const raster::DrawState& draw_state(Context& context) {
     FragmentCache& cache = context.fragments;
-    if (cache.dirty) {
+    if ((context.dirty & dirty_fragment) != 0) {
         raster::FragmentState fragment;
         fill(context, fragment);
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = cache.counters;
-        cache.dirty = false;
+        context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_fragment);
     }
     return cache.state;
 }

@@ -7,16 +7,42 @@ namespace spangle::gl {
 
 inline constexpr unsigned max_lights = 8;
 
+struct Light {
+    Real ambient[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real diffuse[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real position[4] = {numeric::zero, numeric::zero, numeric::one, numeric::zero}; ///< in eye space
+    Real spot_direction[3] = {numeric::zero, numeric::zero, {0xBF800000}};          ///< in eye space
+    Real spot_exponent = numeric::zero;
+    Real spot_cutoff = {0x43340000}; // 180
+    Real attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
+};
+
+struct Material {
+    Real ambient[4] = {{0x3E4CCCCD}, {0x3E4CCCCD}, {0x3E4CCCCD}, numeric::one};
+    Real diffuse[4] = {{0x3F4CCCCD}, {0x3F4CCCCD}, {0x3F4CCCCD}, numeric::one};
+    Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real emission[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    Real shininess = numeric::zero;
+};
+
 struct LightingState {
+    LightingState() {
+        for (int c = 0; c < 3; ++c)
+            light[0].diffuse[c] = light[0].specular[c] = numeric::one;
+    }
+
     bool lighting = false;
     bool light_enabled[max_lights] = {};
     bool color_material = false;
     GLenum color_material_face = GL_FRONT_AND_BACK;
     GLenum color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
-    Real model_ambient[4] = {{0x3E4CCCCD}, {0x3E4CCCCD}, {0x3E4CCCCD}, numeric::real_one};
+    Real model_ambient[4] = {{0x3E4CCCCD}, {0x3E4CCCCD}, {0x3E4CCCCD}, numeric::one};
     bool local_viewer = false;
     bool two_side = false;
     GLenum color_control = GL_SINGLE_COLOR;
+    Light light[max_lights];
+    Material material[2]; ///< front, back
 };
 
 } // namespace spangle::gl

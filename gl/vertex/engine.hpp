@@ -1,0 +1,30 @@
+// The vertex pipeline of one numeric policy, as the rest of GL sees it. A context has one from its creation
+// on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gl/context/types.hpp"
+#include "raster/span/draw_state.hpp"
+
+namespace spangle::gl {
+
+struct Context;
+
+struct Engine {
+    std::size_t pipeline_bytes; ///< what Context::pipeline points at
+    void (*construct)(void* memory);
+    void (*compile)(const raster::FragmentState&, const raster::Surface&, raster::DrawState& out);
+    void (*begin)(Context&, GLenum mode);
+    /// A vertex with the current attributes.
+    void (*vertex)(Context&, Real x, Real y, Real z, Real w);
+    void (*end)(Context&);
+    /// Before a material changes inside Begin/End: vertices given so far get their colours.
+    void (*settle_colors)(Context&);
+};
+
+/// The product's policy.
+extern const Engine fixed_engine;
+
+} // namespace spangle::gl

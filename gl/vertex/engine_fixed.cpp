@@ -1,0 +1,56 @@
+// The product's engine: the pipeline in integers.
+#include <new>
+
+#include "gl/context/features.hpp"
+#include "gl/vertex/engine.hpp"
+#include "gl/vertex/fixed_math.hpp"
+#include "gl/vertex/pipeline.hpp"
+#if SPANGLE_FEATURE_LIGHTING
+#include "gl/vertex/fixed_lighting.hpp"
+#else
+#include "gl/vertex/no_lighting.hpp"
+#endif
+
+namespace spangle::gl {
+
+namespace {
+
+#if SPANGLE_FEATURE_LIGHTING
+using FixedPipeline = Pipeline<FixedMath, FixedLighting>;
+#else
+using FixedPipeline = Pipeline<FixedMath, NoLighting<FixedMath>>;
+#endif
+
+FixedPipeline& pipeline(Context& context) {
+    return *static_cast<FixedPipeline*>(context.pipeline);
+}
+
+void construct(void* memory) {
+    new (memory) FixedPipeline;
+}
+
+void compile(const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
+    out = raster::compile<raster::FixedVertex>(fragment, target);
+}
+
+void begin(Context& context, GLenum mode) {
+    pipeline(context).begin(context, mode);
+}
+
+void vertex(Context& context, Real x, Real y, Real z, Real w) {
+    pipeline(context).vertex(context, {x, y, z, w});
+}
+
+void end(Context& context) {
+    pipeline(context).end();
+}
+
+void settle_colors(Context& context) {
+    pipeline(context).settle_colors();
+}
+
+} // namespace
+
+const Engine fixed_engine = {sizeof(FixedPipeline), construct, compile, begin, vertex, end, settle_colors};
+
+} // namespace spangle::gl

@@ -1,0 +1,276 @@
+#include "gl/vertex/fixed_lighting.hpp"
+
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_LIGHTING
+
+#include "raster/numeric/matrix_build.hpp"
+#include "raster/numeric/power.hpp"
+#include "raster/numeric/trigonometry.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+constexpr int intensity_bits = 20, factor_bits = 30, sum_bits = 44;
+
+std::int32_t intensity(Real v) {
+    return numeric::to_fixed(v, intensity_bits);
+}
+
+/// Product of two intensities, saturated.
+std::int32_t times(std::int32_t a, std::int32_t b) {
+    return numeric::saturate_i32((numeric::mul_s32(a, b) + (1 << (intensity_bits - 1))) >> intensity_bits);
+}
+
+bool is_zero(const std::int32_t (&v)[3]) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+/// Intensity times a factor of Q2.30 (0 .. 4): 44 fraction bits, |result| <= 2^57, so that all terms of all
+/// lights fit.
+std::int64_t weighted(std::int32_t intensity, std::uint32_t factor) {
+    return (static_cast<std::int64_t>(intensity) * factor) >> 6;
+}
+
+/// a * b of factors with 30 fraction bits, saturated below 4.
+std::uint32_t scaled(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t p = (numeric::mul_u32(a, b) + (1u << 29)) >> 30;
+    return p > 0xFFFFFFFFu ? 0xFFFFFFFFu : static_cast<std::uint32_t>(p);
+}
+
+/// max(v, 0) of a cosine.
+std::uint32_t positive(std::int32_t cosine) {
+    return cosine < 0 ? 0u : static_cast<std::uint32_t>(cosine);
+}
+
+/// A non-negative block as factor with 30 fraction bits, below 4.
+std::uint32_t to_factor(numeric::Block v) {
+    if (v.m <= 0)
+        return 0;
+    const std::int32_t half = numeric::to_fixed(v, factor_bits - 1); // saturates at 4
+    return static_cast<std::uint32_t>(half) << 1;
+}
+
+/// A sum, clamped to 0..1, in colour units.
+std::uint32_t to_color(std::int64_t sum) {
+    const std::int64_t c = numeric::clamp<std::int64_t>(sum, 0, std::int64_t{1} << sum_bits);
+    return FixedMath::color_units(static_cast<std::uint32_t>((c + (1 << 13)) >> (sum_bits - 30)));
+}
+
+/// n . u with 30 fraction bits, not below 0 and below 4.
+std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeric::Unit3& u) {
+    const std::int64_t sum =
+        numeric::mul_s32(n[0], u.m[0]) + numeric::mul_s32(n[1], u.m[1]) + numeric::mul_s32(n[2], u.m[2]);
+    if (sum <= 0)
+        return 0;
+    const std::int64_t d = (sum + (std::int64_t{1} << (fraction_bits - 1))) >> fraction_bits;
+    return d > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(d);
+}
+
+/// (n . h)^shininess; a cosine above 1 is rounding or an unnormalised normal and counts as 1.
+std::uint32_t shine(std::uint32_t cosine, std::uint32_t exponent) {
+    constexpr std::uint32_t one = 1u << factor_bits;
+    return static_cast<std::uint32_t>(
+        numeric::pow_unit(static_cast<std::int32_t>(cosine > one ? one : cosine), exponent));
+}
+
+numeric::Unit3 half_vector(const numeric::Unit3& to_light, const numeric::Unit3& to_eye) {
+    return numeric::normalize(numeric::add(numeric::to_block(to_light), numeric::to_block(to_eye)));
+}
+
+constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
+
+} // namespace
+
+void FixedLighting::derive(const Context& context) {
+    const LightingState& state = context.lighting;
+    on_ = state.lighting;
+    tracks_color_ = on_ && state.color_material;
+    folded_ = false;
+    if (!on_)
+        return;
+    two_side_ = state.two_side;
+    local_viewer_ = state.local_viewer;
+    separate_ = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    normalize_ = context.transform.normalize;
+    numeric::NormalMatrix normal =
+        numeric::inverse_transpose(context.transform.modelview.entry[context.transform.modelview.top]);
+    if (context.transform.rescale_normal)
+        for (numeric::Block& element : normal.at)
+            element = numeric::mul(element, normal.row_scale);
+    normal_matrix_ = numeric::to_block_matrix(normal);
+    for (int c = 0; c < 3; ++c)
+        model_ambient_[c] = intensity(state.model_ambient[c]);
+    count_ = 0;
+    needs_eye_ = local_viewer_;
+    for (unsigned i = 0; i < max_lights; ++i) {
+        if (!state.light_enabled[i])
+            continue;
+        derive_source(state.light[i], source_[count_]);
+        needs_eye_ = needs_eye_ || !source_[count_].directional;
+        ++count_;
+    }
+}
+
+void FixedLighting::derive_source(const Light& light, Source& out) const {
+    for (int c = 0; c < 3; ++c) {
+        out.ambient[c] = intensity(light.ambient[c]);
+        out.diffuse[c] = intensity(light.diffuse[c]);
+        out.specular[c] = intensity(light.specular[c]);
+    }
+    const numeric::Block4 p =
+        numeric::to_block(light.position[0], light.position[1], light.position[2], light.position[3]);
+    out.directional = p.m[3] == 0;
+    out.spot = !(light.spot_cutoff == Real{0x43340000});
+    if (out.directional) {
+        out.to_light = numeric::normalize(numeric::xyz(p));
+        out.half = half_vector(out.to_light, toward_viewer);
+    } else {
+        out.position = numeric::mul(numeric::xyz(p), numeric::reciprocal(numeric::component(p, 3)));
+    }
+    const Real(&d)[3] = light.spot_direction;
+    out.spot_axis = numeric::normalize(numeric::to_block(d[0], d[1], d[2]));
+    out.spot_cosine =
+        static_cast<std::int32_t>((numeric::sincos_degrees(light.spot_cutoff).cos + (1 << 29)) >> 30);
+    out.spot_exponent = numeric::power_exponent(light.spot_exponent);
+    for (int i = 0; i < 3; ++i)
+        out.attenuation[i] = numeric::to_block(light.attenuation[i]);
+    const bool none = light.attenuation[0] == numeric::one && numeric::is_zero(light.attenuation[1]) &&
+                      numeric::is_zero(light.attenuation[2]);
+    out.attenuated = !out.directional && !none;
+}
+
+void FixedLighting::fold(const Context& context) {
+    fold_side(context.lighting.material[0], fold_[0]);
+    if (two_side_)
+        fold_side(context.lighting.material[1], fold_[1]);
+    folded_ = true;
+}
+
+void FixedLighting::fold_side(const Material& material, Fold& out) const {
+    out.alpha = FixedMath::color_units(material.diffuse[3]);
+    out.shininess = numeric::power_exponent(material.shininess);
+    out.has_specular = false;
+    for (int c = 0; c < 3; ++c) {
+        const std::int32_t ambient = intensity(material.ambient[c]), diffuse = intensity(material.diffuse[c]),
+                           specular = intensity(material.specular[c]);
+        std::int64_t base = std::int64_t{intensity(material.emission[c])} + times(ambient, model_ambient_[c]);
+        for (int i = 0; i < count_; ++i) {
+            const Source& s = source_[i];
+            const std::int32_t own = times(ambient, s.ambient[c]);
+            out.ambient[i][c] = s.simple() ? 0 : own;
+            if (s.simple())
+                base += own;
+            out.diffuse[i][c] = times(diffuse, s.diffuse[c]);
+            out.specular[i][c] = times(specular, s.specular[c]);
+            out.has_specular = out.has_specular || out.specular[i][c] != 0;
+        }
+        out.base[c] = numeric::saturate_i32(base);
+    }
+}
+
+FixedLighting::Direction FixedLighting::direction_of(const Input& vertex, int side) const {
+    const numeric::Block3 n = numeric::transform(normal_matrix_, vertex.normal);
+    Direction out;
+    if (normalize_) {
+        const numeric::Unit3 u = numeric::normalize(n);
+        out = {{u.m[0], u.m[1], u.m[2]}, 30};
+    } else {
+        out = {{numeric::scale_saturate(n.m[0], n.e + 28), numeric::scale_saturate(n.m[1], n.e + 28),
+                numeric::scale_saturate(n.m[2], n.e + 28)},
+               28};
+    }
+    if (side != 0)
+        for (std::int32_t& m : out.m)
+            m = numeric::negate_saturate(m);
+    return out;
+}
+
+void FixedLighting::add_directional(const Source& source, const Fold& fold, int i, const Direction& n,
+                                    Sum (&primary)[3], Sum (&specular)[3]) const {
+    const std::uint32_t facing = cosine(n.m, n.fraction_bits, source.to_light);
+    if (facing == 0)
+        return;
+    for (int c = 0; c < 3; ++c)
+        primary[c] += weighted(fold.diffuse[i][c], facing);
+    if (!fold.has_specular || is_zero(fold.specular[i]))
+        return;
+    const std::uint32_t shiny = shine(cosine(n.m, n.fraction_bits, source.half), fold.shininess);
+    for (int c = 0; c < 3; ++c)
+        specular[c] += weighted(fold.specular[i][c], shiny);
+}
+
+/// Positional lights, spots, and every light under a local viewer.
+void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const Input& vertex,
+                                const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
+    const numeric::Block3 eye =
+        numeric::mul(numeric::xyz(vertex.eye), numeric::reciprocal(numeric::component(vertex.eye, 3)));
+    numeric::Unit3 to_light = source.to_light;
+    std::uint32_t strength = 1u << factor_bits;
+    if (!source.directional) {
+        const numeric::Block3 path = numeric::sub(source.position, eye);
+        to_light = numeric::normalize(path);
+        if (source.attenuated) {
+            const numeric::Block d = numeric::length(path);
+            const numeric::Block divisor = numeric::add(
+                source.attenuation[0],
+                numeric::mul(d, numeric::add(source.attenuation[1], numeric::mul(d, source.attenuation[2]))));
+            strength = to_factor(numeric::reciprocal(divisor));
+        }
+    }
+    if (source.spot) {
+        const std::int32_t along = numeric::negate_saturate(numeric::dot(to_light, source.spot_axis));
+        if (along < source.spot_cosine)
+            return; // outside the cone nothing arrives, ambient light included
+        strength = scaled(strength, shine(positive(along), source.spot_exponent));
+    }
+    for (int c = 0; c < 3; ++c)
+        primary[c] += weighted(fold.ambient[i][c], strength);
+    const std::uint32_t facing = cosine(n.m, n.fraction_bits, to_light);
+    if (facing == 0)
+        return;
+    const std::uint32_t lit = scaled(facing, strength);
+    for (int c = 0; c < 3; ++c)
+        primary[c] += weighted(fold.diffuse[i][c], lit);
+    if (!fold.has_specular || is_zero(fold.specular[i]))
+        return;
+    const numeric::Unit3 half =
+        half_vector(to_light, local_viewer_ ? numeric::normalize(numeric::negate(eye)) : toward_viewer);
+    const std::uint32_t shiny = scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength);
+    for (int c = 0; c < 3; ++c)
+        specular[c] += weighted(fold.specular[i][c], shiny);
+}
+
+void FixedLighting::light(const Context& context, const Input& vertex, int side, raster::FixedVertex& out) {
+    if (!folded_)
+        fold(context);
+    const Fold& fold = fold_[side];
+    const Direction n = direction_of(vertex, side);
+    Sum primary[3], specular[3] = {0, 0, 0};
+    for (int c = 0; c < 3; ++c)
+        primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
+    for (int i = 0; i < count_; ++i) {
+        if (source_[i].simple() && !local_viewer_)
+            add_directional(source_[i], fold, i, n, primary, specular);
+        else
+            add_general(source_[i], fold, i, vertex, n, primary, specular);
+    }
+    for (int c = 0; c < 3; ++c) {
+        out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
+        out.secondary[c] = separate_ ? to_color(specular[c]) : 0;
+    }
+    out.color[3] = fold.alpha;
+}
+
+void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out) {
+    const auto component = [&](int i) {
+        return FixedMath::mix(numeric::component(a.normal, i), numeric::component(b.normal, i), t);
+    };
+    out.normal = numeric::to_block(component(0), component(1), component(2));
+    out.eye = FixedMath::mix(a.eye, b.eye, t);
+}
+
+} // namespace spangle::gl
+
+#endif

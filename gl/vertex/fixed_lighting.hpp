@@ -1,0 +1,94 @@
+// The lighting equation in integers (GL 1.3, 2.13.1).
+//
+// Intensities have 20 fraction bits (range 2^11; the spec asks 2^10 before the clamp), cosines and factors
+// 30, sums 44 in 64 bits. What does not depend on the vertex is folded when lights or materials change.
+#pragma once
+
+#include <cstdint>
+
+#include "gl/vertex/fixed_math.hpp"
+#include "raster/numeric/block_matrix.hpp"
+
+namespace spangle::gl {
+
+class FixedLighting {
+  public:
+    /// Kept with a vertex until somebody needs its colour.
+    struct Input {
+        numeric::Block3 normal; ///< as given, in object space
+        numeric::Block4 eye;    ///< position; only while needs_eye()
+    };
+
+    void derive(const Context& context);
+    /// A material or a tracked colour changed between Begin and End.
+    void materials_changed() { folded_ = false; }
+
+    bool needs_eye() const { return on_ && needs_eye_; }
+    bool two_sided() const { return on_ && two_side_; }
+    /// The material follows the current colour: every vertex is lit when it is given.
+    bool tracks_color() const { return tracks_color_; }
+
+    void take(const Context& context, const numeric::Block4& eye, Input& out) const {
+        take(context, out);
+        out.eye = eye;
+    }
+    void take(const Context& context, Input& out) const {
+        const Real(&n)[3] = context.current.normal;
+        if (on_)
+            out.normal = numeric::to_block(n[0], n[1], n[2]);
+    }
+
+    /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back.
+    void light(const Context& context, const Input& vertex, int side, raster::FixedVertex& out);
+
+    /// A vertex made by clipping.
+    static void mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out);
+
+  private:
+    using Sum = std::int64_t; ///< 44 fraction bits
+
+    struct Source {
+        bool directional = true, spot = false, attenuated = false;
+        bool simple() const { return directional && !spot; } ///< reaches every vertex alike
+        numeric::Unit3 to_light;                             ///< directional: unit vector to the light
+        numeric::Unit3 half;      ///< directional, viewer at infinity: unit half vector
+        numeric::Block3 position; ///< positional, eye space
+        numeric::Unit3 spot_axis;
+        std::int32_t spot_cosine = 0; ///< of the cutoff, Q0.30
+        std::uint32_t spot_exponent;  ///< as numeric::power_exponent() gives it
+        numeric::Block attenuation[3];
+        std::int32_t ambient[3], diffuse[3], specular[3]; ///< 20 fraction bits
+    };
+    /// Products of one side's material with every light.
+    struct Fold {
+        std::int32_t base[3]; ///< emission, model ambient and the ambient light that is not attenuated
+        std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
+        bool has_specular = false;
+        std::uint32_t shininess; ///< as numeric::power_exponent() gives it
+        std::uint32_t alpha;     ///< colour units
+    };
+    /// The normal of a vertex in eye space.
+    struct Direction {
+        std::int32_t m[3];
+        int fraction_bits; ///< 30 for unit vectors, 28 (range 8) for what GL leaves unnormalised
+    };
+
+    bool on_ = false, needs_eye_ = false, two_side_ = false, tracks_color_ = false, folded_ = false;
+    bool normalize_ = false, local_viewer_ = false, separate_ = false;
+    int count_ = 0; ///< enabled lights
+    Source source_[max_lights];
+    Fold fold_[2];
+    std::int32_t model_ambient_[3] = {};
+    numeric::BlockMatrix3 normal_matrix_;
+
+    void derive_source(const Light& light, Source& out) const;
+    void fold(const Context& context);
+    void fold_side(const Material& material, Fold& out) const;
+    Direction direction_of(const Input& vertex, int side) const;
+    void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
+                         Sum (&specular)[3]) const;
+    void add_general(const Source& source, const Fold& fold, int i, const Input& vertex, const Direction& n,
+                     Sum (&primary)[3], Sum (&specular)[3]) const;
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,213 @@
+// The arithmetic of the vertex pipeline in integers: block form up to the division, window fixed point behind
+// it. What the pipeline does with it stands in pipeline.hpp; the reference has the same operations in double.
+#pragma once
+
+#include <cstdint>
+
+#include "gl/context/context.hpp"
+#include "raster/numeric/block.hpp"
+#include "raster/numeric/block_matrix.hpp"
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/primitive/vertex.hpp"
+
+namespace spangle::gl {
+
+struct FixedMath {
+    using Window = raster::FixedVertex;
+    using Object = numeric::Block4;
+    using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
+    using Eye = numeric::Block4;
+    using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
+
+    /// Block forms of the matrices and the viewport, derived when something changed.
+    struct Transforms {
+        numeric::BlockMatrix to_clip, to_eye, texture;
+        bool texture_is_identity = true;
+        std::int32_t half_width = 0, half_height = 0; ///< viewport, n.8
+        std::int32_t center_x = 0, center_y = 0;      ///< n.8
+        std::int32_t depth_middle = 0;                ///< (n + f) / 2, Q0.30
+        std::int32_t depth_half = 0;                  ///< (f - n) / 2, Q0.30
+    };
+
+    static void derive(const TransformState& state, Transforms& out) {
+        const numeric::Matrix& modelview = state.modelview.entry[state.modelview.top];
+        const numeric::Matrix& texture = state.texture[0].entry[state.texture[0].top];
+        out.to_eye = numeric::to_block_matrix(modelview);
+        out.to_clip = numeric::to_block_matrix(
+            numeric::multiply(state.projection.entry[state.projection.top], modelview));
+        out.texture = numeric::to_block_matrix(texture);
+        out.texture_is_identity = is_identity(texture);
+        const GLint* v = state.viewport;
+        out.half_width = v[2] * (raster::subpixel_one / 2);
+        out.half_height = v[3] * (raster::subpixel_one / 2);
+        out.center_x = v[0] * raster::subpixel_one + out.half_width;
+        out.center_y = v[1] * raster::subpixel_one + out.half_height;
+        const std::int32_t n = numeric::to_fixed(state.depth_range[0], 30),
+                           f = numeric::to_fixed(state.depth_range[1], 30);
+        out.depth_middle = (n >> 1) + (f >> 1) + (n & f & 1);
+        out.depth_half = (f - n) / 2;
+    }
+
+    static Object load(const Real (&v)[4]) { return numeric::to_block(v[0], v[1], v[2], v[3]); }
+    static Clip to_clip(const Transforms& t, const Object& v) { return numeric::transform(t.to_clip, v); }
+    static Eye to_eye(const Transforms& t, const Object& v) { return numeric::transform(t.to_eye, v); }
+
+    // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
+
+    /// w plus or minus a coordinate, in the vertex's own exponent: < 0 is outside. |result| < 2^31.
+    static std::int64_t volume_distance(const Clip& c, int plane) {
+        const std::int64_t w = c.m[3], v = c.m[plane >> 1];
+        return (plane & 1) != 0 ? w - v : w + v;
+    }
+    /// The same against the guard band, 4 x the viewport; near and far have none.
+    static std::int64_t distance(const Clip& c, int plane) {
+        const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * 4 : c.m[3], v = c.m[plane >> 1];
+        return (plane & 1) != 0 ? w - v : w + v;
+    }
+    /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
+    static bool in_front(const Clip& c) { return c.m[3] > 0; }
+
+    /// Where the edge from `inside` to `outside` meets a plane.
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
+        const numeric::Block a = numeric::make_block(distance(inside, plane), inside.e);
+        const numeric::Block b = numeric::make_block(distance(outside, plane), outside.e);
+        const std::int32_t t = numeric::to_fixed(numeric::div(a, numeric::sub(a, b)), 30);
+        return numeric::clamp<std::int32_t>(t, 0, 1 << 30);
+    }
+
+    static numeric::Block mix(numeric::Block a, numeric::Block b, Parameter t) {
+        return numeric::add(a, numeric::mul(numeric::sub(b, a), numeric::make_block(t, -30)));
+    }
+
+    static Clip mix(const Clip& a, const Clip& b, Parameter t) {
+        return numeric::to_block(mix(numeric::component(a, 0), numeric::component(b, 0), t),
+                                 mix(numeric::component(a, 1), numeric::component(b, 1), t),
+                                 mix(numeric::component(a, 2), numeric::component(b, 2), t),
+                                 mix(numeric::component(a, 3), numeric::component(b, 3), t));
+    }
+
+    /// Associated data of a new vertex (GL 1.3, 2.13.8).
+    static void mix(const Window& a, const Window& b, Parameter t, Window& out) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
+        const numeric::Block fog = mix(fog_block(a), fog_block(b), t);
+        set_fog(out, fog);
+        for (int u = 0; u < texture_units; ++u) {
+            const auto part = [&](std::int32_t Window::TexCoord::*m) {
+                return mix(numeric::make_block(a.tex[u].*m, a.tex[u].exponent),
+                           numeric::make_block(b.tex[u].*m, b.tex[u].exponent), t);
+            };
+            const numeric::Block3 stq = numeric::to_block(
+                part(&Window::TexCoord::s), part(&Window::TexCoord::t), part(&Window::TexCoord::q));
+            set_texture(out, u, stq);
+            out.tex[u].q_is_one = a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0 ? 1 : 0;
+        }
+    }
+
+    // --- after the division
+
+    /// Perspective division, viewport, depth range (GL 1.3, 2.10.1). The vertex is within the guard band and
+    /// in front.
+    static void project(const Transforms& t, const Clip& c, Window& out) {
+        const auto w = static_cast<std::uint32_t>(c.m[3]);
+        const int zeros = numeric::clz32(w);
+        const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
+        const bool top = (r >> 31) != 0;                         // only for a power of two
+        out.w_mantissa = top ? r : r << 1;
+        out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
+        const std::int64_t x = quotient(c.m[0], r, zeros, 28),
+                           y = quotient(c.m[1], r, zeros, 28); // |x|, |y| <= 4
+        constexpr std::int64_t half = std::int64_t{1} << 27;
+        out.x = limit(t.center_x + ((x * t.half_width + half) >> 28));
+        out.y = limit(t.center_y + ((y * t.half_height + half) >> 28));
+        const std::int64_t z = quotient(c.m[2], r, zeros, 30);
+        const std::int64_t depth = t.depth_middle + ((z * t.depth_half + (std::int64_t{1} << 29)) >> 30);
+        out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
+    }
+
+    // --- attributes
+
+    static void set_color(Window& out, const Real (&rgba)[4]) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = color_units(rgba[c]);
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = 0;
+    }
+
+    static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
+        if (t.texture_is_identity) {
+            set_texture(out, unit, numeric::to_block(stq[0], stq[1], stq[3]));
+            out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
+            return;
+        }
+        const numeric::Block4 v = numeric::transform(t.texture, load(stq));
+        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
+        out.tex[unit].q_is_one = 0;
+    }
+
+    /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
+    static void set_fog(const Eye& eye, Window& out) {
+        const numeric::Block z = numeric::component(eye, 2);
+        set_fog(out, numeric::Block{z.m < 0 ? -z.m : z.m, z.e});
+    }
+    static void no_fog(Window& out) {
+        out.fog_mantissa = 0;
+        out.fog_exponent = 0;
+    }
+
+    /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
+    static std::uint32_t color_units(Real component) {
+        const auto c = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(component), 30));
+        return color_units(c);
+    }
+    /// The same from Q0.30.
+    static std::uint32_t color_units(std::uint32_t c) {
+        return static_cast<std::uint32_t>((numeric::mul_u32(c, 255) + (1u << 9)) >> 10);
+    }
+
+  private:
+    static bool is_identity(const numeric::Matrix& m) {
+        const numeric::Matrix one = numeric::Matrix();
+        for (int i = 0; i < 16; ++i)
+            if (m.m[i] != one.m[i] || (m.m[i] != 0 && m.e[i] != one.e[i]))
+                return false;
+        return true;
+    }
+
+    /// m / w in Q.`bits`, nearest; |m / w| <= 4.
+    static std::int64_t quotient(std::int32_t m, std::uint32_t r, int zeros, int bits) {
+        const int shift = 62 - zeros - bits;
+        const std::int64_t product = static_cast<std::int64_t>(m) * r;
+        return shift > 0 ? (product + (std::int64_t{1} << (shift - 1))) >> shift
+                         : static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << -shift);
+    }
+
+    /// Into what the rasterizer accepts; only rounding in the clipper ever gets here.
+    static std::int32_t limit(std::int64_t v) {
+        constexpr std::int64_t most = 4 * 2048 * raster::subpixel_one - 1;
+        return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, -most, most));
+    }
+
+    static std::uint32_t mix_unsigned(std::uint32_t a, std::uint32_t b, Parameter t) {
+        const std::int64_t d = static_cast<std::int64_t>(b) - a; // 28 bits, times 30
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
+    }
+
+    static numeric::Block fog_block(const Window& v) {
+        return {static_cast<std::int32_t>(v.fog_mantissa), v.fog_exponent};
+    }
+    static void set_fog(Window& out, numeric::Block distance) {
+        out.fog_mantissa = static_cast<std::uint32_t>(distance.m < 0 ? 0 : distance.m);
+        out.fog_exponent = distance.e;
+    }
+    static void set_texture(Window& out, int unit, const numeric::Block3& stq) {
+        out.tex[unit].s = stq.m[0];
+        out.tex[unit].t = stq.m[1];
+        out.tex[unit].q = stq.m[2];
+        out.tex[unit].exponent = stq.e;
+    }
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,156 @@
+// Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/features.hpp"
+#include "gl/vertex/array_element.hpp"
+#include "gl/vertex/color_tracking.hpp"
+#include "gl/vertex/engine.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+void set_gate(Context& context, bool inside) {
+    context.gate =
+        static_cast<std::uint8_t>(inside ? context.gate | gate_inside : context.gate & ~gate_inside);
+}
+
+void color(Context& context, const Real (&rgba)[4]) {
+    for (int c = 0; c < 4; ++c)
+        context.current.color[c] = rgba[c];
+#if SPANGLE_FEATURE_LIGHTING
+    if (context.lighting.color_material)
+        color_changed(context);
+#endif
+}
+
+/// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
+void element(Context& context, std::uint32_t index) {
+    const ElementValues v = fetch_element(context.arrays, index);
+    if (v.has_normal)
+        for (int c = 0; c < 3; ++c)
+            context.current.normal[c] = v.normal[c];
+    if (v.has_color)
+        color(context, v.color);
+    if (v.has_tex_coord)
+        for (int c = 0; c < 4; ++c)
+            context.current.tex_coord[0][c] = v.tex_coord[c];
+    if (v.has_vertex && context.inside_begin_end())
+        context.engine->vertex(context, v.vertex[0], v.vertex[1], v.vertex[2], v.vertex[3]);
+}
+
+bool is_mode(GLenum mode) {
+    return mode <= GL_POLYGON;
+}
+
+/// Draws `count` elements as one primitive; `index(i)` numbers them.
+template <class Index> void draw(Context& context, GLenum mode, GLsizei count, Index index) {
+    cmd::Begin(context, mode);
+    for (GLsizei i = 0; i < count; ++i)
+        element(context, index(i));
+    cmd::End(context);
+}
+
+template <class T> std::uint32_t index_at(const void* indices, GLsizei i) {
+    T value;
+    __builtin_memcpy(&value,
+                     static_cast<const std::uint8_t*>(indices) + static_cast<std::size_t>(i) * sizeof value,
+                     sizeof value);
+    return value;
+}
+
+} // namespace
+
+namespace cmd {
+
+void Begin(Context& context, GLenum mode) {
+    if (!is_mode(mode))
+        return error(context, GL_INVALID_ENUM);
+    set_gate(context, true);
+    context.engine->begin(context, mode);
+}
+
+void End(Context& context) {
+    if (!context.inside_begin_end())
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glEnd without glBegin"));
+    context.engine->end(context);
+    set_gate(context, false);
+}
+
+void Vertex(Context& context, Real x, Real y, Real z, Real w) {
+    // Outside of Begin/End a vertex has no meaning and no error (GL 1.3, 2.6.3).
+    if (context.inside_begin_end())
+        context.engine->vertex(context, x, y, z, w);
+}
+
+void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
+    Real(&v)[4] = context.current.tex_coord[context.texture.active];
+    v[0] = s;
+    v[1] = t;
+    v[2] = r;
+    v[3] = q;
+}
+
+void Normal(Context& context, Real x, Real y, Real z) {
+    context.current.normal[0] = x;
+    context.current.normal[1] = y;
+    context.current.normal[2] = z;
+}
+
+void Color(Context& context, Real red, Real green, Real blue, Real alpha) {
+    color(context, {red, green, blue, alpha});
+}
+
+void Rect(Context& context, Real x1, Real y1, Real x2, Real y2) {
+    Begin(context, GL_POLYGON);
+    const Real corner[4][2] = {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}};
+    for (const Real(&c)[2] : corner)
+        context.engine->vertex(context, c[0], c[1], numeric::zero, numeric::one);
+    End(context);
+}
+
+void ArrayElement(Context& context, GLint i) {
+    if (i < 0)
+        return error(context, GL_INVALID_VALUE);
+    element(context, static_cast<std::uint32_t>(i));
+}
+
+void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
+    if (!is_mode(mode))
+        return error(context, GL_INVALID_ENUM);
+    if (first < 0 || count < 0)
+        return error(context, GL_INVALID_VALUE);
+    draw(context, mode, count,
+         [first](GLsizei i) { return static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i); });
+}
+
+void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+    if (!is_mode(mode))
+        return error(context, GL_INVALID_ENUM);
+    if (count < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
+        return error(context, GL_INVALID_ENUM);
+    if (indices == nullptr)
+        return;
+    if (type == GL_UNSIGNED_BYTE)
+        return draw(context, mode, count,
+                    [indices](GLsizei i) { return index_at<std::uint8_t>(indices, i); });
+    if (type == GL_UNSIGNED_SHORT)
+        return draw(context, mode, count,
+                    [indices](GLsizei i) { return index_at<std::uint16_t>(indices, i); });
+    draw(context, mode, count, [indices](GLsizei i) { return index_at<std::uint32_t>(indices, i); });
+}
+
+void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
+    if (!is_mode(mode))
+        return error(context, GL_INVALID_ENUM);
+    if (end < start)
+        return error(context, GL_INVALID_VALUE);
+    DrawElements(context, mode, count, type, indices); // the range is a promise we do not need
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl

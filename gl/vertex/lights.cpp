@@ -1,0 +1,277 @@
+// Lights, materials, the light model, ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
+#include <initializer_list>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/features.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/vertex/engine.hpp"
+#include "raster/numeric/matrix_build.hpp"
+
+#if SPANGLE_FEATURE_LIGHTING
+
+namespace spangle::gl {
+
+namespace {
+
+constexpr Real ninety{0x42B40000}, hundred_eighty{0x43340000}, hundred_twenty_eight{0x43000000};
+
+bool in_range(Real v, Real high) {
+    return !(v < numeric::zero) && !(high < v);
+}
+
+/// Bit 0: the front material, bit 1: the back one; 0: not a face.
+unsigned sides_of(GLenum face) {
+    return face == GL_FRONT ? 1u : face == GL_BACK ? 2u : face == GL_FRONT_AND_BACK ? 3u : 0u;
+}
+
+void copy(Real (&to)[4], const Params& from) {
+    for (int c = 0; c < 4; ++c)
+        to[c] = from.v[c].real();
+}
+
+void give(Params& to, const Real* from, std::uint32_t count) {
+    to.count = count;
+    for (std::uint32_t c = 0; c < count; ++c)
+        to.v[c] = Param::from(from[c]);
+}
+
+/// Vertices already given keep the colours of the old material (GL 1.3, 2.13.2: Material is legal inside
+/// Begin/End).
+void materials_change(Context& context) {
+    if (context.inside_begin_end())
+        context.engine->settle_colors(context);
+    context.changed(dirty_vertex);
+}
+
+/// Sets a property of the materials in `sides`; the one list of pnames that both Material and ColorMaterial
+/// name.
+void set_property(Material& m, GLenum pname, const Real (&v)[4]) {
+    const auto put = [&v](Real(&to)[4]) {
+        for (int c = 0; c < 4; ++c)
+            to[c] = v[c];
+    };
+    switch (pname) {
+    case GL_AMBIENT:
+        put(m.ambient);
+        break;
+    case GL_DIFFUSE:
+        put(m.diffuse);
+        break;
+    case GL_SPECULAR:
+        put(m.specular);
+        break;
+    case GL_EMISSION:
+        put(m.emission);
+        break;
+    default: // AMBIENT_AND_DIFFUSE
+        put(m.ambient);
+        put(m.diffuse);
+    }
+}
+
+/// A property tracked by ColorMaterial cannot be set by Material (GL 1.3, corollary 11).
+bool tracked(const LightingState& state, unsigned side, GLenum pname) {
+    if (!state.color_material || (sides_of(state.color_material_face) & (1u << side)) == 0)
+        return false;
+    const GLenum mode = state.color_material_parameter;
+    return mode == pname || (mode == GL_AMBIENT_AND_DIFFUSE && (pname == GL_AMBIENT || pname == GL_DIFFUSE));
+}
+
+void track(Context& context) {
+    LightingState& state = context.lighting;
+    const unsigned sides = sides_of(state.color_material_face);
+    for (unsigned side = 0; side < 2; ++side)
+        if ((sides & (1u << side)) != 0)
+            set_property(state.material[side], state.color_material_parameter, context.current.color);
+}
+
+/// Position and direction are stored in eye space: multiplied when they are specified (GL 1.3, 2.13.1).
+void to_eye(const Context& context, const Real (&v)[4], Real* out, int components) {
+    const numeric::Matrix& m = context.transform.modelview.entry[context.transform.modelview.top];
+    for (int i = 0; i < components; ++i) {
+        numeric::Block sum;
+        for (int j = 0; j < components; ++j)
+            sum = numeric::add(sum, numeric::mul(numeric::to_block(m.at(i, j)), numeric::to_block(v[j])));
+        out[i] = numeric::to_real(sum);
+    }
+}
+
+} // namespace
+
+void color_material_enabled(Context& context) {
+    track(context);
+    context.changed(dirty_vertex);
+}
+
+void color_changed(Context& context) {
+    materials_change(context);
+    track(context);
+}
+
+namespace cmd {
+
+void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
+    if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || params.count == 0)
+        return error(context, GL_INVALID_ENUM);
+    gl::Light& l = context.lighting.light[light - GL_LIGHT0];
+    const Real v[4] = {params.v[0].real(), params.v[1].real(), params.v[2].real(), params.v[3].real()};
+    switch (pname) {
+    case GL_AMBIENT:
+        copy(l.ambient, params);
+        break;
+    case GL_DIFFUSE:
+        copy(l.diffuse, params);
+        break;
+    case GL_SPECULAR:
+        copy(l.specular, params);
+        break;
+    case GL_POSITION:
+        to_eye(context, v, l.position, 4);
+        break;
+    case GL_SPOT_DIRECTION:
+        to_eye(context, v, l.spot_direction, 3);
+        break;
+    case GL_SPOT_EXPONENT:
+        if (!in_range(v[0], hundred_twenty_eight))
+            return error(context, GL_INVALID_VALUE);
+        l.spot_exponent = v[0];
+        break;
+    case GL_SPOT_CUTOFF:
+        if (!in_range(v[0], ninety) && !(v[0] == hundred_eighty))
+            return error(context, GL_INVALID_VALUE);
+        l.spot_cutoff = v[0];
+        break;
+    case GL_CONSTANT_ATTENUATION:
+    case GL_LINEAR_ATTENUATION:
+    case GL_QUADRATIC_ATTENUATION:
+        if (v[0] < numeric::zero)
+            return error(context, GL_INVALID_VALUE);
+        l.attenuation[pname - GL_CONSTANT_ATTENUATION] = v[0];
+        break;
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+    context.changed(dirty_vertex);
+}
+
+void GetLight(Context& context, GLenum light, GLenum pname, Params& params) {
+    params.count = 0;
+    if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights)
+        return error(context, GL_INVALID_ENUM);
+    const gl::Light& l = context.lighting.light[light - GL_LIGHT0];
+    switch (pname) {
+    case GL_AMBIENT:
+        return give(params, l.ambient, 4);
+    case GL_DIFFUSE:
+        return give(params, l.diffuse, 4);
+    case GL_SPECULAR:
+        return give(params, l.specular, 4);
+    case GL_POSITION:
+        return give(params, l.position, 4);
+    case GL_SPOT_DIRECTION:
+        return give(params, l.spot_direction, 3);
+    case GL_SPOT_EXPONENT:
+        return give(params, &l.spot_exponent, 1);
+    case GL_SPOT_CUTOFF:
+        return give(params, &l.spot_cutoff, 1);
+    case GL_CONSTANT_ATTENUATION:
+    case GL_LINEAR_ATTENUATION:
+    case GL_QUADRATIC_ATTENUATION:
+        return give(params, &l.attenuation[pname - GL_CONSTANT_ATTENUATION], 1);
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+}
+
+void LightModel(Context& context, GLenum pname, const Params& params) {
+    if (params.count == 0)
+        return error(context, GL_INVALID_ENUM);
+    LightingState& state = context.lighting;
+    switch (pname) {
+    case GL_LIGHT_MODEL_AMBIENT:
+        copy(state.model_ambient, params);
+        break;
+    case GL_LIGHT_MODEL_LOCAL_VIEWER:
+        state.local_viewer = params.v[0].integer() != 0;
+        break;
+    case GL_LIGHT_MODEL_TWO_SIDE:
+        state.two_side = params.v[0].integer() != 0;
+        break;
+    case GL_LIGHT_MODEL_COLOR_CONTROL: {
+        const GLenum control = params.v[0].token();
+        if (control != GL_SINGLE_COLOR && control != GL_SEPARATE_SPECULAR_COLOR)
+            return error(context, GL_INVALID_ENUM);
+        state.color_control = control;
+        break;
+    }
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+    context.changed(dirty_vertex);
+    context.changed(dirty_fragment); // separate specular needs the colour sum
+}
+
+void Material(Context& context, GLenum face, GLenum pname, const Params& params) {
+    const unsigned sides = sides_of(face);
+    if (sides == 0 || params.count == 0)
+        return error(context, GL_INVALID_ENUM);
+    if (pname == GL_SHININESS && !in_range(params.v[0].real(), hundred_twenty_eight))
+        return error(context, GL_INVALID_VALUE);
+    materials_change(context);
+    Real v[4];
+    copy(v, params);
+    for (unsigned side = 0; side < 2; ++side) {
+        if ((sides & (1u << side)) == 0)
+            continue;
+        gl::Material& m = context.lighting.material[side];
+        if (pname == GL_SHININESS) {
+            m.shininess = v[0];
+            continue;
+        }
+        const bool both = pname == GL_AMBIENT_AND_DIFFUSE;
+        for (const GLenum one :
+             {both ? static_cast<GLenum>(GL_AMBIENT) : pname, both ? static_cast<GLenum>(GL_DIFFUSE) : pname})
+            if (!tracked(context.lighting, side, one))
+                set_property(m, one, v);
+    }
+}
+
+void GetMaterial(Context& context, GLenum face, GLenum pname, Params& params) {
+    params.count = 0;
+    if (face != GL_FRONT && face != GL_BACK)
+        return error(context, GL_INVALID_ENUM);
+    const gl::Material& m = context.lighting.material[face == GL_BACK ? 1 : 0];
+    switch (pname) {
+    case GL_AMBIENT:
+        return give(params, m.ambient, 4);
+    case GL_DIFFUSE:
+        return give(params, m.diffuse, 4);
+    case GL_SPECULAR:
+        return give(params, m.specular, 4);
+    case GL_EMISSION:
+        return give(params, m.emission, 4);
+    case GL_SHININESS:
+        return give(params, &m.shininess, 1);
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+}
+
+void ColorMaterial(Context& context, GLenum face, GLenum mode) {
+    const bool known = mode == GL_EMISSION || mode == GL_AMBIENT || mode == GL_DIFFUSE ||
+                       mode == GL_SPECULAR || mode == GL_AMBIENT_AND_DIFFUSE;
+    if (sides_of(face) == 0 || !known)
+        return error(context, GL_INVALID_ENUM);
+    context.lighting.color_material_face = face;
+    context.lighting.color_material_parameter = mode;
+    if (context.lighting.color_material)
+        track(context);
+    context.changed(dirty_vertex);
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl
+
+#endif

@@ -1,0 +1,24 @@
+// What stands in for lighting in a build without it: LIGHTING cannot be enabled, so nothing here is ever
+// asked for light.
+#pragma once
+
+#include "gl/context/context.hpp"
+
+namespace spangle::gl {
+
+template <class M> class NoLighting {
+  public:
+    struct Input {};
+
+    void derive(const Context&) {}
+    void materials_changed() {}
+    bool needs_eye() const { return false; }
+    bool two_sided() const { return false; }
+    bool tracks_color() const { return false; }
+    void take(const Context&, const typename M::Eye&, Input&) const {}
+    void take(const Context&, Input&) const {}
+    void light(const Context&, const Input&, int, typename M::Window&) {}
+    static void mix(const Input&, const Input&, typename M::Parameter, Input&) {}
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,38 @@
+// Shading model, facing, culling, point size, line width (GL 1.3, 2.13.7, 3.3, 3.4, 3.5.1).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+
+namespace spangle::gl::cmd {
+
+void ShadeModel(Context& context, GLenum mode) {
+    if (mode != GL_FLAT && mode != GL_SMOOTH)
+        return error(context, GL_INVALID_ENUM);
+    context.polygon.shade_model = mode;
+    context.changed(dirty_fragment);
+}
+
+void FrontFace(Context& context, GLenum mode) {
+    if (mode != GL_CW && mode != GL_CCW)
+        return error(context, GL_INVALID_ENUM);
+    context.polygon.front_face = mode;
+}
+
+void CullFace(Context& context, GLenum mode) {
+    if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK)
+        return error(context, GL_INVALID_ENUM);
+    context.polygon.cull_face_mode = mode;
+}
+
+void PointSize(Context& context, Real size) {
+    if (size <= numeric::zero)
+        return error(context, GL_INVALID_VALUE);
+    context.polygon.point_size = size;
+}
+
+void LineWidth(Context& context, Real width) {
+    if (width <= numeric::zero)
+        return error(context, GL_INVALID_VALUE);
+    context.polygon.line_width = width;
+}
+
+} // namespace spangle::gl::cmd

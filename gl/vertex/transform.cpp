@@ -1,0 +1,154 @@
+// Matrix stacks and matrix commands, viewport, depth range (GL 1.3, 2.10.1, 2.10.2).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "raster/numeric/matrix_build.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// The largest drawable a viewport serves: MAX_VIEWPORT_DIMS.
+constexpr GLint max_viewport = 2048;
+
+/// The stack a token names: its entries, how many it may hold, and which is the top.
+struct StackRef {
+    numeric::Matrix* entry;
+    int depth;
+    int* top;
+};
+
+StackRef modelview_stack(TransformState& t) {
+    return {t.modelview.entry, MatrixStack<32>::depth, &t.modelview.top};
+}
+
+StackRef current_stack(Context& context) {
+    TransformState& t = context.transform;
+    if (t.matrix_mode == GL_PROJECTION)
+        return {t.projection.entry, MatrixStack<2>::depth, &t.projection.top};
+    if (t.matrix_mode == GL_TEXTURE) {
+        MatrixStack<2>& stack = t.texture[context.texture.active];
+        return {stack.entry, MatrixStack<2>::depth, &stack.top};
+    }
+    return modelview_stack(t);
+}
+
+numeric::Matrix& current_matrix(Context& context) {
+    const StackRef stack = current_stack(context);
+    context.changed(dirty_vertex);
+    return stack.entry[*stack.top];
+}
+
+void multiply_current(Context& context, const numeric::Matrix& right) {
+    numeric::Matrix& top = current_matrix(context);
+    top = numeric::multiply(top, right);
+}
+
+bool equal(Real a, Real b) {
+    return a == b;
+}
+
+} // namespace
+
+Matrix16 top_matrix(const Context& context, GLenum pname) {
+    const TransformState& t = context.transform;
+    const MatrixStack<2>& texture = t.texture[context.texture.active];
+    Matrix16 out;
+    numeric::to_reals(pname == GL_PROJECTION_MATRIX ? t.projection.entry[t.projection.top]
+                      : pname == GL_TEXTURE_MATRIX  ? texture.entry[texture.top]
+                                                    : t.modelview.entry[t.modelview.top],
+                      out.m);
+    return out;
+}
+
+GLint stack_depth(const Context& context, GLenum pname) {
+    const TransformState& t = context.transform;
+    if (pname == GL_PROJECTION_STACK_DEPTH)
+        return t.projection.top + 1;
+    if (pname == GL_TEXTURE_STACK_DEPTH)
+        return t.texture[context.texture.active].top + 1;
+    return t.modelview.top + 1;
+}
+
+namespace cmd {
+
+void MatrixMode(Context& context, GLenum mode) {
+    if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
+        return error(context, GL_INVALID_ENUM);
+    context.transform.matrix_mode = mode;
+}
+
+void LoadIdentity(Context& context) {
+    current_matrix(context) = numeric::Matrix();
+}
+
+void LoadMatrix(Context& context, const Matrix16& matrix) {
+    current_matrix(context) = numeric::matrix_from_reals(matrix.m);
+}
+
+void MultMatrix(Context& context, const Matrix16& matrix) {
+    multiply_current(context, numeric::matrix_from_reals(matrix.m));
+}
+
+void PushMatrix(Context& context) {
+    const StackRef stack = current_stack(context);
+    if (*stack.top + 1 >= stack.depth)
+        return error(context, GL_STACK_OVERFLOW);
+    stack.entry[*stack.top + 1] = stack.entry[*stack.top];
+    ++*stack.top;
+}
+
+void PopMatrix(Context& context) {
+    const StackRef stack = current_stack(context);
+    if (*stack.top == 0)
+        return error(context, GL_STACK_UNDERFLOW);
+    --*stack.top;
+    context.changed(dirty_vertex);
+}
+
+void Rotate(Context& context, Real angle, Real x, Real y, Real z) {
+    multiply_current(context, numeric::rotation(angle, x, y, z));
+}
+
+void Translate(Context& context, Real x, Real y, Real z) {
+    multiply_current(context, numeric::translation(x, y, z));
+}
+
+void Scale(Context& context, Real x, Real y, Real z) {
+    multiply_current(context, numeric::scaling(x, y, z));
+}
+
+void Frustum(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val) {
+    if (near_val <= numeric::zero || far_val <= numeric::zero || equal(left, right) || equal(bottom, top) ||
+        equal(near_val, far_val))
+        return error(context, GL_INVALID_VALUE);
+    multiply_current(context, numeric::frustum(left, right, bottom, top, near_val, far_val));
+}
+
+void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val) {
+    if (equal(left, right) || equal(bottom, top) || equal(near_val, far_val))
+        return error(context, GL_INVALID_VALUE);
+    multiply_current(context, numeric::ortho(left, right, bottom, top, near_val, far_val));
+}
+
+void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (width < 0 || height < 0)
+        return error(context, GL_INVALID_VALUE);
+    const auto silently = [](GLint v, GLint low, GLint high) { return v < low ? low : v > high ? high : v; };
+    GLint* v = context.transform.viewport;
+    v[0] = silently(x, -max_viewport, max_viewport); // keeps 4 x the viewport within raster::guard_band
+    v[1] = silently(y, -max_viewport, max_viewport);
+    v[2] = silently(width, 0, max_viewport);
+    v[3] = silently(height, 0, max_viewport);
+    context.changed(dirty_vertex);
+}
+
+void DepthRange(Context& context, Real near_val, Real far_val) {
+    context.transform.depth_range[0] = numeric::clamp01(near_val);
+    context.transform.depth_range[1] = numeric::clamp01(far_val);
+    context.changed(dirty_vertex);
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl
