@@ -1,0 +1,236 @@
+// Every entry point of the table: what it must refuse, and that a refusal changes nothing (GL 1.3, 2.5).
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include <spangle/message.hpp>
+
+#include "tests/gl_api/command_table.hpp"
+#include "tests/gl_api/recording_context.hpp"
+
+namespace spangle::test {
+namespace {
+
+class ErrorSweep : public RecordingContext {
+  protected:
+    /// Arguments that are accepted together outside Begin and End.
+    std::vector<Value> good(const Command& c, std::size_t pname = 0) {
+        std::vector<Value> values;
+        for (const Arg& arg : c.args) {
+            Value v{};
+            switch (arg.kind) {
+            case Kind::in:
+            case Kind::out:
+                v.pointer = client;
+                break;
+            case Kind::real:
+                v.number = static_cast<double>(arg.good);
+                break;
+            case Kind::pname:
+                v.integer = c.pnames[pname].name;
+                break;
+            case Kind::pvalue:
+                v.number = static_cast<double>(c.pnames[pname].good);
+                break;
+            default:
+                v.integer = arg.good;
+            }
+            values.push_back(v);
+        }
+        return values;
+    }
+
+    GLenum call(const Command& c, const std::vector<Value>& values) {
+        std::memset(client, 0, sizeof client);
+        c.call(values.data());
+        return std::exchange(context->error_code, GLenum{GL_NO_ERROR});
+    }
+
+    /// What a call raises, held against a snapshot of the state; also that an earlier error is kept.
+    void refused(const Command& c, const std::vector<Value>& values, GLenum code, const std::string& why) {
+        const auto before = snapshot();
+        EXPECT_EQ(call(c, values), code) << c.name << ": " << why;
+        EXPECT_EQ(before, snapshot()) << c.name << " changed state: " << why;
+    }
+
+    bool scalar_of_vector(const Command& c, std::size_t pname) {
+        for (const Arg& arg : c.args)
+            if (arg.kind == Kind::pvalue && c.pnames[pname].count > 1)
+                return true;
+        return false;
+    }
+
+    alignas(8) unsigned char client[4096];
+};
+
+TEST_F(ErrorSweep, TheTableIsWhole) {
+    EXPECT_GT(commands().size(), 250u);
+    for (const Command& c : commands())
+        EXPECT_EQ(std::string(c.name).substr(0, 2 + std::strlen(c.family)), std::string("gl") + c.family);
+}
+
+TEST_F(ErrorSweep, GoodArgumentsAreAccepted) {
+    for (const Command& c : commands()) {
+        if (!c.present || !std::strcmp(c.family, "End") || !std::strcmp(c.family, "EndList") ||
+            !std::strcmp(c.family, "PopMatrix") || !std::strcmp(c.family, "NewList"))
+            continue;
+        for (std::size_t p = 0; p < std::max<std::size_t>(1, c.pnames.size()); ++p) {
+            const GLenum expected = scalar_of_vector(c, p) ? GL_INVALID_ENUM : GL_NO_ERROR;
+            EXPECT_EQ(call(c, good(c, p)), expected) << c.name << " pname " << p;
+            if (context->inside_begin_end())
+                glEnd();
+        }
+        if (!std::strcmp(c.family, "PushMatrix"))
+            glPopMatrix();
+    }
+}
+
+TEST_F(ErrorSweep, AbsentFeaturesSayWhatIsMissing) {
+    static std::string said;
+    on_message([](unsigned, const char* text) { said = text; });
+    for (const Command& c : commands()) {
+        if (c.present)
+            continue;
+        said.clear();
+        refused(c, good(c), GL_INVALID_OPERATION, "its feature is not in this build");
+        EXPECT_NE(said.find("SPANGLE_FEATURE_"), std::string::npos) << c.name;
+        EXPECT_EQ(said.find(c.name), 0u);
+    }
+    on_message(nullptr);
+}
+
+TEST_F(ErrorSweep, BeginEndLegality) {
+    for (const Command& c : commands()) {
+        if (!c.present || !std::strcmp(c.family, "End"))
+            continue;
+        glBegin(GL_TRIANGLES);
+        const auto values = good(c);
+        if (c.inside)
+            EXPECT_NE(call(c, values), GLenum{GL_INVALID_OPERATION}) << c.name;
+        else
+            refused(c, values, GL_INVALID_OPERATION, "between glBegin and glEnd");
+        ASSERT_TRUE(context->inside_begin_end()) << c.name;
+        glEnd();
+        context->error_code = GL_NO_ERROR;
+    }
+}
+
+TEST_F(ErrorSweep, ReturnValuesAreZeroInside) {
+    glBegin(GL_POINTS);
+    EXPECT_EQ(glGetError(), 0u);
+    EXPECT_EQ(glIsEnabled(GL_DITHER), GL_FALSE);
+    EXPECT_EQ(glGetString(GL_VENDOR), nullptr);
+    EXPECT_EQ(glIsTexture(1), GL_FALSE);
+    EXPECT_EQ(glGenLists(1), 0u);
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
+}
+
+TEST_F(ErrorSweep, UnknownEnums) {
+    for (const Command& c : commands())
+        for (std::size_t i = 0; c.present && i < c.args.size(); ++i) {
+            const Arg& arg = c.args[i];
+            if (arg.kind == Kind::pname || (arg.kind == Kind::enum_ && !arg.accepted.empty()))
+                for (GLenum wrong : {0xDEADu, 0xFFFFFFFFu, 0x80000000u, 0x4008u, 0x1799u}) {
+                    auto values = good(c);
+                    values[i].integer = wrong;
+                    refused(c, values, GL_INVALID_ENUM, "argument " + std::to_string(i));
+                }
+        }
+}
+
+TEST_F(ErrorSweep, EveryAcceptedTokenIsAccepted) {
+    for (const Command& c : commands())
+        for (std::size_t i = 0; c.present && i < c.args.size(); ++i)
+            for (GLenum token : c.args[i].kind == Kind::enum_ ? c.args[i].accepted : std::span<const GLenum>{}) {
+                auto values = good(c);
+                values[i].integer = token;
+                EXPECT_NE(call(c, values), GLenum{GL_INVALID_ENUM}) << c.name << " " << std::hex << token;
+                if (context->inside_begin_end())
+                    glEnd();
+                if (context->list.index != 0)
+                    glEndList();
+                context->error_code = GL_NO_ERROR;
+            }
+}
+
+TEST_F(ErrorSweep, NegativeSizesAndValuesOutOfRange) {
+    for (const Command& c : commands())
+        for (std::size_t i = 0; c.present && i < c.args.size(); ++i) {
+            const Arg& arg = c.args[i];
+            for (std::int64_t wrong : {std::int64_t{INT32_MIN}, std::int64_t{-1}, arg.high + 1}) {
+                if (wrong > INT32_MAX || (arg.kind != Kind::sizei && (wrong >= arg.low && wrong <= arg.high)))
+                    continue;
+                if ((arg.kind != Kind::sizei || wrong >= 0) && arg.kind != Kind::int_)
+                    continue;
+                auto values = good(c);
+                values[i].integer = wrong;
+                refused(c, values, GL_INVALID_VALUE, "argument " + std::to_string(i) + " = " + std::to_string(wrong));
+            }
+        }
+}
+
+TEST_F(ErrorSweep, NullPointersDoNoHarm) {
+    for (const Command& c : commands())
+        for (std::size_t i = 0; c.present && i < c.args.size(); ++i) {
+            if (c.args[i].kind != Kind::in && c.args[i].kind != Kind::out)
+                continue;
+            auto values = good(c);
+            values[i].pointer = nullptr;
+            const GLenum code = call(c, values);
+            EXPECT_TRUE(code == GL_INVALID_VALUE || code == GL_NO_ERROR || code == GL_INVALID_ENUM) << c.name;
+        }
+}
+
+TEST_F(ErrorSweep, ExtremeNumbersDoNoHarm) {
+    for (const Command& c : commands()) {
+        if (!c.present || !std::strcmp(c.family, "NewList"))
+            continue;
+        for (double extreme : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300, -1e300, 3.5e38, 1e-320, -0.0}) {
+            auto values = good(c);
+            bool any = false;
+            for (std::size_t i = 0; i < c.args.size(); ++i) {
+                // Only float and double entry points can be given these; a conversion to an integer type is not ours.
+                const bool number = c.args[i].kind == Kind::real || c.args[i].kind == Kind::pvalue;
+                const std::string name = c.name;
+                if (number && (name.back() == 'f' || name.back() == 'd')) {
+                    values[i].number = extreme;
+                    any = true;
+                }
+            }
+            if (any)
+                call(c, values);
+        }
+    }
+}
+
+TEST_F(ErrorSweep, ClearRefusesUnknownBits) {
+    for (int bit = 0; bit < 32; ++bit) {
+        const GLbitfield mask = 1u << bit;
+        glClear(mask);
+        const bool known = (mask & (GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT)) != 0;
+        EXPECT_EQ(glGetError(), known ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_VALUE}) << bit;
+    }
+}
+
+TEST_F(ErrorSweep, TheFirstErrorIsKept) {
+    glEnable(0xDEAD);
+    glViewport(0, 0, -1, 1);
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
+}
+
+TEST_F(ErrorSweep, WithoutAContextNothingHappens) {
+    gl::set_current_context(nullptr);
+    for (const Command& c : commands())
+        c.call(good(c).data());
+    gl::set_current_context(context);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+} // namespace
+} // namespace spangle::test

@@ -1,0 +1,70 @@
+// What is committed is what the table says; the public header is C; the versions agree.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "gl/api/names.hpp"
+#include "gl/context/version.hpp"
+#include "tests/gl_api/command_table.hpp"
+
+namespace spangle::test {
+namespace {
+
+const std::string root = SPANGLE_SOURCE_DIR;
+
+std::string read(const std::string& path) {
+    std::ifstream file(root + "/" + path);
+    EXPECT_TRUE(file.good()) << path;
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST(Generated, IsFresh) {
+    EXPECT_EQ(std::system(("python3 '" + root + "/gl/api/generate.py' --check").c_str()), 0);
+}
+
+TEST(Generated, HeaderIsC) {
+    for (const char* standard : {"c89 -pedantic", "c11 -pedantic"})
+        EXPECT_EQ(std::system(("echo '#include <spangle/GL/gl.h>' | cc -x c -fsyntax-only -Wall -Wextra -Werror -std=" +
+                               std::string(standard) + " -I'" + root + "/gl/include' -")
+                                  .c_str()),
+                  0)
+            << standard;
+}
+
+TEST(Generated, HeaderDeclaresExactlyTheTable) {
+    const std::string header = read("gl/include/spangle/GL/gl.h");
+    std::set<std::string> declared, known;
+    for (std::size_t at = 0; (at = header.find("GLAPIENTRY gl", at)) != std::string::npos; ++at)
+        declared.insert(header.substr(at + 11, header.find('(', at) - at - 11));
+    for (const Command& c : commands())
+        known.insert(c.name);
+    EXPECT_EQ(declared, known);
+}
+
+TEST(Generated, ProcAddresses) {
+    for (const Command& c : commands()) {
+        if (SPANGLE_FEATURE_GET_PROC_ADDRESS)
+            EXPECT_NE(gl::find_entry_point(c.name), nullptr) << c.name;
+        else
+            EXPECT_EQ(gl::find_entry_point(c.name), nullptr);
+    }
+    for (const char* absent : {"", "g", "gl", "glBegi", "glBegin2", "glZ", "glAccum", "glVertex3xOESx"})
+        EXPECT_EQ(gl::find_entry_point(absent), nullptr) << absent;
+#if SPANGLE_FEATURE_GET_PROC_ADDRESS
+    EXPECT_EQ(gl::find_entry_point("glVertex3f"), reinterpret_cast<gl::EntryPoint>(&glVertex3f));
+#endif
+}
+
+TEST(Generated, VersionIsTheProjects) {
+    EXPECT_NE(read("CMakeLists.txt").find("project(Spangle VERSION " SPANGLE_VERSION), std::string::npos);
+}
+
+} // namespace
+} // namespace spangle::test

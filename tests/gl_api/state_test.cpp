@@ -1,0 +1,327 @@
+// Initial state against GL 1.3's tables (6.5 to 6.29), and the conversions of the queries (6.1.2).
+#include <cmath>
+#include <string>
+
+#include "gl/context/features.hpp"
+#include "tests/gl_api/recording_context.hpp"
+
+namespace spangle::test {
+namespace {
+
+using State = RecordingContext;
+
+struct Expected {
+    GLenum name;
+    std::vector<double> values;
+};
+
+constexpr double ones = 4294967295.0; // a 32-bit mask of all ones
+
+std::vector<double> identity() { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }
+
+std::vector<Expected> initial_state() {
+    std::vector<Expected> table = {
+        {GL_CURRENT_COLOR, {1, 1, 1, 1}},
+        {GL_CURRENT_NORMAL, {0, 0, 1}},
+        {GL_CURRENT_TEXTURE_COORDS, {0, 0, 0, 1}},
+        {GL_VERTEX_ARRAY, {0}},
+        {GL_VERTEX_ARRAY_SIZE, {4}},
+        {GL_VERTEX_ARRAY_TYPE, {GL_FLOAT}},
+        {GL_VERTEX_ARRAY_STRIDE, {0}},
+        {GL_NORMAL_ARRAY, {0}},
+        {GL_NORMAL_ARRAY_TYPE, {GL_FLOAT}},
+        {GL_NORMAL_ARRAY_STRIDE, {0}},
+        {GL_COLOR_ARRAY, {0}},
+        {GL_COLOR_ARRAY_SIZE, {4}},
+        {GL_COLOR_ARRAY_TYPE, {GL_FLOAT}},
+        {GL_COLOR_ARRAY_STRIDE, {0}},
+        {GL_TEXTURE_COORD_ARRAY, {0}},
+        {GL_TEXTURE_COORD_ARRAY_SIZE, {4}},
+        {GL_TEXTURE_COORD_ARRAY_TYPE, {GL_FLOAT}},
+        {GL_TEXTURE_COORD_ARRAY_STRIDE, {0}},
+        {GL_MODELVIEW_MATRIX, identity()},
+        {GL_PROJECTION_MATRIX, identity()},
+        {GL_TEXTURE_MATRIX, identity()},
+        {GL_MODELVIEW_STACK_DEPTH, {1}},
+        {GL_PROJECTION_STACK_DEPTH, {1}},
+        {GL_TEXTURE_STACK_DEPTH, {1}},
+        {GL_MATRIX_MODE, {GL_MODELVIEW}},
+        {GL_VIEWPORT, {0, 0, 64, 48}},
+        {GL_DEPTH_RANGE, {0, 1}},
+        {GL_NORMALIZE, {0}},
+        {GL_RESCALE_NORMAL, {0}},
+        {GL_SHADE_MODEL, {GL_SMOOTH}},
+        {GL_POINT_SIZE, {1}},
+        {GL_LINE_WIDTH, {1}},
+        {GL_CULL_FACE, {0}},
+        {GL_CULL_FACE_MODE, {GL_BACK}},
+        {GL_FRONT_FACE, {GL_CCW}},
+        {GL_TEXTURE_2D, {0}},
+        {GL_TEXTURE_BINDING_2D, {0}},
+        {GL_SCISSOR_TEST, {0}},
+        {GL_SCISSOR_BOX, {0, 0, 64, 48}},
+        {GL_ALPHA_TEST, {0}},
+        {GL_ALPHA_TEST_FUNC, {GL_ALWAYS}},
+        {GL_ALPHA_TEST_REF, {0}},
+        {GL_STENCIL_TEST, {0}},
+        {GL_STENCIL_FUNC, {GL_ALWAYS}},
+        {GL_STENCIL_VALUE_MASK, {ones}},
+        {GL_STENCIL_REF, {0}},
+        {GL_STENCIL_FAIL, {GL_KEEP}},
+        {GL_STENCIL_PASS_DEPTH_FAIL, {GL_KEEP}},
+        {GL_STENCIL_PASS_DEPTH_PASS, {GL_KEEP}},
+        {GL_DEPTH_TEST, {0}},
+        {GL_DEPTH_FUNC, {GL_LESS}},
+        {GL_BLEND, {0}},
+        {GL_BLEND_SRC, {GL_ONE}},
+        {GL_BLEND_DST, {GL_ZERO}},
+        {GL_DITHER, {1}},
+        {GL_DRAW_BUFFER, {GL_BACK}},
+        {GL_READ_BUFFER, {GL_BACK}},
+        {GL_COLOR_WRITEMASK, {1, 1, 1, 1}},
+        {GL_DEPTH_WRITEMASK, {1}},
+        {GL_STENCIL_WRITEMASK, {ones}},
+        {GL_COLOR_CLEAR_VALUE, {0, 0, 0, 0}},
+        {GL_DEPTH_CLEAR_VALUE, {1}},
+        {GL_STENCIL_CLEAR_VALUE, {0}},
+        {GL_UNPACK_SWAP_BYTES, {0}},
+        {GL_UNPACK_LSB_FIRST, {0}},
+        {GL_UNPACK_IMAGE_HEIGHT, {0}},
+        {GL_UNPACK_SKIP_IMAGES, {0}},
+        {GL_UNPACK_ROW_LENGTH, {0}},
+        {GL_UNPACK_SKIP_ROWS, {0}},
+        {GL_UNPACK_SKIP_PIXELS, {0}},
+        {GL_UNPACK_ALIGNMENT, {4}},
+        {GL_PACK_SWAP_BYTES, {0}},
+        {GL_PACK_LSB_FIRST, {0}},
+        {GL_PACK_IMAGE_HEIGHT, {0}},
+        {GL_PACK_SKIP_IMAGES, {0}},
+        {GL_PACK_ROW_LENGTH, {0}},
+        {GL_PACK_SKIP_ROWS, {0}},
+        {GL_PACK_SKIP_PIXELS, {0}},
+        {GL_PACK_ALIGNMENT, {4}},
+        {GL_PERSPECTIVE_CORRECTION_HINT, {GL_DONT_CARE}},
+        {GL_POINT_SMOOTH_HINT, {GL_DONT_CARE}},
+        {GL_LINE_SMOOTH_HINT, {GL_DONT_CARE}},
+        {GL_POLYGON_SMOOTH_HINT, {GL_DONT_CARE}},
+        {GL_FOG_HINT, {GL_DONT_CARE}},
+        {GL_MAX_MODELVIEW_STACK_DEPTH, {32}},
+        {GL_MAX_PROJECTION_STACK_DEPTH, {2}},
+        {GL_MAX_TEXTURE_STACK_DEPTH, {2}},
+        {GL_SUBPIXEL_BITS, {8}},
+        {GL_MAX_TEXTURE_SIZE, {2048}},
+        {GL_AUX_BUFFERS, {0}},
+        {GL_RGBA_MODE, {1}},
+        {GL_INDEX_MODE, {0}},
+        {GL_DOUBLEBUFFER, {1}},
+        {GL_STEREO, {0}},
+        {GL_RED_BITS, {8}},
+        {GL_GREEN_BITS, {8}},
+        {GL_BLUE_BITS, {8}},
+        {GL_ALPHA_BITS, {8}},
+        {GL_INDEX_BITS, {0}},
+        {GL_DEPTH_BITS, {24}},
+        {GL_STENCIL_BITS, {8}},
+        {GL_ACCUM_RED_BITS, {0}},
+        {GL_ACCUM_GREEN_BITS, {0}},
+        {GL_ACCUM_BLUE_BITS, {0}},
+        {GL_ACCUM_ALPHA_BITS, {0}},
+    };
+    const std::vector<Expected> fog = {{GL_FOG_COLOR, {0, 0, 0, 0}}, {GL_FOG_DENSITY, {1}}, {GL_FOG_START, {0}},
+                                       {GL_FOG_END, {1}}, {GL_FOG_MODE, {GL_EXP}}, {GL_FOG, {0}}};
+    std::vector<Expected> lighting = {
+        {GL_LIGHTING, {0}},
+        {GL_COLOR_MATERIAL, {0}},
+        {GL_COLOR_MATERIAL_PARAMETER, {GL_AMBIENT_AND_DIFFUSE}},
+        {GL_COLOR_MATERIAL_FACE, {GL_FRONT_AND_BACK}},
+        {GL_LIGHT_MODEL_AMBIENT, {double(0.2f), double(0.2f), double(0.2f), 1}},
+        {GL_LIGHT_MODEL_LOCAL_VIEWER, {0}},
+        {GL_LIGHT_MODEL_TWO_SIDE, {0}},
+        {GL_LIGHT_MODEL_COLOR_CONTROL, {GL_SINGLE_COLOR}},
+        {GL_MAX_LIGHTS, {8}},
+    };
+    for (GLenum i = 0; i < 8; ++i)
+        lighting.push_back({GL_LIGHT0 + i, {0}});
+    const std::vector<Expected> lists = {{GL_LIST_BASE, {0}}, {GL_LIST_INDEX, {0}}, {GL_LIST_MODE, {0}}, {GL_MAX_LIST_NESTING, {64}}};
+    if (SPANGLE_FEATURE_FOG)
+        table.insert(table.end(), fog.begin(), fog.end());
+    if (SPANGLE_FEATURE_LIGHTING)
+        table.insert(table.end(), lighting.begin(), lighting.end());
+    if (SPANGLE_FEATURE_LISTS)
+        table.insert(table.end(), lists.begin(), lists.end());
+    return table;
+}
+
+/// Integers come from GetDoublev signed.
+double as_signed(double v) { return v == ones ? -1 : v; }
+
+TEST_F(State, InitialValues) {
+    for (const Expected& e : initial_state()) {
+        GLdouble d[17];
+        std::fill(std::begin(d), std::end(d), -77);
+        glGetDoublev(e.name, d);
+        ASSERT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << std::hex << e.name;
+        for (std::size_t i = 0; i < e.values.size(); ++i)
+            EXPECT_EQ(d[i], as_signed(e.values[i])) << std::hex << e.name << " [" << i << "]";
+        EXPECT_EQ(d[e.values.size()], -77) << std::hex << e.name << " wrote too much";
+    }
+}
+
+TEST_F(State, EveryQueryAgreesAcrossTypes) {
+    const auto linear = [](GLenum name) {
+        for (GLenum n : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE,
+                         GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF})
+            if (n == name)
+                return true;
+        return false;
+    };
+    for (const Expected& e : initial_state()) {
+        GLfloat f[16] = {};
+        GLint n[16] = {};
+        GLboolean b[16] = {};
+        GLfixed x[16] = {};
+        glGetFloatv(e.name, f);
+        glGetIntegerv(e.name, n);
+        glGetBooleanv(e.name, b);
+        glGetFixedvOES(e.name, x);
+        ASSERT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        for (std::size_t i = 0; i < e.values.size(); ++i) {
+            const double v = as_signed(e.values[i]);
+            EXPECT_EQ(f[i], static_cast<float>(v)) << std::hex << e.name;
+            EXPECT_EQ(b[i], v != 0) << std::hex << e.name;
+            if (linear(e.name)) {
+                const double exact = (4294967295.0 * v - 1) / 2;
+                EXPECT_NEAR(n[i], exact, 0.51) << std::hex << e.name;
+            } else {
+                EXPECT_EQ(n[i], static_cast<GLint>(v)) << std::hex << e.name;
+            }
+            const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE || e.name == GL_LINE_WIDTH ||
+                              e.name == GL_FOG_DENSITY || e.name == GL_FOG_START || e.name == GL_FOG_END ||
+                              e.name == GL_CURRENT_TEXTURE_COORDS;
+            EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
+        }
+    }
+}
+
+TEST_F(State, QueriesReturnWhatWasSet) {
+    glClearColor(0.25f, 0.5f, 2.0f, -1.0f); // clamped when set (GL 1.3, 4.2.3)
+    GLfloat f[4];
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, f);
+    EXPECT_EQ(f[0], 0.25f);
+    EXPECT_EQ(f[1], 0.5f);
+    EXPECT_EQ(f[2], 1.0f);
+    EXPECT_EQ(f[3], 0.0f);
+    GLint n[4];
+    glGetIntegerv(GL_COLOR_CLEAR_VALUE, n);
+    EXPECT_EQ(n[2], 2147483647);
+    EXPECT_NEAR(n[1], 1073741823, 1);
+    glColor4f(3.5f, -2.25f, 1e-30f, 1.0f); // current colours are not clamped
+    glGetFloatv(GL_CURRENT_COLOR, f);
+    EXPECT_EQ(f[0], 3.5f);
+    EXPECT_EQ(f[1], -2.25f);
+    EXPECT_EQ(f[2], 1e-30f);
+    glPointSize(2.75f);
+    glGetFloatv(GL_POINT_SIZE, f);
+    EXPECT_EQ(f[0], 2.75f);
+    glGetIntegerv(GL_POINT_SIZE, n);
+    EXPECT_EQ(n[0], 3);
+    GLfixed x;
+    glGetFixedvOES(GL_POINT_SIZE, &x);
+    EXPECT_EQ(x, 0x2C000);
+    glPixelStoref(GL_UNPACK_SKIP_ROWS, 2.5f);
+    glGetIntegerv(GL_UNPACK_SKIP_ROWS, n);
+    EXPECT_EQ(n[0], 3);
+    glStencilMask(0xF0F0F0F0u);
+    glGetIntegerv(GL_STENCIL_WRITEMASK, n);
+    EXPECT_EQ(static_cast<GLuint>(n[0]), 0xF0F0F0F0u);
+}
+
+TEST_F(State, IntegersKeepAllBitsAsDoubles) {
+    for (GLint value : {0, 1, -1, 16777217, -16777217, INT32_MAX, INT32_MIN + 1}) {
+        glStencilMask(static_cast<GLuint>(value));
+        GLdouble d;
+        glGetDoublev(GL_STENCIL_WRITEMASK, &d);
+        EXPECT_EQ(d, static_cast<double>(value));
+    }
+}
+
+TEST_F(State, EveryCapabilityToggles) {
+    std::vector<GLenum> caps = {GL_ALPHA_TEST, GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_NORMALIZE,
+                                GL_RESCALE_NORMAL, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_TEXTURE_2D};
+    if (SPANGLE_FEATURE_LIGHTING)
+        for (GLenum cap : {GL_LIGHTING, GL_COLOR_MATERIAL, GL_LIGHT0, GL_LIGHT1, GL_LIGHT2, GL_LIGHT3, GL_LIGHT4, GL_LIGHT5,
+                           GL_LIGHT6, GL_LIGHT7})
+            caps.push_back(cap);
+    if (SPANGLE_FEATURE_FOG)
+        caps.push_back(GL_FOG);
+    for (GLenum cap : caps) {
+        std::vector<bool> others;
+        for (GLenum other : caps)
+            others.push_back(glIsEnabled(other));
+        const bool before = glIsEnabled(cap);
+        EXPECT_EQ(before, cap == GL_DITHER);
+        (before ? glDisable : glEnable)(cap);
+        GLint value = -1;
+        glGetIntegerv(cap, &value);
+        EXPECT_EQ(value, before ? 0 : 1);
+        for (std::size_t i = 0; i < caps.size(); ++i)
+            EXPECT_EQ(glIsEnabled(caps[i]), caps[i] == cap ? !others[i] : others[i]);
+        (before ? glEnable : glDisable)(cap);
+    }
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(State, ClientArraysAreQueriedButNotEnabledAsCapabilities) {
+    for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
+        glEnable(array);
+        EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
+        EXPECT_FALSE(glIsEnabled(array));
+        glEnableClientState(array);
+        EXPECT_TRUE(glIsEnabled(array));
+        glDisableClientState(array);
+        EXPECT_FALSE(glIsEnabled(array));
+    }
+}
+
+TEST_F(State, ArrayPointers) {
+    int data[4];
+    glVertexPointer(2, GL_INT, 12, data);
+    glColorPointer(3, GL_FLOAT, 0, data + 1);
+    glNormalPointer(GL_BYTE, 4, data + 2);
+    glTexCoordPointer(4, GL_SHORT, 8, data + 3);
+    const GLenum names[] = {GL_VERTEX_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER, GL_NORMAL_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_POINTER};
+    for (int i = 0; i < 4; ++i) {
+        void* pointer = nullptr;
+        glGetPointerv(names[i], &pointer);
+        EXPECT_EQ(pointer, data + i);
+    }
+    GLint n;
+    glGetIntegerv(GL_VERTEX_ARRAY_STRIDE, &n);
+    EXPECT_EQ(n, 12);
+}
+
+TEST_F(State, Strings) {
+    EXPECT_STREQ(reinterpret_cast<const char*>(glGetString(GL_VENDOR)), "Spangle");
+    const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    EXPECT_EQ(version.substr(0, 12), "1.0 Spangle ");
+    EXPECT_NE(version.find("(subset)"), std::string::npos);
+    EXPECT_NE(glGetString(GL_RENDERER), nullptr);
+    EXPECT_NE(glGetString(GL_EXTENSIONS), nullptr);
+}
+
+TEST_F(State, LaterDrawablesKeepViewportAndScissor) {
+    raster::Surface other = surface();
+    other.width = 32;
+    other.height = 16;
+    gl::make_current(context, other, false);
+    GLint box[4];
+    glGetIntegerv(GL_VIEWPORT, box);
+    EXPECT_EQ(box[2], 64);
+    glGetIntegerv(GL_SCISSOR_BOX, box);
+    EXPECT_EQ(box[3], 48);
+    glGetIntegerv(GL_DRAW_BUFFER, box);
+    EXPECT_EQ(box[0], GL_BACK);
+}
+
+} // namespace
+} // namespace spangle::test
