@@ -112,24 +112,34 @@ std::uint64_t bus_cycles(const BusCaps& caps, std::uint64_t bits) {
     return (bits + width - 1) / width;
 }
 
-std::uint64_t op_time(const Op& op, const BusCaps& caps) {
-    const std::uint64_t command = caps.command_cost_ns / 1000 + 1;
-    switch (op.kind) {
-    case Op::Kind::command:
-        return command + wire_time(caps, std::uint64_t{op.length} + 1);
-    case Op::Kind::pixels:
-    case Op::Kind::repeat:
-        return wire_time(caps, std::uint64_t{op.length} * op.rows);
-    case Op::Kind::read:
-        return command + wire_time(caps, 1) +
-               cycles_time(bus_cycles(caps, std::uint64_t{op.length} * 8 + op.dummy_bits), caps.read_hz);
-    case Op::Kind::delay:
-    case Op::Kind::wait_te:
-    case Op::Kind::reset:
-        break;
+/// What a list asks of the bus, summed first: divisions are dear on small cores.
+struct Work {
+    std::uint64_t bytes = 0, read_bits = 0, micros = 0;
+    std::uint32_t commands = 0;
+
+    void add(const Op& op) {
+        switch (op.kind) {
+        case Op::Kind::command:
+            ++commands;
+            bytes += std::uint64_t{op.length} + 1;
+            break;
+        case Op::Kind::pixels:
+        case Op::Kind::repeat:
+            bytes += std::uint64_t{op.length} * op.rows;
+            break;
+        case Op::Kind::read:
+            ++commands;
+            bytes += 1;
+            read_bits += std::uint64_t{op.length} * 8 + op.dummy_bits;
+            break;
+        case Op::Kind::delay:
+        case Op::Kind::wait_te:
+        case Op::Kind::reset:
+            micros += op.micros;
+            break;
+        }
     }
-    return op.micros;
-}
+};
 
 } // namespace
 
@@ -140,9 +150,13 @@ std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
 }
 
 std::uint32_t OpList::duration(const BusCaps& caps) const {
-    std::uint64_t micros = 0;
+    Work work;
     for (std::size_t i = 0; i < size_; ++i)
-        micros += op_time(ops_[i], caps);
+        work.add(ops_[i]);
+    std::uint64_t micros = work.micros + wire_time(caps, work.bytes);
+    micros += (std::uint64_t{work.commands} * caps.command_cost_ns + 999) / 1000;
+    if (work.read_bits != 0)
+        micros += cycles_time(bus_cycles(caps, work.read_bits), caps.read_hz);
     return micros < forever ? static_cast<std::uint32_t>(micros) : forever;
 }
 

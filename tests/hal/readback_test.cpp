@@ -150,10 +150,10 @@ TEST(OpList, DurationIsWhatTheWireTakes) {
     list.reset(10);
     list.wait_te(40);
     EXPECT_EQ(list.duration(caps), 122750u);
-    list.command_pair(0x2A, 0, 1); // 3 us of overhead, rounded up, and five bytes
-    EXPECT_EQ(list.duration(caps), 122750u + 4 + 5);
+    list.command_pair(0x2A, 0, 1); // 3 us of overhead and five bytes
+    EXPECT_EQ(list.duration(caps), 122750u + 3 + 5);
     list.read(0x04, 1, bytes, 3); // one byte out, 25 clocks at the read clock
-    EXPECT_EQ(list.duration(caps), 122759u + 4 + 1 + 25);
+    EXPECT_EQ(list.duration(caps), 122758u + 3 + 1 + 25);
     list.delay(UINT32_MAX);
     EXPECT_EQ(list.duration(caps), UINT32_MAX);
     EXPECT_EQ(wire_time(BusCaps{}, 1), UINT32_MAX);
