@@ -51,12 +51,6 @@ raster::TexEnv env_of(GLenum mode) {
     }
 }
 
-/// A real colour component in the rasterizer's units: 255ths with 20 fraction bits.
-std::uint32_t color_units(Real component) {
-    const auto c = static_cast<std::uint64_t>(numeric::to_fixed(numeric::clamp01(component), 30));
-    return static_cast<std::uint32_t>((c * raster::color_one + (1u << 29)) >> 30);
-}
-
 void fill_textures(const Context& context, raster::FragmentState& out) {
     for (int i = 0; i < texture_units; ++i) {
         const TextureUnitState& unit = context.texture.unit[i];
@@ -128,6 +122,11 @@ void fill(const Context& context, raster::FragmentState& out) {
 }
 
 } // namespace
+
+std::uint32_t color_units(Real component) {
+    const auto c = static_cast<std::uint64_t>(numeric::to_fixed(numeric::clamp01(component), 30));
+    return static_cast<std::uint32_t>((c * raster::color_one + (1u << 29)) >> 30);
+}
 
 Rect drawing_rect(const Context& context) {
     const raster::Surface& s = context.drawable.surface;

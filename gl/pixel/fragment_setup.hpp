@@ -15,6 +15,9 @@ Rect drawing_rect(const Context& context);
 /// Bits 0..3: red, green, blue, alpha of the colour buffer are written. 0 while DrawBuffer is NONE.
 std::uint8_t written_channels(const Context& context);
 
+/// A real colour component, clamped, in the rasterizer's units: 255ths with 20 fraction bits.
+std::uint32_t color_units(Real component);
+
 /// The tier a hint asks for: FASTEST fast, NICEST exact, DONT_CARE what the EGL config says.
 raster::Tier tier_of(const Context& context, GLenum hint);
 

@@ -1,0 +1,31 @@
+// Clear (GL 1.3, 4.2.3).
+#include "raster/surface/clear.hpp"
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+
+namespace spangle::gl::cmd {
+
+void Clear(Context& context, GLbitfield mask) {
+    constexpr GLbitfield known =
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
+    if ((mask & ~known) != 0)
+        return error(context, GL_INVALID_VALUE);
+    const FragmentOpsState& ops = context.fragment_ops;
+    raster::ClearRequest request;
+    request.area = drawing_rect(context);
+    request.channels = (mask & GL_COLOR_BUFFER_BIT) != 0 ? written_channels(context) : std::uint8_t{0};
+    request.dither = ops.dither;
+    request.depth = (mask & GL_DEPTH_BUFFER_BIT) != 0 && ops.depth_mask;
+    request.stencil_mask = (mask & GL_STENCIL_BUFFER_BIT) != 0
+                               ? static_cast<std::uint8_t>(ops.stencil_write_mask)
+                               : std::uint8_t{0};
+    for (int c = 0; c < 4; ++c)
+        request.color[c] = color_units(ops.color_clear[c]);
+    request.z = static_cast<std::uint32_t>(numeric::to_fixed(ops.depth_clear, 30));
+    request.stencil = static_cast<std::uint8_t>(ops.stencil_clear);
+    raster::clear(context.drawable.surface, request);
+}
+
+} // namespace spangle::gl::cmd

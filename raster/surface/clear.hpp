@@ -1,0 +1,28 @@
+// Clears: rectangles of colour, depth and stencil under write masks (GL 1.3, 4.2.3). Ownership, scissor,
+// dithering and masks apply, nothing else does.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/surface/surface.hpp"
+#include "raster/surface/units.hpp"
+
+namespace spangle::raster {
+
+struct ClearRequest {
+    Rect area; ///< inside the surface; may be empty
+    std::uint8_t channels =
+        0; ///< colour channels to write: bit 0 red, 1 green, 2 blue, 3 alpha; 0 = no colour clear
+    bool dither = false;
+    bool depth = false;
+    std::uint8_t stencil_mask = 0; ///< bits to write; 0 = no stencil clear
+    std::uint32_t color[4] = {};   ///< colour units, RGBA
+    std::uint32_t z = depth_one;   ///< Q0.30
+    std::uint8_t stencil = 0;
+};
+
+/// Planes the surface does not have are ignored. A clear of the whole surface with all its channels resets
+/// the record of touched rows; any other colour clear widens it.
+void clear(const Surface& surface, const ClearRequest& request);
+
+} // namespace spangle::raster

@@ -1,0 +1,55 @@
+// How a colour becomes stored bits, with and without dithering (docs/architecture.md, "Numbers").
+#pragma once
+
+#include <cstdint>
+
+#include "raster/surface/units.hpp"
+
+namespace spangle::raster {
+
+/// Round to 8 bits (GL 1.3, 2.13.9 with m = 8). `c` in colour units, 0 .. color_one.
+constexpr std::uint32_t color_to_8(std::uint32_t c) {
+    return (c + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
+}
+
+/// GL_DITHER off: the top bits of the 8-bit value (GL 1.3, 4.1.8 truncates; 2.13.9 asks for the top m bits).
+template <unsigned Bits>
+constexpr std::uint32_t truncated(std::uint32_t c) {
+    return color_to_8(c) >> (8 - Bits);
+}
+
+/// Thresholds t = (k + 1/2) / 16 of a 4x4 ordered matrix, one row of four as bytes 2k + 1 (32nds of a step).
+/// Byte x & 3 belongs to window column x.
+constexpr std::uint32_t dither_row(std::int32_t y) {
+    constexpr std::uint32_t rows[4] = {0x15'05'11'01, 0x0D'1D'09'19, 0x13'03'17'07, 0x0B'1B'0F'1F};
+    return rows[static_cast<std::uint32_t>(y) & 3];
+}
+
+constexpr std::uint32_t dither_threshold(std::uint32_t row, std::int32_t x) {
+    return (row >> (8 * (static_cast<std::uint32_t>(x) & 3))) & 0xFF;
+}
+
+/// Colour units to steps of a component of `Bits` bits, 23 fraction bits: c (2^Bits - 1), never rounded below an exact
+/// step. The factor is rounded up by less than 1, so the result is at most 2^-4 of its last bit too large.
+template <unsigned Bits>
+constexpr std::uint32_t color_to_steps(std::uint32_t c) {
+    static_assert(Bits == 5 || Bits == 6);
+    // (2^Bits - 1) / 255 * 2^(32 + 23 - 20), halved for six bits so that it stays below 2^32.
+    constexpr std::uint64_t scaled = ((1ull << Bits) - 1) << (Bits == 5 ? 35 : 34);
+    constexpr std::uint32_t factor = static_cast<std::uint32_t>((scaled + 254) / 255);
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(c) * factor) >> (Bits == 5 ? 32 : 31));
+}
+
+/// GL_DITHER on: floor(c (2^Bits - 1) + t). Exact steps stay, because t is at least 1/32 and at most 31/32.
+template <unsigned Bits>
+constexpr std::uint32_t dithered(std::uint32_t c, std::uint32_t threshold) {
+    return (color_to_steps<Bits>(c) + (threshold << 18)) >> 23;
+}
+
+/// Components of eight bits hold the rounded value itself: there is nothing left to dither.
+template <>
+constexpr std::uint32_t dithered<8>(std::uint32_t c, std::uint32_t) {
+    return color_to_8(c);
+}
+
+} // namespace spangle::raster
