@@ -55,16 +55,14 @@ struct Quotient {
     std::uint32_t remainder;
 };
 
-/// n / d and n % d, exact; d = 0 gives {0, 0}. Where words have 32 bits the quotient comes from reciprocal()
-/// and is corrected by its remainder, so that no 64-bit division is linked.
-constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
-    if (d == 0)
-        return {0, 0};
-    if constexpr (sizeof(void*) > 4)
-        return {n / d, static_cast<std::uint32_t>(n % d)};
+namespace detail {
+
+/// For words of 32 bits: the quotient from reciprocal(), corrected by its remainder, so that no 64-bit
+/// division is linked.
+constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     const auto high = static_cast<std::uint32_t>(n >> 32);
     std::uint64_t quotient = 0;
-    if (high >= d) { // school division: first digit by the hardware's or libgcc's 32-bit divide
+    if (high >= d) { // school division: the first digit by the hardware's or libgcc's 32-bit divide
         quotient = std::uint64_t{high / d} << 32;
         n -= quotient * d;
     }
@@ -82,6 +80,18 @@ constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
     while (rest >= d)
         rest -= d, ++digit; // at most 9 times
     return {quotient + digit, static_cast<std::uint32_t>(rest)};
+}
+
+} // namespace detail
+
+/// n / d and n % d, exact; d = 0 gives {0, 0}.
+constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
+    if (d == 0)
+        return {0, 0};
+    if constexpr (sizeof(void*) > 4)
+        return {n / d, static_cast<std::uint32_t>(n % d)};
+    else
+        return detail::divide_by_words(n, d);
 }
 
 struct FloorQuotient {

@@ -1,0 +1,154 @@
+// Reciprocal, root, division and powers against their bounds.
+#include "tests/numeric/kernels.hpp"
+
+#include "raster/numeric/power.hpp"
+#include "raster/numeric/trigonometry.hpp"
+#include "tests/numeric/random.hpp"
+
+namespace {
+
+using namespace spangle::numeric;
+
+TEST(Kernels, ReciprocalHoldsItsBounds) {
+    check_reciprocal(97);
+}
+TEST(Kernels, RsqrtHoldsItsBounds) {
+    check_rsqrt(97);
+}
+
+TEST(Kernels, DivisionIsExact) {
+    Random random(11);
+    const auto check = [](std::uint64_t n, std::uint32_t d) {
+        const Quotient q = divide(n, d), by_words = detail::divide_by_words(n, d);
+        ASSERT_EQ(q.quotient, n / d) << n << " / " << d;
+        ASSERT_EQ(q.remainder, n % d) << n << " / " << d;
+        ASSERT_EQ(by_words.quotient, n / d) << n << " / " << d;
+        ASSERT_EQ(by_words.remainder, n % d) << n << " / " << d;
+        const auto s = static_cast<std::int64_t>(n);
+        const FloorQuotient f = floor_divide(s, d);
+        ASSERT_LT(f.remainder, d);
+        // In unsigned words, so that INT64_MIN / 1 is checked too.
+        ASSERT_EQ(static_cast<std::uint64_t>(f.quotient) * d + f.remainder, n) << s << " / " << d;
+        ASSERT_EQ(f.quotient < 0, s < 0);
+    };
+    for (std::uint64_t n : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xFFFFFFFF},
+                            std::uint64_t{1} << 32, std::uint64_t{1} << 63, ~std::uint64_t{0},
+                            ~std::uint64_t{0} - 1, std::uint64_t{0x7FFFFFFFFFFFFFFF}})
+        for (std::uint32_t d : {1u, 2u, 3u, 0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu, 0xFFFFFFFFu})
+            check(n, d);
+    for (int i = 0; i < 3'000'000; ++i) {
+        const std::uint32_t d = (random.word() >> (random.next() & 31)) | 1u << (random.next() & 31);
+        const std::uint64_t n = random.next() >> (random.next() & 63);
+        check(n, d);
+        check(n - n % d, d);
+        check(n - n % d - 1, d);
+    }
+    EXPECT_EQ(divide(5, 0).quotient, 0u);
+    EXPECT_EQ(floor_divide(-5, 0).quotient, 0);
+}
+
+struct PowerError {
+    double exact = 0, fourteen = 0, ten = 0;
+};
+
+/// x dense near 1, where the exponent magnifies, and near 0.
+std::int32_t power_argument(Random& random) {
+    const auto x = static_cast<std::int32_t>(random.word() >> 2);
+    switch (random.next() & 3) {
+    case 0:
+        return (1 << 30) - (x >> (random.next() % 30));
+    case 1:
+        return x >> (random.next() % 30);
+    default:
+        return x;
+    }
+}
+
+TEST(Kernels, PowersHoldTheirBounds) {
+    Random random(12);
+    PowerError e;
+    for (int i = 0; i < 4'000'000; ++i) {
+        const std::int32_t x = power_argument(random);
+        const std::uint32_t n =
+            (random.next() & 3) == 0 ? 128u << 24 : random.word() >> (1 + random.next() % 12);
+        const double exact = std::pow(std::ldexp(x, -30), std::ldexp(n, -24));
+        const auto error = [&](std::int32_t v) { return std::fabs(std::ldexp(v, -30) - exact); };
+        e.exact = std::max(e.exact, error(pow_unit(x, n)));
+        e.fourteen = std::max(e.fourteen, error(pow_unit_14(x, n)));
+        e.ten = std::max(e.ten, error(pow_unit_10(x, n)));
+        if (x > 0) {
+            ASSERT_LE(pow_unit(x - 1, n), pow_unit(x, n)) << x << " ^ " << n;
+            ASSERT_LE(pow_unit_14(x - 1, n), pow_unit_14(x, n)) << x << " ^ " << n;
+        }
+    }
+    std::printf("x^n: 2^%.2f, 2^%.2f, 2^%.2f\n", std::log2(e.exact), std::log2(e.fourteen), std::log2(e.ten));
+    EXPECT_LE(e.exact, std::exp2(-21));
+    EXPECT_LE(e.fourteen, std::exp2(-14));
+    EXPECT_LE(e.ten, std::exp2(-10));
+}
+
+TEST(Kernels, PowersAreExactAtTheirEnds) {
+    for (float n : {0.0f, 0.5f, 1.0f, 2.0f, 128.0f, 1e30f, -1.0f}) {
+        const Real r = from_float(n);
+        EXPECT_EQ(pow_unit(1 << 30, r), 1 << 30);
+        EXPECT_EQ(pow_unit(INT32_MAX, r), 1 << 30) << "x is clamped";
+        EXPECT_EQ(pow_unit(0, r), n > 0 ? 0 : 1 << 30) << "0^0 = 1 (GL 1.3, 2.1.1)";
+        EXPECT_EQ(pow_unit(INT32_MIN, r), n > 0 ? 0 : 1 << 30);
+    }
+    EXPECT_EQ(power_exponent(from_float(128)), 128u << 24);
+    EXPECT_EQ(power_exponent(from_float(1.5f)), 3u << 23);
+    for (std::uint32_t k = 0; k <= 30; ++k)
+        EXPECT_EQ(exp2_neg(k << 24), (1u << 30) >> k);
+    EXPECT_EQ(exp2_neg(0xFFFFFFFF), 0u);
+}
+
+TEST(Kernels, ExponentialsHoldTheirBounds) {
+    double exact = 0, fourteen = 0, ten = 0, natural = 0;
+    std::uint32_t before = 1u << 30;
+    for (std::uint64_t q = 0; q < std::uint64_t{1} << 32; q += 1021) {
+        const auto word = static_cast<std::uint32_t>(q);
+        const double t = std::exp2(-std::ldexp(word, -24)), e = std::exp(-std::ldexp(word, -24));
+        exact = std::max(exact, std::fabs(std::ldexp(exp2_neg(word), -30) - t));
+        fourteen = std::max(fourteen, std::fabs(std::ldexp(exp2_neg_14(word), -30) - t));
+        ten = std::max(ten, std::fabs(std::ldexp(exp2_neg_10(word), -30) - t));
+        natural = std::max(natural, std::fabs(std::ldexp(exp_neg(word), -30) - e));
+        ASSERT_LE(exp2_neg(word), before);
+        before = exp2_neg(word);
+    }
+    std::printf("2^-x: 2^%.2f, 2^%.2f, 2^%.2f; e^-x: 2^%.2f\n", std::log2(exact), std::log2(fourteen),
+                std::log2(ten), std::log2(natural));
+    EXPECT_LE(exact, std::exp2(-29));
+    EXPECT_LE(fourteen, std::exp2(-20));
+    EXPECT_LE(ten, std::exp2(-13));
+    EXPECT_LE(natural, std::exp2(-24));
+}
+
+TEST(Kernels, SineAndCosine) {
+    Random random(13);
+    long double worst = 0;
+    for (int i = 0; i < 500'000; ++i) {
+        const Real degrees = from_float(
+            std::ldexp(static_cast<float>(random.range(-(1 << 24), 1 << 24)), random.range(-40, 8)));
+        const SinCos a = sincos_degrees(degrees);
+        const long double x =
+            std::fmod(static_cast<long double>(to_float(degrees)), 360.0L) * 0.0174532925199432957692369L;
+        worst = std::max({worst, std::fabs(std::sin(x) - std::ldexp(static_cast<long double>(a.sin), -60)),
+                          std::fabs(std::cos(x) - std::ldexp(static_cast<long double>(a.cos), -60))});
+    }
+    std::printf("sin, cos of degrees: 2^%.2Lf\n", std::log2(worst));
+    EXPECT_LE(worst, std::exp2(-57.0L));
+    for (int quarter = -8000; quarter <= 8000; ++quarter) {
+        const SinCos a = sincos_degrees(from_i32(90 * quarter));
+        const int q = quarter & 3;
+        EXPECT_EQ(a.sin, q == 1 ? q60_one : q == 3 ? -q60_one : 0);
+        EXPECT_EQ(a.cos, q == 0 ? q60_one : q == 2 ? -q60_one : 0);
+    }
+    for (std::uint32_t b : {1u, 0x7FFFFFu, 0x7F7FFFFFu, 0xFF7FFFFFu, 0x80000001u}) { // denormals, 2^128
+        const SinCos a = sincos_degrees({b});
+        const long double length =
+            std::hypot(static_cast<long double>(a.sin), static_cast<long double>(a.cos));
+        EXPECT_NEAR(static_cast<double>(std::ldexp(length, -60)), 1.0, 1e-16);
+    }
+}
+
+} // namespace
