@@ -27,7 +27,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     if (pattern.period == 16) {
         const Vector v = *reinterpret_cast<const Vector*>(pattern.byte);
         for (; left >= 64; left -= 64, to += 64) {
-            auto* const at = reinterpret_cast<Vector*>(to);
+            Vector* const at = reinterpret_cast<Vector*>(to); // not auto: deduction drops the alignment
             at[0] = v;
             at[1] = v;
             at[2] = v;
