@@ -242,8 +242,9 @@ def load():
 
 # --- the public header -------------------------------------------------------------------------------------------
 
-HEADER_TOP = """// OpenGL as Spangle has it: exactly the commands that exist. C89 and C++ compatible.
-""" + NOTICE + """#ifndef SPANGLE_GL_GL_H
+HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. For C89 and up, and C++.
+   Written by gl/api/generate.py from gl/api/commands: change those, not this. */
+#ifndef SPANGLE_GL_GL_H
 #define SPANGLE_GL_GL_H
 
 #ifndef GLAPI

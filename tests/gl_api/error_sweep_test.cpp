@@ -14,9 +14,24 @@ namespace {
 
 class ErrorSweep : public RecordingContext {
   protected:
+    ErrorSweep() : RecordingContext(false) {}
+
     /// Arguments that are accepted together outside Begin and End.
-    std::vector<Value> good(const Command& c, std::size_t pname = 0) {
+    std::vector<Value> good(const Command& c) {
+        std::size_t pname = 0;
+        while (scalar_of_vector(c, pname))
+            ++pname;
+        return good(c, pname);
+    }
+    std::vector<Value> good(const Command& c, std::size_t pname) {
         std::vector<Value> values;
+        std::memset(client, 0, sizeof client);
+        if (!c.pnames.empty()) { // the vector form's first value
+            const auto value = static_cast<GLint>(c.pnames[pname].good);
+            const auto number = static_cast<GLfloat>(value);
+            const bool floats = std::strstr(c.name, "fv") != nullptr;
+            std::memcpy(client, floats ? static_cast<const void*>(&number) : &value, 4);
+        }
         for (const Arg& arg : c.args) {
             Value v{};
             switch (arg.kind) {
@@ -42,7 +57,6 @@ class ErrorSweep : public RecordingContext {
     }
 
     GLenum call(const Command& c, const std::vector<Value>& values) {
-        std::memset(client, 0, sizeof client);
         c.call(values.data());
         return std::exchange(context->error_code, GLenum{GL_NO_ERROR});
     }

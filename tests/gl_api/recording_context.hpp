@@ -52,10 +52,10 @@ class RecordingContext : public ::testing::Test {
     static constexpr std::int32_t width = 64, height = 48;
     static constexpr std::size_t arena_bytes = 4 << 20;
 
-    explicit RecordingContext(std::size_t bytes = arena_bytes) : memory(new std::uint64_t[bytes / 8]) {
+    explicit RecordingContext(bool double_buffered = true, std::size_t bytes = arena_bytes) : memory(new std::uint64_t[bytes / 8]) {
         arena.give(memory.get(), bytes);
         context = gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &recording_engine}, nullptr);
-        gl::make_current(context, surface(), true);
+        gl::make_current(context, surface(), double_buffered);
         events().clear();
     }
     ~RecordingContext() override {
@@ -83,6 +83,8 @@ class RecordingContext : public ::testing::Test {
         std::memcpy(static_cast<void*>(&copy), context, sizeof copy);
         copy.error_code = 0;
         copy.dirty = 0;
+        std::memset(static_cast<void*>(&copy.list.recorder), 0, sizeof copy.list.recorder);
+        std::memset(copy.list.return_to, 0, sizeof copy.list.return_to);
         const auto* bytes = reinterpret_cast<const unsigned char*>(&copy);
         return {bytes, bytes + sizeof copy};
     }

@@ -355,7 +355,7 @@ TEST_F(Lists, CallListsOfEveryType) {
     EXPECT_EQ(called(1001, 5, GL_FLOAT, f), (V{3, 0, 0, 2, 1})); // 1e30 and -1e30 saturate to -1 and 1 modulo 2^32
     const GLubyte bytes[] = {0, 0, 1, 2, 0, 0, 3, 231};
     EXPECT_EQ(called(1000, 2, GL_2_BYTES, bytes), (V{0, 258}));
-    EXPECT_EQ(called(1000, 2, GL_3_BYTES, bytes + 1), (V{258}));
+    EXPECT_EQ(called(1000, 2, GL_3_BYTES, bytes + 1), (V{258, 3}));
     EXPECT_EQ(called(1000, 2, GL_4_BYTES, bytes), (V{258}));
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }

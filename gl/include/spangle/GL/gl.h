@@ -1,5 +1,5 @@
-// OpenGL as Spangle has it: exactly the commands that exist. C89 and C++ compatible.
-// Written by gl/api/generate.py from gl/api/commands: change those, not this.
+/* OpenGL as Spangle has it: exactly the commands that exist. For C89 and up, and C++.
+   Written by gl/api/generate.py from gl/api/commands: change those, not this. */
 #ifndef SPANGLE_GL_GL_H
 #define SPANGLE_GL_GL_H
 
