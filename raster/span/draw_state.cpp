@@ -18,7 +18,7 @@ FogConstants fog_constants(const FragmentState& state) {
     Real scale = numeric::from_float_bits(state.fog_density);
     if (state.fog_mode == FogMode::linear) {
         const Real end = numeric::from_float_bits(state.fog_end);
-        scale = numeric::div(numeric::real_one, numeric::sub(numeric::from_float_bits(state.fog_start), end));
+        scale = numeric::div(numeric::one, numeric::sub(numeric::from_float_bits(state.fog_start), end));
         const auto offset = numeric::detail::unpack(numeric::mul(-end, scale));
         const int up = offset.exponent + 24;
         const auto magnitude = up >= 0 ? std::int64_t{offset.mantissa} << (up < 36 ? up : 36)

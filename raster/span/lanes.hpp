@@ -95,6 +95,17 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 high_half(const U32& v) {
         return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));
     }
+    /// min(max(v, 0), high), v signed.
+    SPANGLE_INLINE static U32 clamp_signed(const U32& v, std::int32_t high) {
+        using Signed [[gnu::vector_size(16)]] = std::int32_t;
+        const Signed top = {high, high, high, high};
+        const auto one = [&](Words w) {
+            const auto s = std::bit_cast<Signed>(w);
+            const Signed over = s > top, kept = s & (s > 0);
+            return std::bit_cast<Words>((kept & ~over) | (top & over));
+        };
+        return {one(v.even), one(v.odd)};
+    }
     SPANGLE_INLINE static U16 low_half(const U32& v) {
         return std::bit_cast<U16>((v.even & 0xFFFFu) | (v.odd << 16));
     }

@@ -56,6 +56,13 @@ struct Exact {
         return sum < one ? sum : one;
     }
     SPANGLE_INLINE static T add(T a, T b) { return L::minimum(a + b, one); }
+    /// Sum of value * weight / 2^16; the weights sum to 2^16.
+    SPANGLE_INLINE static T weighted(T a, std::uint32_t wa, T b, std::uint32_t wb, T c, std::uint32_t wc, T d,
+                                     std::uint32_t wd) {
+        return static_cast<T>((numeric::mul_u32(a, wa) + numeric::mul_u32(b, wb) + numeric::mul_u32(c, wc) +
+                               numeric::mul_u32(d, wd)) >>
+                              16);
+    }
     SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
     /// A factor with 24 fraction bits, 0 .. 2^24 (fog).
     SPANGLE_INLINE static T from_fraction24(L::U32 f) {
@@ -98,6 +105,11 @@ template <int Count> struct Balanced {
         return unit(L::mul_high(a, L::splat(one) - k) + L::mul_high(b, k));
     }
     SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
+    /// One lane; 65280 * 2^16 fits 32 bits.
+    SPANGLE_INLINE static std::uint32_t weighted(std::uint32_t a, std::uint32_t wa, std::uint32_t b, std::uint32_t wb,
+                                                 std::uint32_t c, std::uint32_t wc, std::uint32_t d, std::uint32_t wd) {
+        return (a * wa + b * wb + c * wc + d * wd) >> 16;
+    }
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
     SPANGLE_INLINE static T from_fraction24(const typename L::U32& f) {
         const typename L::U32 w = f >> 8;

@@ -5,8 +5,10 @@
 
 namespace spangle::raster {
 
+template <class N, int Unit, bool Projective> struct Coord;
+
 /// Affine over the primitive.
-template <class N, int Unit, bool Projective> struct Coord : StageBase {
+template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
     std::uint32_t s, t, ds, dt;
     SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
@@ -208,19 +210,31 @@ template <int Unit> class CoordRuns {
     bool started_;
 };
 
-template <int Unit> struct Coord<Balanced<1>, Unit, true> : StageBase {
-    using N = Balanced<1>;
+template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
-    static constexpr bool runs = true;
+    static constexpr bool runs = N::lanes == 1;
     CoordRuns<Unit> run;
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x) : run(span, x) {}
-    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return run.begin(x); }
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.coord[Unit].s[0] = run.s;
-        p.coord[Unit].t[0] = run.t;
+    std::int32_t x, next;
+    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first), x(first), next(first) {}
+    SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
+    SPANGLE_INLINE bool operator()(Px<N>& p) {
+        for (int lane = 0; lane < N::lanes; ++lane) {
+            if constexpr (N::lanes > 1) { // lanes of one group may lie in several runs
+                if (x == next)
+                    next = run.begin(x);
+                ++x;
+            }
+            p.coord[Unit].s[lane] = run.s;
+            p.coord[Unit].t[lane] = run.t;
+            if constexpr (N::lanes > 1)
+                run.step();
+        }
         return true;
     }
-    SPANGLE_INLINE void step() { run.step(); }
+    SPANGLE_INLINE void step() {
+        if constexpr (N::lanes == 1)
+            run.step();
+    }
 };
 
 } // namespace spangle::raster

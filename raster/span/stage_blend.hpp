@@ -1,0 +1,88 @@
+// Blending with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. No destination alpha counts as 1.
+#pragma once
+
+#include "raster/span/stage_store.hpp"
+
+namespace spangle::raster {
+
+/// The colour under a group of fragments: k/31, k/63 or k/255 exactly.
+template <class N, PixelFormat Format>
+SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int32_t i) {
+    using L = typename N::L;
+    if constexpr (is_565(Format)) {
+        const typename L::U16 word = Words565<L, Format>::load(plane + 2 * i);
+        return {N::from5(word >> 11), N::from6((word >> 5) & 63), N::from5(word & 31), N::from_units(color_one)};
+    } else {
+        constexpr int bytes = format_info(Format).bytes_per_pixel;
+        const std::uint8_t* const at = plane + bytes * i;
+        return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]),
+                bytes == 4 ? N::from8(at[bytes - 1]) : N::from_units(color_one)};
+    }
+}
+
+/// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
+template <class N, PixelFormat Format>
+struct BlendAlpha : StageBase {
+    static constexpr unsigned in = field_color, out = field_color;
+    const std::uint8_t* plane;
+    SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::Color d = load_color<N, Format>(plane, p.i);
+        typename N::Color& s = p.color;
+        const typename N::T a = s.a, rest = N::from_units(color_one) - a;
+        s.r = N::add(N::mul(s.r, a), N::mul(d.r, rest));
+        s.g = N::add(N::mul(s.g, a), N::mul(d.g, rest));
+        s.b = N::add(N::mul(s.b, a), N::mul(d.b, rest));
+        if constexpr (format_info(Format).alpha_bits != 0)
+            s.a = N::add(N::mul(a, a), N::mul(d.a, rest));
+        return true;
+    }
+};
+
+/// All factors, chosen at run time.
+template <class N, PixelFormat Format>
+struct Blend : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color, out = field_color;
+    using T = typename N::T;
+    const std::uint8_t* plane;
+    BlendFactor src, dst;
+    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t)
+        : plane(s.color), src(s.state->fragment.blend_src), dst(s.state->fragment.blend_dst) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::Color s = p.color, d = load_color<N, Format>(plane, p.i);
+        p.color.r = combine(s, d, s.r, d.r, false);
+        p.color.g = combine(s, d, s.g, d.g, false);
+        p.color.b = combine(s, d, s.b, d.b, false);
+        p.color.a = combine(s, d, s.a, d.a, true);
+        return true;
+    }
+
+  private:
+    SPANGLE_INLINE T combine(const typename N::Color& s, const typename N::Color& d, T cs, T cd, bool alpha) const {
+        return N::add(times(cs, src, s, d, cs, cd, alpha), times(cd, dst, s, d, cs, cd, alpha));
+    }
+    /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
+    static T times(T value, BlendFactor factor, const typename N::Color& s, const typename N::Color& d, T cs, T cd,
+                   bool alpha) {
+        const T one = N::from_units(color_one);
+        switch (factor) {
+        case BlendFactor::zero: return T{};
+        case BlendFactor::one: return value;
+        case BlendFactor::src_color: return N::mul(value, cs);
+        case BlendFactor::one_minus_src_color: return N::mul(value, one - cs);
+        case BlendFactor::src_alpha: return N::mul(value, s.a);
+        case BlendFactor::one_minus_src_alpha: return N::mul(value, one - s.a);
+        case BlendFactor::dst_alpha: return N::mul(value, d.a);
+        case BlendFactor::one_minus_dst_alpha: return N::mul(value, one - d.a);
+        case BlendFactor::dst_color: return N::mul(value, cd);
+        case BlendFactor::one_minus_dst_color: return N::mul(value, one - cd);
+        case BlendFactor::src_alpha_saturate:
+            return alpha ? value : N::mul(value, s.a < one - d.a ? s.a : one - d.a);
+        }
+        return value;
+    }
+};
+
+} // namespace spangle::raster

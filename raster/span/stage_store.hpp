@@ -1,0 +1,166 @@
+// The end of every list: a colour becomes bits of the surface (docs/architecture.md, "Numbers").
+#pragma once
+
+#include <cstring>
+
+#include "raster/span/draw_state.hpp"
+#include "raster/span/stage.hpp"
+#include "raster/surface/quantize.hpp"
+
+namespace spangle::raster {
+
+constexpr bool is_565(PixelFormat format) {
+    return format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le;
+}
+
+/// 16-bit words of a 565 surface, host order.
+template <class L, PixelFormat Format>
+struct Words565 {
+    static constexpr bool swaps =
+        (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
+    SPANGLE_INLINE static typename L::U16 load(const std::uint8_t* at) {
+        const typename L::U16 word = L::load(at);
+        return swaps ? L::swap_bytes(word) : word;
+    }
+    SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) {
+        L::store(at, swaps ? L::swap_bytes(word) : word);
+    }
+};
+
+/// 5, 6 and 5 bits of a colour in one word; without dither the top bits of the rounded 8-bit value.
+template <class N>
+SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6, typename N::L::U16 b5) {
+    return (r5 << 11) | (g6 << 5) | b5;
+}
+template <class N>
+SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
+    return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
+}
+
+/// Dithering off, all channels written.
+template <class N, PixelFormat Format>
+struct Store : StageBase {
+    static constexpr unsigned in = field_color;
+    static constexpr bool effect = true;
+    using L = typename N::L;
+    std::uint8_t* plane;
+    SPANGLE_INLINE Store(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (is_565(Format)) {
+            std::uint8_t* const at = plane + 2 * p.i;
+            typename L::U16 word = truncated565<N>(p.color);
+            if constexpr (N::lanes > 1)
+                word = L::select(p.live, word, Words565<L, Format>::load(at));
+            Words565<L, Format>::store(at, word);
+        } else {
+            constexpr int bytes = format_info(Format).bytes_per_pixel;
+            std::uint8_t* const at = plane + bytes * p.i;
+            at[0] = static_cast<std::uint8_t>(N::to8(p.color.r));
+            at[1] = static_cast<std::uint8_t>(N::to8(p.color.g));
+            at[2] = static_cast<std::uint8_t>(N::to8(p.color.b));
+            if constexpr (bytes == 4)
+                at[3] = static_cast<std::uint8_t>(N::to8(p.color.a));
+        }
+        return true;
+    }
+};
+
+namespace detail {
+
+/// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
+template <class L>
+struct DitherRow;
+
+template <>
+struct DitherRow<Lanes<1>> {
+    std::uint32_t row;
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
+        : row(std::rotr(dither_row(y), 8 * (x & 3))) {}
+    SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
+    SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
+};
+
+/// Eight columns are two periods: nothing to walk.
+template <>
+struct DitherRow<Lanes<8>> {
+    Lanes<8>::U16 row;
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) {
+        const std::uint32_t r = std::rotr(dither_row(y), 8 * (x & 3));
+        std::uint16_t v[8];
+        for (int i = 0; i < 8; ++i)
+            v[i] = static_cast<std::uint16_t>((r >> (8 * (i & 3))) & 0xFF);
+        row = Lanes<8>::gather(v);
+    }
+    SPANGLE_INLINE Lanes<8>::U16 threshold() const { return row; }
+    SPANGLE_INLINE void step() {}
+};
+
+} // namespace detail
+
+/// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
+template <class N, PixelFormat Format>
+struct StoreDithered : Store<N, Format> {
+    using L = typename N::L;
+    detail::DitherRow<L> dither;
+    SPANGLE_INLINE StoreDithered(const Span<typename N::Policy>& s, std::int32_t x)
+        : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (!is_565(Format)) {
+            return Store<N, Format>::operator()(p);
+        } else {
+            std::uint8_t* const at = this->plane + 2 * p.i;
+            const typename L::U16 t = dither.threshold();
+            typename L::U16 word = pack565<N>(N::template dithered<5>(p.color.r, t),
+                                              N::template dithered<6>(p.color.g, t),
+                                              N::template dithered<5>(p.color.b, t));
+            if constexpr (N::lanes > 1)
+                word = L::select(p.live, word, Words565<L, Format>::load(at));
+            Words565<L, Format>::store(at, word);
+            return true;
+        }
+    }
+    SPANGLE_INLINE void step() { dither.step(); }
+};
+
+/// Some channels keep what is stored; dithers when the state says so (GL 1.3, 4.2.2).
+template <class N, PixelFormat Format>
+struct StoreMasked : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color;
+    static constexpr bool effect = true;
+    using L = typename N::L;
+    std::uint8_t* plane;
+    detail::DitherRow<L> dither;
+    bool dithers;
+    std::uint8_t mask;
+    SPANGLE_INLINE StoreMasked(const Span<typename N::Policy>& s, std::int32_t x)
+        : plane(s.color), dither(s.x + x, s.y), dithers(s.state->fragment.dither), mask(s.state->fragment.color_mask) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const auto& c = p.color;
+        if constexpr (is_565(Format)) {
+            std::uint8_t* const at = plane + 2 * p.i;
+            const std::uint32_t bits =
+                ((mask & 1) != 0 ? 0xF800u : 0) | ((mask & 2) != 0 ? 0x07E0u : 0) | ((mask & 4) != 0 ? 0x1Fu : 0);
+            const std::uint32_t t = dither.threshold();
+            const std::uint32_t word =
+                dithers ? pack565<N>(N::template dithered<5>(c.r, t), N::template dithered<6>(c.g, t),
+                                     N::template dithered<5>(c.b, t))
+                        : truncated565<N>(c);
+            Words565<L, Format>::store(at, (word & bits) | (Words565<L, Format>::load(at) & ~bits));
+        } else {
+            constexpr int bytes = format_info(Format).bytes_per_pixel;
+            std::uint8_t* const at = plane + bytes * p.i;
+            const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
+            for (int i = 0; i < bytes; ++i)
+                if ((mask >> i & 1) != 0)
+                    at[i] = static_cast<std::uint8_t>(N::to8(channel[i]));
+        }
+        return true;
+    }
+    SPANGLE_INLINE void step() { dither.step(); }
+};
+
+} // namespace spangle::raster

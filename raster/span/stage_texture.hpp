@@ -1,0 +1,175 @@
+// The texture function of one unit: fetch, filter, environment.
+#pragma once
+
+#include "raster/span/draw_state.hpp"
+#include "raster/span/stage.hpp"
+#include "raster/span/texel.hpp"
+#include "raster/span/texture_env.hpp"
+
+namespace spangle::raster {
+
+/// All modes at run time. p.lod is read where it is written: mipmaps, or filters that differ.
+template <class N, int Unit>
+struct Texture2D : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color | field_coord << Unit | field_lod << Unit, out = field_color;
+    using Color = typename N::Color;
+    const Texture& texture;
+    TexEnv env;
+    bool wants_lod;
+    Color constant, border;
+
+    SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t)
+        : texture(*s.state->fragment.unit[Unit].texture), env(s.state->fragment.unit[Unit].env),
+          wants_lod(texture.mip != MipFilter::none || texture.mag != texture.min) {
+        const std::uint32_t* const c = s.state->fragment.unit[Unit].env_color;
+        constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
+        const std::uint8_t* const b = texture.border_color;
+        border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
+    }
+
+    bool operator()(Px<N>& p) const {
+        const auto s = p.coord[Unit].s[0], t = p.coord[Unit].t[0];
+        apply_env<N>(env, texture.base, p.color, wants_lod ? minified(p.lod[Unit][0], s, t) : filtered(0, texture.mag, s, t),
+                     constant);
+        return true;
+    }
+
+  private:
+    /// Level and filter by lambda (GL 1.3, 3.8.8).
+    Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
+        lod = lod < texture.min_lod ? texture.min_lod : lod;
+        lod = lod > texture.max_lod ? texture.max_lod : lod;
+        const bool late = texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
+        if (lod <= (late ? 128 : 0))
+            return filtered(0, texture.mag, s, t);
+        const int last = texture.level_count - 1;
+        if (texture.mip == MipFilter::none)
+            return filtered(0, texture.min, s, t);
+        if (texture.mip == MipFilter::nearest) {
+            const int level = lod <= 128 ? 0 : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
+            return filtered(level < last ? level : last, texture.min, s, t);
+        }
+        const int level = lod >> 8;
+        if (level >= last)
+            return filtered(last, texture.min, s, t);
+        const Color a = filtered(level, texture.min, s, t), b = filtered(level + 1, texture.min, s, t);
+        const std::uint32_t w = (static_cast<std::uint32_t>(lod) & 255) << 8, rest = 65536 - w;
+        return {N::weighted(a.r, rest, b.r, w, 0, 0, 0, 0), N::weighted(a.g, rest, b.g, w, 0, 0, 0, 0),
+                N::weighted(a.b, rest, b.b, w, 0, 0, 0, 0), N::weighted(a.a, rest, b.a, w, 0, 0, 0, 0)};
+    }
+
+    Color filtered(int level, Filter filter, std::uint32_t s, std::uint32_t t) const {
+        const TextureLevel& image = texture.level[level];
+        const int w = log2_of(image.width), h = log2_of(image.height);
+        if (filter == Filter::nearest)
+            return texel(image, nearest(texture.wrap_s, s, w, image.width), nearest(texture.wrap_t, t, h, image.height));
+        const TexelIndex i = linear(texture.wrap_s, s, w), j = linear(texture.wrap_t, t, h);
+        const std::int32_t i0 = wrap_texel(texture.wrap_s, i.i, image.width);
+        const std::int32_t i1 = wrap_texel(texture.wrap_s, i.i + 1, image.width);
+        const std::int32_t j0 = wrap_texel(texture.wrap_t, j.i, image.height);
+        const std::int32_t j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
+        return bilinear<N>(texel(image, i0, j0), texel(image, i1, j0), texel(image, i0, j1), texel(image, i1, j1),
+                           i.weight, j.weight);
+    }
+
+    static int log2_of(std::uint32_t size) { return 31 - numeric::clz32(size | 1); }
+
+    static std::int32_t nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
+        if (wrap == Wrap::repeat)
+            return repeat_index(s, log2_size);
+        const std::int32_t i = clamped_index(static_cast<std::int32_t>(s), log2_size);
+        return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
+    }
+    static TexelIndex linear(Wrap wrap, std::uint32_t s, int log2_size) {
+        return wrap == Wrap::repeat ? repeat_linear(s, log2_size)
+                                    : clamped_linear(wrap, static_cast<std::int32_t>(s), log2_size);
+    }
+
+    /// A texel of the image, of its border, or the border colour.
+    Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
+        const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
+        if (outside && texture.border_texels == 0)
+            return border;
+        return read_texel<N>(texture.format, image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
+                                                 i * texel_bytes(texture.format));
+    }
+};
+
+/// One image, REPEAT, one filter, all known: the same bytes as Texture2D.
+template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env>
+struct TextureFixed : StageBase {
+    static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
+    using Color = typename N::Color;
+    using One = Balanced<1>;
+    const std::uint8_t* texels;
+    std::uint32_t stride;
+    int log2_width, log2_height;
+    [[no_unique_address]] std::conditional_t<Env == TexEnv::blend, Color, StageBase> constant;
+
+    SPANGLE_INLINE TextureFixed(const Span<typename N::Policy>& s, std::int32_t)
+        : texels(s.state->fragment.unit[Unit].texture->level[0].texels),
+          stride(s.state->fragment.unit[Unit].texture->level[0].stride), log2_width(s.state->log2_width[Unit]),
+          log2_height(s.state->log2_height[Unit]) {
+        if constexpr (Env == TexEnv::blend) {
+            const std::uint32_t* const c = s.state->fragment.unit[Unit].env_color;
+            constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
+        }
+    }
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (is_raw<N>) {
+            p.color.word = raw(p.coord[Unit]);
+        } else {
+            Color s;
+            if constexpr (N::lanes == 1) {
+                s = fetch<N>(p.coord[Unit].s[0], p.coord[Unit].t[0]);
+            } else {
+                std::uint16_t r[N::lanes], g[N::lanes], b[N::lanes], a[N::lanes];
+                for (int i = 0; i < N::lanes; ++i) {
+                    const One::Color c = fetch<One>(p.coord[Unit].s[i], p.coord[Unit].t[i]);
+                    r[i] = static_cast<std::uint16_t>(c.r);
+                    g[i] = static_cast<std::uint16_t>(c.g);
+                    b[i] = static_cast<std::uint16_t>(c.b);
+                    a[i] = static_cast<std::uint16_t>(c.a);
+                }
+                s = {N::L::gather(r), N::L::gather(g), N::L::gather(b), N::L::gather(a)};
+            }
+            if constexpr (Env == TexEnv::blend)
+                apply_env<N>(Env, Base, p.color, s, constant);
+            else
+                apply_env<N>(Env, Base, p.color, s, Color{});
+        }
+        return true;
+    }
+
+  private:
+    SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
+        return texels + static_cast<std::uint32_t>(j) * stride + static_cast<std::uint32_t>(i) * texel_bytes(Texels);
+    }
+    template <class M>
+    SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
+        if constexpr (F == Filter::nearest) {
+            return read_texel<M, Texels>(at(repeat_index(s, log2_width), repeat_index(t, log2_height)));
+        } else {
+            const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
+            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1), j1 = (j.i + 1) & ((1 << log2_height) - 1);
+            return bilinear<M>(read_texel<M, Texels>(at(i.i, j.i)), read_texel<M, Texels>(at(i1, j.i)),
+                               read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)), i.weight, j.weight);
+        }
+    }
+    SPANGLE_INLINE typename N::T raw(const typename N::Coord& c) const {
+        static_assert(F == Filter::nearest && Env == TexEnv::replace);
+        std::uint16_t word[N::lanes];
+        for (int i = 0; i < N::lanes; ++i) {
+            const std::uint8_t* const texel = at(repeat_index(c.s[i], log2_width), repeat_index(c.t[i], log2_height));
+            if constexpr (Texels == TexelFormat::rgb565)
+                word[i] = static_cast<std::uint16_t>(Lanes<1>::load(texel));
+            else
+                word[i] = static_cast<std::uint16_t>((texel[0] & 0xF8) << 8 | (texel[1] & 0xFC) << 3 | texel[2] >> 3);
+        }
+        return N::L::gather(word);
+    }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,107 @@
+// Texels: how they lie in memory, wrapping, filters (GL 1.3, 3.8.7).
+#pragma once
+
+#include <cstring>
+
+#include "raster/span/fragment_state.hpp"
+#include "raster/span/number.hpp"
+
+namespace spangle::raster {
+
+constexpr int texel_bytes(TexelFormat format) {
+    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4};
+    return bytes[static_cast<unsigned>(format)];
+}
+
+/// The components of one texel; what a format lacks is 1 (alpha) or luminance in all three.
+template <class N, TexelFormat Format>
+SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
+    static_assert(N::lanes == 1);
+    const typename N::T one = N::from_units(color_one);
+    if constexpr (Format == TexelFormat::a8) {
+        return {one, one, one, N::from8(at[0])};
+    } else if constexpr (Format == TexelFormat::l8) {
+        const typename N::T l = N::from8(at[0]);
+        return {l, l, l, one};
+    } else if constexpr (Format == TexelFormat::i8) {
+        const typename N::T i = N::from8(at[0]);
+        return {i, i, i, i};
+    } else if constexpr (Format == TexelFormat::la88) {
+        const typename N::T l = N::from8(at[0]);
+        return {l, l, l, N::from8(at[1])};
+    } else if constexpr (Format == TexelFormat::rgb565) {
+        const std::uint32_t word = Lanes<1>::load(at);
+        return {N::from5(word >> 11), N::from6((word >> 5) & 63), N::from5(word & 31), one};
+    } else if constexpr (Format == TexelFormat::rgb888) {
+        return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]), one};
+    } else {
+        return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]), N::from8(at[3])};
+    }
+}
+
+/// Format at run time.
+template <class N>
+inline typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
+    switch (format) {
+    case TexelFormat::a8: return read_texel<N, TexelFormat::a8>(at);
+    case TexelFormat::l8: return read_texel<N, TexelFormat::l8>(at);
+    case TexelFormat::i8: return read_texel<N, TexelFormat::i8>(at);
+    case TexelFormat::la88: return read_texel<N, TexelFormat::la88>(at);
+    case TexelFormat::rgb565: return read_texel<N, TexelFormat::rgb565>(at);
+    case TexelFormat::rgb888: return read_texel<N, TexelFormat::rgb888>(at);
+    case TexelFormat::rgba8888: return read_texel<N, TexelFormat::rgba8888>(at);
+    }
+    return {};
+}
+
+/// Position along one axis: texel index and 8-bit weight of the next one.
+struct TexelIndex {
+    std::int32_t i;
+    std::uint32_t weight;
+};
+
+/// From a coordinate that wraps (2^32 = one repeat).
+SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
+    return static_cast<std::int32_t>((std::uint64_t{s} << log2_size) >> 32);
+}
+SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
+    const std::uint64_t u = (std::uint64_t{s} << log2_size) + (std::uint64_t{1} << (log2_size + 32)) - (1u << 31);
+    const auto fixed = static_cast<std::uint32_t>(u >> 24); // one repeat too high: the mask takes it off
+    return {static_cast<std::int32_t>((fixed >> 8) & ((1u << log2_size) - 1)), fixed & 255};
+}
+
+/// From a coordinate that does not wrap (s3.28).
+SPANGLE_INLINE std::int32_t clamped_index(std::int32_t s, int log2_size) {
+    return static_cast<std::int32_t>((std::int64_t{s} << log2_size) >> clamped_coord_bits);
+}
+SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_size) {
+    constexpr std::int32_t one = 1 << clamped_coord_bits;
+    if (wrap == Wrap::clamp) // to [0, 1] first: at the edge half of the border mixes in
+        s = s < 0 ? 0 : s > one ? one : s;
+    const std::int64_t u = (std::int64_t{s} << log2_size) - one / 2;
+    const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
+    return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
+}
+
+/// The equivalent texel of a wrap mode: REPEAT i mod size; CLAMP_TO_EDGE 0 .. size - 1; the others -1 .. size.
+SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t size) {
+    if (wrap == Wrap::repeat)
+        return i & (size - 1);
+    const std::int32_t low = wrap == Wrap::clamp_to_edge ? 0 : -1;
+    const std::int32_t high = wrap == Wrap::clamp_to_edge ? size - 1 : size;
+    return i < low ? low : i > high ? high : i;
+}
+
+/// Four texels by 8-bit weights a (along s) and b (along t): exact products, one rounding down.
+template <class N>
+SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
+                                          const typename N::Color& c01, const typename N::Color& c11,
+                                          std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b, w00 = (256 - a) * (256 - b);
+    return {N::weighted(c00.r, w00, c10.r, w10, c01.r, w01, c11.r, w11),
+            N::weighted(c00.g, w00, c10.g, w10, c01.g, w01, c11.g, w11),
+            N::weighted(c00.b, w00, c10.b, w10, c01.b, w01, c11.b, w11),
+            N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11)};
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,53 @@
+// Texture environments (GL 1.3, tables 3.21 and 3.22).
+#pragma once
+
+#include "raster/span/fragment_state.hpp"
+#include "raster/span/number.hpp"
+
+namespace spangle::raster {
+
+/// f: the colour so far, becomes the result; s: the texture's; c: TEXTURE_ENV_COLOR.
+template <class N>
+SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f, const typename N::Color& s,
+                              const typename N::Color& c) {
+    const bool color = base != BaseFormat::alpha;
+    const bool alpha = base != BaseFormat::rgb && base != BaseFormat::luminance;
+    switch (env) {
+    case TexEnv::replace:
+        if (color)
+            f.r = s.r, f.g = s.g, f.b = s.b;
+        if (alpha)
+            f.a = s.a;
+        return;
+    case TexEnv::modulate:
+        if (color)
+            f.r = N::mul(f.r, s.r), f.g = N::mul(f.g, s.g), f.b = N::mul(f.b, s.b);
+        if (alpha)
+            f.a = N::mul(f.a, s.a);
+        return;
+    case TexEnv::decal: // undefined but for RGB and RGBA; alpha stays
+        if (base == BaseFormat::rgba)
+            f.r = N::lerp(f.r, s.r, s.a), f.g = N::lerp(f.g, s.g, s.a), f.b = N::lerp(f.b, s.b, s.a);
+        else if (color)
+            f.r = s.r, f.g = s.g, f.b = s.b;
+        return;
+    case TexEnv::blend:
+        if (color)
+            f.r = N::lerp(f.r, c.r, s.r), f.g = N::lerp(f.g, c.g, s.g), f.b = N::lerp(f.b, c.b, s.b);
+        if (base == BaseFormat::intensity)
+            f.a = N::lerp(f.a, c.a, s.a);
+        else if (alpha)
+            f.a = N::mul(f.a, s.a);
+        return;
+    case TexEnv::add:
+        if (color)
+            f.r = N::add(f.r, s.r), f.g = N::add(f.g, s.g), f.b = N::add(f.b, s.b);
+        if (base == BaseFormat::intensity)
+            f.a = N::add(f.a, s.a);
+        else if (alpha)
+            f.a = N::mul(f.a, s.a);
+        return;
+    }
+}
+
+} // namespace spangle::raster
