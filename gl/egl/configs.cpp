@@ -1,0 +1,334 @@
+#include "gl/egl/configs.hpp"
+
+#include <initializer_list>
+
+#include "gl/vertex/engine.hpp"
+
+namespace spangle::egl {
+
+namespace {
+
+constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
+                                   PixelFormat::rgba8888};
+constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
+constexpr EGLint precision_count = 5;
+constexpr EGLint depth_count = 3, format_count = 4;
+constexpr EGLint config_count = format_count * depth_count * precision_count;
+
+const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< double, shadow
+
+Config config_of(EGLint id) {
+    const EGLint i = id - 1;
+    return {id, formats[i / (depth_count * precision_count)], depths[i / precision_count % depth_count],
+            EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
+}
+
+bool exists(const Config& config) {
+    return precision_of(config.precision).engine != nullptr;
+}
+
+EGLConfig handle_of(const Config& config) {
+    return reinterpret_cast<EGLConfig>(static_cast<std::uintptr_t>(config.id));
+}
+
+struct Attribute {
+    bool known;
+    EGLint value;
+};
+
+/// EGL 1.4, table 3.1.
+Attribute attribute(const Display& display, const Config& c, EGLint name) {
+    const FormatInfo info = format_info(c.format);
+    constexpr EGLint largest = 2048;
+    switch (name) {
+    case EGL_BUFFER_SIZE:
+        return {true, info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits};
+    case EGL_RED_SIZE:
+        return {true, info.red_bits};
+    case EGL_GREEN_SIZE:
+        return {true, info.green_bits};
+    case EGL_BLUE_SIZE:
+        return {true, info.blue_bits};
+    case EGL_ALPHA_SIZE:
+        return {true, info.alpha_bits};
+    case EGL_DEPTH_SIZE:
+        return {true, c.depth == DepthFormat::none ? 0 : c.depth == DepthFormat::z16 ? 16 : 24};
+    case EGL_STENCIL_SIZE:
+        return {true, c.depth == DepthFormat::z24s8 ? 8 : 0};
+    case EGL_CONFIG_CAVEAT:
+        return {true, EGL_NONE};
+    case EGL_CONFIG_ID:
+        return {true, c.id};
+    case EGL_COLOR_BUFFER_TYPE:
+        return {true, EGL_RGB_BUFFER};
+    case EGL_SURFACE_TYPE:
+        return {true, EGL_PBUFFER_BIT | (fits_window(display, c) ? EGL_WINDOW_BIT : 0)};
+    case EGL_RENDERABLE_TYPE:
+        return {true, EGL_OPENGL_BIT};
+    case EGL_CONFORMANT:
+        return {true, 0}; // a subset of OpenGL as yet
+    case EGL_MAX_PBUFFER_WIDTH:
+    case EGL_MAX_PBUFFER_HEIGHT:
+        return {true, largest};
+    case EGL_MAX_PBUFFER_PIXELS:
+        return {true, largest * largest};
+    case EGL_MIN_SWAP_INTERVAL:
+    case EGL_MAX_SWAP_INTERVAL:
+        return {true, 1};
+    case EGL_NATIVE_VISUAL_TYPE:
+    case EGL_TRANSPARENT_TYPE:
+        return {true, EGL_NONE};
+    case EGL_NATIVE_VISUAL_ID:
+        return {true, static_cast<EGLint>(c.format)};
+    case EGL_PRECISION_SPANGLE:
+        return {true, c.precision};
+    case EGL_BIND_TO_TEXTURE_RGB:
+    case EGL_BIND_TO_TEXTURE_RGBA:
+    case EGL_NATIVE_RENDERABLE:
+        return {true, EGL_FALSE};
+    case EGL_LUMINANCE_SIZE:
+    case EGL_ALPHA_MASK_SIZE:
+    case EGL_LEVEL:
+    case EGL_SAMPLES:
+    case EGL_SAMPLE_BUFFERS:
+    case EGL_TRANSPARENT_RED_VALUE:
+    case EGL_TRANSPARENT_GREEN_VALUE:
+    case EGL_TRANSPARENT_BLUE_VALUE:
+        return {true, 0};
+    default:
+        return {false, 0};
+    }
+}
+
+/// EGL 1.4, table 3.4: how a wish is held against a value, and what is wished where nothing is said.
+enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
+struct Wish {
+    EGLint name;
+    Rule rule;
+    EGLint value;
+};
+constexpr Wish defaults[] = {
+    {EGL_BUFFER_SIZE, Rule::at_least, 0},
+    {EGL_RED_SIZE, Rule::at_least, 0},
+    {EGL_GREEN_SIZE, Rule::at_least, 0},
+    {EGL_BLUE_SIZE, Rule::at_least, 0},
+    {EGL_ALPHA_SIZE, Rule::at_least, 0},
+    {EGL_LUMINANCE_SIZE, Rule::at_least, 0},
+    {EGL_ALPHA_MASK_SIZE, Rule::at_least, 0},
+    {EGL_DEPTH_SIZE, Rule::at_least, 0},
+    {EGL_STENCIL_SIZE, Rule::at_least, 0},
+    {EGL_SAMPLES, Rule::at_least, 0},
+    {EGL_SAMPLE_BUFFERS, Rule::at_least, 0},
+    {EGL_CONFIG_CAVEAT, Rule::exact, EGL_DONT_CARE},
+    {EGL_CONFIG_ID, Rule::exact, EGL_DONT_CARE},
+    {EGL_LEVEL, Rule::exact, 0},
+    {EGL_COLOR_BUFFER_TYPE, Rule::exact, EGL_RGB_BUFFER},
+    {EGL_BIND_TO_TEXTURE_RGB, Rule::exact, EGL_DONT_CARE},
+    {EGL_BIND_TO_TEXTURE_RGBA, Rule::exact, EGL_DONT_CARE},
+    {EGL_NATIVE_RENDERABLE, Rule::exact, EGL_DONT_CARE},
+    {EGL_NATIVE_VISUAL_TYPE, Rule::exact, EGL_DONT_CARE},
+    {EGL_MIN_SWAP_INTERVAL, Rule::exact, EGL_DONT_CARE},
+    {EGL_MAX_SWAP_INTERVAL, Rule::exact, EGL_DONT_CARE},
+    {EGL_TRANSPARENT_TYPE, Rule::exact, EGL_NONE},
+    {EGL_TRANSPARENT_RED_VALUE, Rule::ignored, EGL_DONT_CARE},
+    {EGL_TRANSPARENT_GREEN_VALUE, Rule::ignored, EGL_DONT_CARE},
+    {EGL_TRANSPARENT_BLUE_VALUE, Rule::ignored, EGL_DONT_CARE},
+    {EGL_MAX_PBUFFER_WIDTH, Rule::ignored, EGL_DONT_CARE},
+    {EGL_MAX_PBUFFER_HEIGHT, Rule::ignored, EGL_DONT_CARE},
+    {EGL_MAX_PBUFFER_PIXELS, Rule::ignored, EGL_DONT_CARE},
+    {EGL_NATIVE_VISUAL_ID, Rule::ignored, EGL_DONT_CARE},
+    {EGL_MATCH_NATIVE_PIXMAP, Rule::ignored, EGL_NONE},
+    {EGL_SURFACE_TYPE, Rule::mask, EGL_WINDOW_BIT},
+    {EGL_RENDERABLE_TYPE, Rule::mask, EGL_OPENGL_ES_BIT},
+    {EGL_CONFORMANT, Rule::mask, 0},
+    {EGL_PRECISION_SPANGLE, Rule::exact, EGL_DONT_CARE},
+};
+constexpr int wish_count = sizeof defaults / sizeof defaults[0];
+
+struct Wishes {
+    EGLint value[wish_count];
+};
+
+/// False when the list names an attribute that does not exist, or wishes a value no attribute has.
+bool read_wishes(const EGLint* list, Wishes& out) {
+    for (int i = 0; i < wish_count; ++i)
+        out.value[i] = defaults[i].value;
+    // A program that wants plain GL need not say so: there is nothing else here.
+    for (int i = 0; i < wish_count; ++i)
+        if (defaults[i].name == EGL_RENDERABLE_TYPE)
+            out.value[i] = EGL_OPENGL_BIT;
+    for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        int i = 0;
+        while (i < wish_count && defaults[i].name != list[0])
+            ++i;
+        if (i == wish_count)
+            return false;
+        if (list[1] < 0 && list[1] != EGL_DONT_CARE)
+            return false;
+        if (list[0] == EGL_LEVEL && list[1] == EGL_DONT_CARE)
+            return false;
+        out.value[i] = list[1];
+    }
+    return true;
+}
+
+bool matches(const Display& display, const Config& config, const Wishes& wishes) {
+    // A CONFIG_ID decides alone (EGL 1.4, 3.4.1).
+    for (int i = 0; i < wish_count; ++i)
+        if (defaults[i].name == EGL_CONFIG_ID && wishes.value[i] != EGL_DONT_CARE)
+            return config.id == wishes.value[i];
+    for (int i = 0; i < wish_count; ++i) {
+        const EGLint wish = wishes.value[i];
+        if (wish == EGL_DONT_CARE || defaults[i].rule == Rule::ignored)
+            continue;
+        const EGLint value = attribute(display, config, defaults[i].name).value;
+        const bool good = defaults[i].rule == Rule::at_least ? value >= wish
+                          : defaults[i].rule == Rule::exact  ? value == wish
+                                                             : (value & wish) == wish;
+        if (!good)
+            return false;
+    }
+    return true;
+}
+
+EGLint wish_for(const Wishes& wishes, EGLint name) {
+    for (int i = 0; i < wish_count; ++i)
+        if (defaults[i].name == name)
+            return wishes.value[i];
+    return 0;
+}
+
+/// EGL 1.4, 3.4.1.2: more colour bits first where colour bits were asked for, then the smaller buffers, then
+/// the id.
+bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
+    EGLint bits_a = 0, bits_b = 0;
+    for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
+        const EGLint wish = wish_for(wishes, name);
+        if (wish == 0 || wish == EGL_DONT_CARE)
+            continue;
+        bits_a += attribute(display, a, name).value;
+        bits_b += attribute(display, b, name).value;
+    }
+    if (bits_a != bits_b)
+        return bits_a > bits_b;
+    for (const EGLint name : {EGL_BUFFER_SIZE, EGL_DEPTH_SIZE, EGL_STENCIL_SIZE}) {
+        const EGLint va = attribute(display, a, name).value, vb = attribute(display, b, name).value;
+        if (va != vb)
+            return va < vb;
+    }
+    // Of two that differ in nothing else the display's own byte order comes first.
+    const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
+    return own_a != own_b ? own_a : a.id < b.id;
+}
+
+} // namespace
+
+bool fits_window(const Display& display, const Config& config) {
+    return display.native != nullptr && display.native->info().format == config.format;
+}
+
+Config find_config(const Display&, EGLConfig handle) {
+    const auto id = reinterpret_cast<std::uintptr_t>(handle);
+    if (id < 1 || id > static_cast<std::uintptr_t>(config_count))
+        return {};
+    const Config config = config_of(static_cast<EGLint>(id));
+    return exists(config) ? config : Config{};
+}
+
+Precision precision_of(EGLint precision) {
+    switch (precision) {
+    case EGL_PRECISION_EXACT_SPANGLE:
+        return {&gl::fixed_engine, raster::Tier::exact};
+    case EGL_PRECISION_BALANCED_SPANGLE:
+        return {&gl::fixed_engine, raster::Tier::balanced};
+    case EGL_PRECISION_FAST_SPANGLE:
+        return {&gl::fixed_engine, raster::Tier::fast};
+    case EGL_PRECISION_DOUBLE_SPANGLE:
+        return {reference_engines[0], raster::Tier::exact};
+    case EGL_PRECISION_SHADOW_SPANGLE:
+        return {reference_engines[1], raster::Tier::exact};
+    default:
+        return {nullptr, raster::Tier::exact};
+    }
+}
+
+void register_engine(EGLint precision, const gl::Engine* engine) {
+    if (precision == EGL_PRECISION_DOUBLE_SPANGLE)
+        reference_engines[0] = engine;
+    if (precision == EGL_PRECISION_SHADOW_SPANGLE)
+        reference_engines[1] = engine;
+}
+
+} // namespace spangle::egl
+
+using namespace spangle::egl;
+
+extern "C" {
+
+EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size, EGLint* num_config) {
+    const Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    if (num_config == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    EGLint n = 0;
+    for (EGLint id = 1; id <= config_count; ++id) {
+        const Config config = config_of(id);
+        if (!exists(config))
+            continue;
+        if (configs != nullptr) {
+            if (n >= config_size)
+                break;
+            configs[n] = handle_of(config);
+        }
+        ++n;
+    }
+    *num_config = n;
+    return succeed();
+}
+
+EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs, EGLint config_size,
+                           EGLint* num_config) {
+    const Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    if (num_config == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    Wishes wishes;
+    if (!read_wishes(attrib_list, wishes))
+        return fail(EGL_BAD_ATTRIBUTE);
+    EGLint found[config_count];
+    EGLint n = 0;
+    for (EGLint id = 1; id <= config_count; ++id) {
+        const Config config = config_of(id);
+        if (!exists(config) || !matches(*display, config, wishes))
+            continue;
+        EGLint at = n++;
+        for (; at > 0 && before(*display, wishes, config, config_of(found[at - 1])); --at)
+            found[at] = found[at - 1];
+        found[at] = id;
+    }
+    if (configs != nullptr && n > config_size)
+        n = config_size < 0 ? 0 : config_size;
+    for (EGLint i = 0; configs != nullptr && i < n; ++i)
+        configs[i] = handle_of(config_of(found[i]));
+    *num_config = n;
+    return succeed();
+}
+
+EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint name, EGLint* value) {
+    const Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    const Config found = find_config(*display, config);
+    if (found.id == 0)
+        return fail(EGL_BAD_CONFIG);
+    const Attribute result = attribute(*display, found, name);
+    if (!result.known)
+        return fail(EGL_BAD_ATTRIBUTE);
+    if (value == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    *value = result.value;
+    return succeed();
+}
+}

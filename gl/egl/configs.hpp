@@ -1,0 +1,28 @@
+// The configurations of a display: formats x depth buffers x precisions.
+#pragma once
+
+#include "gl/egl/objects.hpp"
+
+namespace spangle::gl {
+struct Engine;
+}
+
+namespace spangle::egl {
+
+/// The configuration behind a handle; id 0 when there is none.
+Config find_config(const Display& display, EGLConfig handle);
+
+/// Whether a window of this display may have the configuration: only in the panel's own format.
+bool fits_window(const Display& display, const Config& config);
+
+/// The engine and tier of a precision; engine null when this program has none.
+struct Precision {
+    const gl::Engine* engine;
+    raster::Tier tier;
+};
+Precision precision_of(EGLint precision);
+
+/// Host tools link the reference policies and name them here, before contexts are made.
+void register_engine(EGLint precision, const gl::Engine* engine);
+
+} // namespace spangle::egl

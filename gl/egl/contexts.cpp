@@ -1,0 +1,180 @@
+// Contexts, and which one is current (EGL 1.4, 3.7).
+#include "gl/api/names.hpp"
+#include "gl/context/error.hpp"
+#include "gl/egl/configs.hpp"
+#include "gl/egl/objects.hpp"
+
+#include <new>
+
+namespace spangle::egl {
+
+namespace {
+
+/// Surface and context must agree on how pixels lie and in which numbers they are made (EGL 1.4, 2.2).
+bool compatible(const Config& a, const Config& b) {
+    return a.format == b.format && a.depth == b.depth;
+}
+
+} // namespace
+
+void release_current() {
+    Thread& t = thread();
+    if (t.context == nullptr)
+        return;
+    Display& display = *t.display;
+    Context* const context = t.context;
+    Surface* const surfaces[2] = {t.draw, t.read};
+    gl::set_current_context(nullptr);
+    t.display = nullptr;
+    t.context = nullptr;
+    t.draw = t.read = nullptr;
+    context->current = false;
+    for (Surface* s : surfaces)
+        --s->bindings;
+    release(display, surfaces[0]);
+    if (surfaces[1] != surfaces[0])
+        release(display, surfaces[1]);
+    release(display, context);
+}
+
+} // namespace spangle::egl
+
+using namespace spangle::egl;
+
+extern "C" {
+
+EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
+                            const EGLint* attrib_list) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_NO_CONTEXT;
+    const Config found = find_config(*display, config);
+    if (found.id == 0) {
+        fail(EGL_BAD_CONFIG);
+        return EGL_NO_CONTEXT;
+    }
+    Context* const share = share_context == EGL_NO_CONTEXT ? nullptr : find_context(*display, share_context);
+    if (share_context != EGL_NO_CONTEXT && share == nullptr)
+        return EGL_NO_CONTEXT;
+    if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
+        fail(EGL_BAD_ATTRIBUTE); // OpenGL contexts take none in EGL 1.4
+        return EGL_NO_CONTEXT;
+    }
+    const Precision precision = precision_of(found.precision);
+    void* const memory = arena().allocate(sizeof(Context));
+    spangle::gl::Context* const gl =
+        memory == nullptr ? nullptr
+                          : spangle::gl::create_context(arena(), {precision.tier, precision.engine},
+                                                        share == nullptr ? nullptr : share->gl);
+    if (gl == nullptr) {
+        arena().free(memory);
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreateContext: not enough memory; see spangle::memory"));
+        return EGL_NO_CONTEXT;
+    }
+    auto* const context = new (memory) Context;
+    context->config = found;
+    context->gl = gl;
+    context->next = display->contexts;
+    display->contexts = context;
+    succeed();
+    return context;
+}
+
+EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    Context* const context = find_context(*display, handle);
+    if (context == nullptr)
+        return EGL_FALSE;
+    context->destroyed = true;
+    release(*display, context);
+    return succeed();
+}
+
+EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
+    if (ctx == EGL_NO_CONTEXT) {
+        if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
+            return fail(EGL_BAD_MATCH);
+        release_current();
+        return succeed();
+    }
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    Context* const context = find_context(*display, ctx);
+    if (context == nullptr)
+        return EGL_FALSE;
+    if (draw == EGL_NO_SURFACE || read == EGL_NO_SURFACE)
+        return fail(EGL_BAD_MATCH);
+    Surface* const draw_surface = find_surface(*display, draw);
+    Surface* const read_surface = find_surface(*display, read);
+    if (draw_surface == nullptr || read_surface == nullptr)
+        return EGL_FALSE;
+    if (draw_surface != read_surface)
+        return fail(EGL_BAD_MATCH,
+                    SPANGLE_TEXT("eglMakeCurrent: draw and read surface must be one in this version"));
+    if (!compatible(context->config, draw_surface->config))
+        return fail(EGL_BAD_MATCH);
+    if (context->current && thread().context != context)
+        return fail(EGL_BAD_ACCESS);
+    if (draw_surface->bindings != 0 && thread().draw != draw_surface)
+        return fail(EGL_BAD_ACCESS);
+    // Hold the new ones first: they may be what is released.
+    draw_surface->bindings += 2;
+    release_current();
+    context->current = true;
+    thread().display = display;
+    thread().context = context;
+    thread().draw = thread().read = draw_surface;
+    spangle::gl::make_current(context->gl, pixels_of(*draw_surface), draw_surface->window);
+    return succeed();
+}
+
+EGLContext eglGetCurrentContext() {
+    return thread().context;
+}
+
+EGLSurface eglGetCurrentSurface(EGLint readdraw) {
+    if (readdraw == EGL_DRAW)
+        return thread().draw;
+    if (readdraw == EGL_READ)
+        return thread().read;
+    fail(EGL_BAD_PARAMETER);
+    return EGL_NO_SURFACE;
+}
+
+EGLDisplay eglGetCurrentDisplay() {
+    return thread().display;
+}
+
+EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    const Context* const context = find_context(*display, ctx);
+    if (context == nullptr)
+        return EGL_FALSE;
+    if (value == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    switch (attribute) {
+    case EGL_CONFIG_ID:
+        *value = context->config.id;
+        break;
+    case EGL_CONTEXT_CLIENT_TYPE:
+        *value = EGL_OPENGL_API;
+        break;
+    case EGL_CONTEXT_CLIENT_VERSION:
+        *value = 1;
+        break;
+    case EGL_RENDER_BUFFER:
+        *value = thread().context != context || thread().draw == nullptr ? EGL_NONE
+                 : thread().draw->window                                 ? EGL_BACK_BUFFER
+                                                                         : EGL_SINGLE_BUFFER;
+        break;
+    default:
+        return fail(EGL_BAD_ATTRIBUTE);
+    }
+    return succeed();
+}
+}

@@ -1,0 +1,78 @@
+// eglGetProcAddress (EGL 1.4, 3.10): entry points of EGL and GL by name. A feature, because it keeps every
+// entry point in the program.
+#include "gl/api/names.hpp"
+#include "gl/context/features.hpp"
+#include "gl/egl/objects.hpp"
+
+namespace {
+
+#if SPANGLE_FEATURE_GET_PROC_ADDRESS
+struct Entry {
+    const char* name;
+    __eglMustCastToProperFunctionPointerType function;
+};
+
+template <class F> __eglMustCastToProperFunctionPointerType erase(F* function) {
+    return reinterpret_cast<__eglMustCastToProperFunctionPointerType>(function);
+}
+
+bool same(const char* a, const char* b) {
+    for (; *a != '\0' && *a == *b; ++a)
+        ++b;
+    return *a == *b;
+}
+
+__eglMustCastToProperFunctionPointerType find_egl(const char* name) {
+#define ENTRY(function)                                                                                      \
+    { #function, erase(function) }
+    const Entry table[] = {
+        ENTRY(eglGetError),
+        ENTRY(eglGetDisplay),
+        ENTRY(eglInitialize),
+        ENTRY(eglTerminate),
+        ENTRY(eglQueryString),
+        ENTRY(eglGetConfigs),
+        ENTRY(eglChooseConfig),
+        ENTRY(eglGetConfigAttrib),
+        ENTRY(eglDestroySurface),
+        ENTRY(eglQuerySurface),
+        ENTRY(eglCreateWindowSurface),
+        ENTRY(eglCreatePbufferSurface),
+        ENTRY(eglBindAPI),
+        ENTRY(eglQueryAPI),
+        ENTRY(eglSwapInterval),
+        ENTRY(eglCreateContext),
+        ENTRY(eglDestroyContext),
+        ENTRY(eglMakeCurrent),
+        ENTRY(eglGetCurrentContext),
+        ENTRY(eglGetCurrentSurface),
+        ENTRY(eglQueryContext),
+        ENTRY(eglGetCurrentDisplay),
+        ENTRY(eglWaitGL),
+        ENTRY(eglWaitClient),
+        ENTRY(eglWaitNative),
+        ENTRY(eglReleaseThread),
+        ENTRY(eglSwapBuffers),
+        ENTRY(eglGetProcAddress),
+    };
+#undef ENTRY
+    for (const Entry& entry : table)
+        if (same(entry.name, name))
+            return entry.function;
+    return nullptr;
+}
+#endif
+
+} // namespace
+
+extern "C" __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* procname) {
+#if SPANGLE_FEATURE_GET_PROC_ADDRESS
+    if (procname == nullptr)
+        return nullptr;
+    const auto egl = find_egl(procname);
+    return egl != nullptr ? egl : spangle::gl::find_entry_point(procname);
+#else
+    static_cast<void>(procname);
+    return nullptr;
+#endif
+}

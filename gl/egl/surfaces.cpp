@@ -1,0 +1,282 @@
+// Windows, pbuffers, and what SwapBuffers does (EGL 1.4, 3.5, 3.9).
+#include "gl/context/error.hpp"
+#include "gl/egl/configs.hpp"
+#include "gl/egl/objects.hpp"
+
+#include <new>
+
+namespace spangle::egl {
+
+namespace {
+
+constexpr std::int32_t largest_pbuffer = 2048;
+
+std::int32_t bytes_per_depth(DepthFormat format) {
+    return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
+}
+
+/// A surface with its buffers, or null with nothing kept. `own_color`: the colour buffer comes from the
+/// arena.
+Surface* make(const Config& config, std::int32_t width, std::int32_t height, bool own_color) {
+    gl::Arena& a = arena();
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    void* const memory = a.allocate(sizeof(Surface));
+    void* const color = own_color ? a.allocate(pixels * format_info(config.format).bytes_per_pixel) : nullptr;
+    const bool has_depth = config.depth != DepthFormat::none;
+    void* const depth =
+        has_depth ? a.allocate(pixels * static_cast<std::size_t>(bytes_per_depth(config.depth))) : nullptr;
+    if (memory == nullptr || (own_color && color == nullptr) || (has_depth && depth == nullptr)) {
+        a.free(depth);
+        a.free(color);
+        a.free(memory);
+        return nullptr;
+    }
+    auto* const surface = new (memory) Surface;
+    surface->config = config;
+    surface->width = width;
+    surface->height = height;
+    surface->color = static_cast<std::uint8_t*>(color);
+    surface->depth = static_cast<std::uint8_t*>(depth);
+    return surface;
+}
+
+EGLSurface keep(Display& display, Surface* surface) {
+    surface->next = display.surfaces;
+    display.surfaces = surface;
+    succeed();
+    return surface;
+}
+
+/// Asks the display for the buffer of the next frame.
+bool next_frame(Display& display, Surface& surface) {
+    const hal::Result<hal::Frame> frame = display.native->acquire();
+    if (!frame.ok()) {
+        fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
+        return false;
+    }
+    surface.frame = frame.value();
+    return true;
+}
+
+struct PbufferWish {
+    EGLint width = 0, height = 0;
+    bool largest = false;
+};
+
+/// 0, or the error in the list.
+EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
+    for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        switch (list[0]) {
+        case EGL_WIDTH:
+            out.width = list[1];
+            break;
+        case EGL_HEIGHT:
+            out.height = list[1];
+            break;
+        case EGL_LARGEST_PBUFFER:
+            out.largest = list[1] != EGL_FALSE;
+            break;
+        case EGL_TEXTURE_FORMAT:
+        case EGL_TEXTURE_TARGET:
+            if (list[1] != EGL_NO_TEXTURE)
+                return EGL_BAD_MATCH;
+            break;
+        case EGL_MIPMAP_TEXTURE:
+            break;
+        default:
+            return EGL_BAD_ATTRIBUTE;
+        }
+    }
+    return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : 0;
+}
+
+} // namespace
+
+raster::Surface pixels_of(const Surface& surface) {
+    raster::Surface out;
+    const std::int32_t last = surface.height - 1;
+    out.width = surface.width;
+    out.height = surface.height;
+    out.format = surface.config.format;
+    out.depth_format = surface.config.depth;
+    if (surface.window) { // top row first
+        out.color_stride = -surface.frame.stride;
+        out.color = surface.frame.pixels + static_cast<std::intptr_t>(last) * surface.frame.stride;
+        out.extents = surface.frame.extents;
+        out.touched =
+            out.extents != nullptr && out.extents->rows != nullptr ? out.extents->rows + last : nullptr;
+        out.touched_step = -1;
+    } else {
+        out.color_stride = -surface.width * format_info(surface.config.format).bytes_per_pixel;
+        out.color = surface.color - static_cast<std::intptr_t>(last) * out.color_stride;
+    }
+    if (surface.depth != nullptr) {
+        out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);
+        out.depth = surface.depth - static_cast<std::intptr_t>(last) * out.depth_stride;
+    }
+    return out;
+}
+
+} // namespace spangle::egl
+
+using namespace spangle::egl;
+
+extern "C" {
+
+EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
+                                  const EGLint* attrib_list) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_NO_SURFACE;
+    const Config found = find_config(*display, config);
+    EGLint problem = found.id == 0 ? EGL_BAD_CONFIG : EGL_SUCCESS;
+    if (problem == EGL_SUCCESS && !fits_window(*display, found))
+        problem = EGL_BAD_MATCH;
+    if (problem == EGL_SUCCESS && win != 0)
+        problem = EGL_BAD_NATIVE_WINDOW;
+    for (const EGLint* a = attrib_list; problem == EGL_SUCCESS && a != nullptr && *a != EGL_NONE; a += 2)
+        if (a[0] != EGL_RENDER_BUFFER)
+            problem = EGL_BAD_ATTRIBUTE;
+    for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
+        if (s->window && !s->destroyed)
+            problem = EGL_BAD_ALLOC; // the glass has one window
+    if (problem != EGL_SUCCESS) {
+        fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
+                                   "and no other window"));
+        return EGL_NO_SURFACE;
+    }
+    const spangle::hal::DisplayInfo info = display->native->info();
+    Surface* const surface = make(found, info.width, info.height, false);
+    if (surface == nullptr) {
+        fail(EGL_BAD_ALLOC,
+             SPANGLE_TEXT("eglCreateWindowSurface: no memory for the depth buffer; see spangle::memory"));
+        return EGL_NO_SURFACE;
+    }
+    surface->window = true;
+    if (!next_frame(*display, *surface)) {
+        const EGLint error = thread().error;
+        arena().free(surface->depth);
+        arena().free(surface);
+        fail(error);
+        return EGL_NO_SURFACE;
+    }
+    return keep(*display, surface);
+}
+
+EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_NO_SURFACE;
+    const Config found = find_config(*display, config);
+    PbufferWish wish;
+    EGLint problem = found.id == 0 ? EGL_BAD_CONFIG : read_pbuffer(attrib_list, wish);
+    if (problem == 0 && (wish.width > largest_pbuffer || wish.height > largest_pbuffer) && !wish.largest)
+        problem = EGL_BAD_ALLOC;
+    if (problem != 0) {
+        fail(problem);
+        return EGL_NO_SURFACE;
+    }
+    const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
+    Surface* const surface = make(found, cut(wish.width), cut(wish.height), true);
+    if (surface == nullptr) {
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreatePbufferSurface: not enough memory; see spangle::memory"));
+        return EGL_NO_SURFACE;
+    }
+    return keep(*display, surface);
+}
+
+EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    Surface* const surface = find_surface(*display, handle);
+    if (surface == nullptr)
+        return EGL_FALSE;
+    surface->destroyed = true;
+    release(*display, surface);
+    return succeed();
+}
+
+EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint* value) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    const Surface* const s = find_surface(*display, handle);
+    if (s == nullptr)
+        return EGL_FALSE;
+    if (value == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    switch (attribute) {
+    case EGL_WIDTH:
+        *value = s->width;
+        break;
+    case EGL_HEIGHT:
+        *value = s->height;
+        break;
+    case EGL_CONFIG_ID:
+        *value = s->config.id;
+        break;
+    case EGL_RENDER_BUFFER:
+        *value = s->window ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
+        break;
+    case EGL_SWAP_BEHAVIOR:
+        *value = EGL_BUFFER_DESTROYED;
+        break; // BUFFER_AGE tells more
+    case EGL_BUFFER_AGE_EXT:
+        // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
+        if (thread().draw != s)
+            return fail(EGL_BAD_SURFACE);
+        *value = s->window ? s->frame.age : 0;
+        break;
+    case EGL_TEXTURE_FORMAT:
+    case EGL_TEXTURE_TARGET:
+        *value = EGL_NO_TEXTURE;
+        break;
+    case EGL_MIPMAP_TEXTURE:
+    case EGL_LARGEST_PBUFFER:
+        *value = EGL_FALSE;
+        break;
+    case EGL_MIPMAP_LEVEL:
+        *value = 0;
+        break;
+    case EGL_HORIZONTAL_RESOLUTION:
+    case EGL_VERTICAL_RESOLUTION:
+    case EGL_PIXEL_ASPECT_RATIO:
+        *value = EGL_UNKNOWN;
+        break;
+    default:
+        return fail(EGL_BAD_ATTRIBUTE);
+    }
+    return succeed();
+}
+
+EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint) {
+    if (find_display(dpy) == nullptr)
+        return EGL_FALSE;
+    if (thread().context == nullptr)
+        return fail(EGL_BAD_CONTEXT);
+    if (thread().draw == nullptr)
+        return fail(EGL_BAD_SURFACE);
+    return succeed(); // clamped to 1..1
+}
+
+EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    Surface* const surface = find_surface(*display, handle);
+    if (surface == nullptr)
+        return EGL_FALSE;
+    if (!surface->window)
+        return succeed(); // a pbuffer has nothing to swap (EGL 1.4, 3.9.1)
+    if (thread().draw != surface)
+        return fail(EGL_BAD_SURFACE);
+    const spangle::hal::Result<void> shown = display->native->present();
+    if (!shown.ok())
+        return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
+    if (!next_frame(*display, *surface))
+        return EGL_FALSE;
+    spangle::gl::make_current(thread().context->gl, pixels_of(*surface), true);
+    return succeed();
+}
+}
