@@ -1,6 +1,7 @@
 // Display list state: base, nesting, and the list being compiled (GL 1.3, 5.4).
 #pragma once
 
+#include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
@@ -29,9 +30,11 @@ struct ListState {
     GLuint index = 0;     ///< name of the list being compiled, or 0
     GLenum mode = 0;      ///< COMPILE, COMPILE_AND_EXECUTE, or 0
     bool execute = false; ///< mode is COMPILE_AND_EXECUTE
+#if SPANGLE_FEATURE_LISTS
     std::uint32_t depth = 0;
-    const list::Word* return_to[max_list_nesting] = {};
+    const list::Word* return_to[max_list_nesting] = {}; ///< where each called list goes on
     ListRecorder recorder;
+#endif
 };
 
 } // namespace spangle::gl

@@ -83,8 +83,10 @@ class RecordingContext : public ::testing::Test {
         std::memcpy(static_cast<void*>(&copy), context, sizeof copy);
         copy.error_code = 0;
         copy.dirty = 0;
+#if SPANGLE_FEATURE_LISTS
         std::memset(static_cast<void*>(&copy.list.recorder), 0, sizeof copy.list.recorder);
         std::memset(copy.list.return_to, 0, sizeof copy.list.return_to);
+#endif
         const auto* bytes = reinterpret_cast<const unsigned char*>(&copy);
         return {bytes, bytes + sizeof copy};
     }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <string>
 
+#include <spangle/message.hpp>
+
 #include "gl/context/features.hpp"
 #include "tests/gl_api/recording_context.hpp"
 
@@ -269,6 +271,31 @@ TEST_F(State, EveryCapabilityToggles) {
         (before ? glEnable : glDisable)(cap);
     }
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(State, AbsentSystemsAreNamed) {
+    static std::string said;
+    on_message([](unsigned, const char* text) { said = text; });
+    const std::pair<GLenum, bool> caps[] = {{GL_FOG, SPANGLE_FEATURE_FOG != 0},
+                                            {GL_LIGHTING, SPANGLE_FEATURE_LIGHTING != 0},
+                                            {GL_LIGHT7, SPANGLE_FEATURE_LIGHTING != 0},
+                                            {GL_COLOR_MATERIAL, SPANGLE_FEATURE_LIGHTING != 0}};
+    for (const auto& [cap, present] : caps) {
+        const GLenum expected = present ? GL_NO_ERROR : GL_INVALID_OPERATION;
+        GLint value;
+        const auto check = [&, cap = cap, present = present] {
+            EXPECT_EQ(glGetError(), expected) << std::hex << cap;
+            EXPECT_EQ(said.find("SPANGLE_FEATURE_") != std::string::npos, !present);
+            said.clear();
+        };
+        glEnable(cap);
+        check();
+        EXPECT_EQ(glIsEnabled(cap), present);
+        check();
+        glGetIntegerv(cap, &value);
+        check();
+    }
+    on_message(nullptr);
 }
 
 TEST_F(State, ClientArraysAreQueriedButNotEnabledAsCapabilities) {
