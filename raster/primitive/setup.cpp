@@ -149,8 +149,8 @@ SPANGLE_INLINE std::uint64_t Setup<Fixed>::to_anchor(const Gradient& g) const {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> subpixel_bits);
 }
 
-std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
-                              int up) {
+std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                       const std::int32_t v[3], int up) {
     const Gradient g = gradient(v, up);
     at.value = first + static_cast<std::uint32_t>(to_anchor(g));
     at.dx = static_cast<std::uint32_t>(g.dx);
@@ -398,8 +398,10 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
                         : static_cast<std::uint32_t>(v >> less) +
                               (static_cast<std::uint32_t>(base) << clamped_coord_bits);
         };
-        at.s_dy = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s, wraps.s ? u.shift : u.shift - less);
-        at.t_dy = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t, wraps.t ? u.shift : u.shift - less);
+        at.s_dy = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
+                             wraps.s ? u.shift : u.shift - less);
+        at.t_dy = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
+                             wraps.t ? u.shift : u.shift - less);
         return;
     }
     at.exponent = u.shift - 32;

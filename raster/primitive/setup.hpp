@@ -87,7 +87,8 @@ template <> class Setup<Fixed> {
     void move_projective(std::uint32_t columns, std::uint32_t rows);
     Gradient gradient(const std::int32_t v[3], int up) const;
     std::uint64_t to_anchor(const Gradient& g) const;
-    std::uint64_t add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
+    std::uint64_t add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
+                             int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
     void constant_colors(const Vertex& provoking);

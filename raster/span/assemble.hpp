@@ -1,4 +1,5 @@
-// From a key to its chain: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses it.
+// From a key to its chain: the stages in GL's order (Red Book, appendix E), one line each. Every policy uses
+// it.
 #pragma once
 
 #include "raster/span/chain.hpp"
@@ -17,20 +18,17 @@
 namespace spangle::raster {
 
 /// Appends stages of number system N to a chain.
-template <class N>
-class ChainBuilder {
+template <class N> class ChainBuilder {
   public:
     explicit ChainBuilder(Variant& variant) : variant_(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&chain_span<N>);
     }
-    template <class S>
-    void add() {
+    template <class S> void add() {
         variant_.chain[count_++] = reinterpret_cast<AnyFunction>(&chain_stage<N, S>);
         variant_.chain[count_] = nullptr;
     }
     /// One of two, decided at run time.
-    template <class WhenTrue, class WhenFalse>
-    void choose(bool condition) {
+    template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
     }
 
@@ -44,8 +42,7 @@ constexpr bool early_tests(const Key& key) {
     return key.alpha == Compare::always;
 }
 
-template <class N>
-void add_tests(ChainBuilder<N>& chain, const Key& key) {
+template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     if (key.stencil)
         chain.template add<StencilDepth<N>>();
     else if (key.depth != Compare::always || key.depth_write)
@@ -61,13 +58,13 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
         return;
     const Texture& texture = *state.unit[Unit].texture;
     chain.template choose<Coord<N, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
-    if (texture.mip != MipFilter::none || texture.mag != texture.min)
+    const bool has_lod = texture.mip != MipFilter::none || texture.mag != texture.min;
+    if (has_lod)
         chain.template add<Lod<N, Unit>>();
-    chain.template add<Texture2D<N, Unit>>();
+    chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(has_lod);
 }
 
-template <class N, PixelFormat Format>
-void add_output(ChainBuilder<N>& chain, const Key& key) {
+template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     if (key.blend)
         chain.template add<Blend<N, Format>>();
     if (key.masked)
@@ -77,8 +74,7 @@ void add_output(ChainBuilder<N>& chain, const Key& key) {
 }
 
 /// Everything there is, modes at run time.
-template <class N>
-void assemble(Variant& variant, const Key& key, const FragmentState& state) {
+template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
     ChainBuilder<N> chain(variant);
     const bool early = early_tests(key);
     if (early)
@@ -88,6 +84,8 @@ void assemble(Variant& variant, const Key& key, const FragmentState& state) {
             chain.template choose<GouraudQ<N, true>, GouraudQ<N, false>>(key.color_alpha);
         else
             chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
+    } else {
+        chain.template add<White<N>>();
     }
     add_unit<N, 0>(chain, key, state);
     add_unit<N, 1>(chain, key, state);
@@ -102,10 +100,14 @@ void assemble(Variant& variant, const Key& key, const FragmentState& state) {
     if (!early)
         add_tests(chain, key);
     switch (key.format) {
-    case PixelFormat::rgb565_be: return add_output<N, PixelFormat::rgb565_be>(chain, key);
-    case PixelFormat::rgb565_le: return add_output<N, PixelFormat::rgb565_le>(chain, key);
-    case PixelFormat::rgb888: return add_output<N, PixelFormat::rgb888>(chain, key);
-    case PixelFormat::rgba8888: return add_output<N, PixelFormat::rgba8888>(chain, key);
+    case PixelFormat::rgb565_be:
+        return add_output<N, PixelFormat::rgb565_be>(chain, key);
+    case PixelFormat::rgb565_le:
+        return add_output<N, PixelFormat::rgb565_le>(chain, key);
+    case PixelFormat::rgb888:
+        return add_output<N, PixelFormat::rgb888>(chain, key);
+    case PixelFormat::rgba8888:
+        return add_output<N, PixelFormat::rgba8888>(chain, key);
     }
 }
 

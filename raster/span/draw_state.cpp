@@ -52,8 +52,9 @@ void assemble_raw(Variant& variant, const Key& key) {
     const UnitKey& unit = key.unit[0];
     if (unit.on) {
         chain.choose<Coord<Raw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
-        chain.choose<TextureFixed<Raw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
-                     TextureFixed<Raw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
+        chain.choose<
+            TextureFixed<Raw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
+            TextureFixed<Raw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
             unit.texels == TexelFormat::rgb565);
     } else if (key.kind == Kind::flat) {
         chain.add<FlatWord<1>>();
@@ -67,9 +68,15 @@ void assemble_raw(Variant& variant, const Key& key) {
 void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     switch (key.number) {
-    case Number::raw565: assemble_raw(variant, key); break;
-    case Number::balanced: assemble<Balanced<1>>(variant, key, state); break;
-    default: assemble<Exact>(variant, key, state); break;
+    case Number::raw565:
+        assemble_raw(variant, key);
+        break;
+    case Number::balanced:
+        assemble<Balanced<1>>(variant, key, state);
+        break;
+    default:
+        assemble<Exact>(variant, key, state);
+        break;
     }
     if (const SpanFunction run = find_fused(key); run != nullptr)
         variant.run = reinterpret_cast<AnyFunction>(run);
@@ -102,8 +109,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     }
 }
 
-template <>
-DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
+template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
     DrawState draw;
     prepare(draw, state, target);
     for (int i = 0; i < kind_count && !draw.nothing; ++i) {

@@ -13,12 +13,10 @@
 namespace spangle::raster {
 
 /// The depth test of a fused list: 16 bits, written; `always` stands for none.
-template <class N, Compare Func>
-struct FusedDepth : Depth<N, DepthFormat::z16, Func, true> {
+template <class N, Compare Func> struct FusedDepth : Depth<N, DepthFormat::z16, Func, true> {
     using Depth<N, DepthFormat::z16, Func, true>::Depth;
 };
-template <class N>
-struct FusedDepth<N, Compare::always> : StageBase {
+template <class N> struct FusedDepth<N, Compare::always> : StageBase {
     SPANGLE_INLINE FusedDepth(const Span<Fixed>&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
@@ -47,34 +45,29 @@ constexpr UnitKey fused_unit(TexelFormat texels, BaseFormat base, Filter filter,
 }
 
 /// What all cases of one number system share.
-template <class Case, template <int> class NumberOf>
-struct FusedCase {
-    template <int Lanes>
-    using Number = NumberOf<Lanes>;
+template <class Case, template <int> class NumberOf> struct FusedCase {
+    template <int Lanes> using Number = NumberOf<Lanes>;
     static constexpr bool wide = true;
     static void run(const Span<Fixed>& span) { fused<Case>(span); }
 };
 
-template <PixelFormat Format>
-struct FlatFill : FusedCase<FlatFill<Format>, Raw565> {
+template <PixelFormat Format> struct FlatFill : FusedCase<FlatFill<Format>, Raw565> {
     static constexpr Key key = fused_key(Number::raw565, Kind::flat, Format, Compare::always);
-    template <int L>
-    using List = Seq<Raw565<L>, FlatWord<L>, StoreRaw<L, Format>>;
+    template <int L> using List = Seq<Raw565<L>, FlatWord<L>, StoreRaw<L, Format>>;
     static void run(const Span<Fixed>& span) {
         const std::uint32_t word = span.flat_word;
-        fill16(span.color, StoreRaw<1, Format>::swaps ? Lanes<1>::swap_bytes(word) : word, span.end - span.begin);
+        fill16(span.color, StoreRaw<1, Format>::swaps ? Lanes<1>::swap_bytes(word) : word,
+               span.end - span.begin);
     }
 };
 
-template <PixelFormat Format, Compare Func>
-struct FlatDepth : FusedCase<FlatDepth<Format, Func>, Raw565> {
+template <PixelFormat Format, Compare Func> struct FlatDepth : FusedCase<FlatDepth<Format, Func>, Raw565> {
     static constexpr Key key = fused_key(Number::raw565, Kind::flat, Format, Func);
     template <int L>
     using List = Seq<Raw565<L>, FusedDepth<Raw565<L>, Func>, FlatWord<L>, StoreRaw<L, Format>>;
 };
 
-template <PixelFormat Format, Compare Func>
-struct Smooth : FusedCase<Smooth<Format, Func>, Raw565> {
+template <PixelFormat Format, Compare Func> struct Smooth : FusedCase<Smooth<Format, Func>, Raw565> {
     static constexpr Key key = fused_key(Number::raw565, Kind::affine, Format, Func);
     template <int L>
     using List = Seq<Raw565<L>, FusedDepth<Raw565<L>, Func>, Gouraud<Raw565<L>, false>, StoreRaw<L, Format>>;

@@ -1,5 +1,5 @@
-// The table of fused spans: one line per key. A key that is not here draws with the chain, the same bytes at most three
-// times slower.
+// The table of fused spans: one line per key. A key that is not here draws with the chain, the same bytes at
+// most three times slower.
 #include "raster/span/fused_table.hpp"
 
 #include "raster/span/fused_cases.hpp"
@@ -12,10 +12,8 @@ constexpr auto be = PixelFormat::rgb565_be;
 constexpr auto off = Compare::always;
 constexpr auto rgb565 = TexelFormat::rgb565;
 constexpr auto rgb888 = TexelFormat::rgb888;
-constexpr auto rgba8888 = TexelFormat::rgba8888;
 
-template <class Case>
-constexpr FusedSpan entry() {
+template <class Case> constexpr FusedSpan entry() {
 #ifdef SPANGLE_FIRMWARE
     return {Case::key, &Case::run, nullptr};
 #else

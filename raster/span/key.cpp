@@ -20,8 +20,9 @@ UnitKey unit_key(const TextureUnit& unit) {
         return key;
     key.on = true;
     const Texture& texture = *unit.texture;
-    key.general = texture.mip != MipFilter::none || texture.mag != texture.min || texture.wrap_s != Wrap::repeat ||
-                  texture.wrap_t != Wrap::repeat || texture.border_texels != 0;
+    key.general = texture.mip != MipFilter::none || texture.mag != texture.min ||
+                  texture.wrap_s != Wrap::repeat || texture.wrap_t != Wrap::repeat ||
+                  texture.border_texels != 0;
     if (key.general)
         return key;
     key.texels = texture.format;
@@ -46,7 +47,8 @@ bool color_survives(const FragmentState& state, bool alpha) {
 }
 
 bool source_alpha(BlendFactor f) {
-    return f == BlendFactor::src_alpha || f == BlendFactor::one_minus_src_alpha || f == BlendFactor::src_alpha_saturate;
+    return f == BlendFactor::src_alpha || f == BlendFactor::one_minus_src_alpha ||
+           f == BlendFactor::src_alpha_saturate;
 }
 
 bool blends(const FragmentState& state) {
@@ -61,8 +63,8 @@ bool alpha_is_read(const Key& key) {
 
 /// The colour is 16 bits from its source to the surface.
 bool raw(const Key& key, const FragmentState& state) {
-    if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend || key.masked ||
-        key.stencil)
+    if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
+        key.masked || key.stencil)
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.unit[1].on)
@@ -70,7 +72,8 @@ bool raw(const Key& key, const FragmentState& state) {
     if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
-    if (key.kind == Kind::flat || key.kind == Kind::full || (key.kind == Kind::textured && state.tier == Tier::exact))
+    if (key.kind == Kind::flat || key.kind == Kind::full ||
+        (key.kind == Kind::textured && state.tier == Tier::exact))
         return false;
     // Colours of 5 and 6 bits are exact: dithering leaves them as they are.
     return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);

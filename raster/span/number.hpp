@@ -106,8 +106,9 @@ template <int Count> struct Balanced {
     }
     SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
     /// One lane; 65280 * 2^16 fits 32 bits.
-    SPANGLE_INLINE static std::uint32_t weighted(std::uint32_t a, std::uint32_t wa, std::uint32_t b, std::uint32_t wb,
-                                                 std::uint32_t c, std::uint32_t wc, std::uint32_t d, std::uint32_t wd) {
+    SPANGLE_INLINE static std::uint32_t weighted(std::uint32_t a, std::uint32_t wa, std::uint32_t b,
+                                                 std::uint32_t wb, std::uint32_t c, std::uint32_t wc,
+                                                 std::uint32_t d, std::uint32_t wd) {
         return (a * wa + b * wb + c * wc + d * wd) >> 16;
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }

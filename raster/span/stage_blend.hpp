@@ -1,4 +1,5 @@
-// Blending with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. No destination alpha counts as 1.
+// Blending with the stored colour (GL 1.3, 4.1.7): C = Cs S + Cd D, clamped. No destination alpha counts
+// as 1.
 #pragma once
 
 #include "raster/span/stage_store.hpp"
@@ -11,7 +12,8 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
     using L = typename N::L;
     if constexpr (is_565(Format)) {
         const typename L::U16 word = Words565<L, Format>::load(plane + 2 * i);
-        return {N::from5(word >> 11), N::from6((word >> 5) & 63), N::from5(word & 31), N::from_units(color_one)};
+        return {N::from5(word >> 11), N::from6((word >> 5) & 63), N::from5(word & 31),
+                N::from_units(color_one)};
     } else {
         constexpr int bytes = format_info(Format).bytes_per_pixel;
         const std::uint8_t* const at = plane + bytes * i;
@@ -21,8 +23,7 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
 }
 
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
-template <class N, PixelFormat Format>
-struct BlendAlpha : StageBase {
+template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     const std::uint8_t* plane;
     SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
@@ -40,8 +41,7 @@ struct BlendAlpha : StageBase {
 };
 
 /// All factors, chosen at run time.
-template <class N, PixelFormat Format>
-struct Blend : StageBase {
+template <class N, PixelFormat Format> struct Blend : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     using T = typename N::T;
@@ -60,24 +60,34 @@ struct Blend : StageBase {
     }
 
   private:
-    SPANGLE_INLINE T combine(const typename N::Color& s, const typename N::Color& d, T cs, T cd, bool alpha) const {
+    T combine(const typename N::Color& s, const typename N::Color& d, T cs, T cd, bool alpha) const {
         return N::add(times(cs, src, s, d, cs, cd, alpha), times(cd, dst, s, d, cs, cd, alpha));
     }
     /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
-    static T times(T value, BlendFactor factor, const typename N::Color& s, const typename N::Color& d, T cs, T cd,
-                   bool alpha) {
+    [[gnu::noinline]] static T times(T value, BlendFactor factor, const typename N::Color& s,
+                                     const typename N::Color& d, T cs, T cd, bool alpha) {
         const T one = N::from_units(color_one);
         switch (factor) {
-        case BlendFactor::zero: return T{};
-        case BlendFactor::one: return value;
-        case BlendFactor::src_color: return N::mul(value, cs);
-        case BlendFactor::one_minus_src_color: return N::mul(value, one - cs);
-        case BlendFactor::src_alpha: return N::mul(value, s.a);
-        case BlendFactor::one_minus_src_alpha: return N::mul(value, one - s.a);
-        case BlendFactor::dst_alpha: return N::mul(value, d.a);
-        case BlendFactor::one_minus_dst_alpha: return N::mul(value, one - d.a);
-        case BlendFactor::dst_color: return N::mul(value, cd);
-        case BlendFactor::one_minus_dst_color: return N::mul(value, one - cd);
+        case BlendFactor::zero:
+            return T{};
+        case BlendFactor::one:
+            return value;
+        case BlendFactor::src_color:
+            return N::mul(value, cs);
+        case BlendFactor::one_minus_src_color:
+            return N::mul(value, one - cs);
+        case BlendFactor::src_alpha:
+            return N::mul(value, s.a);
+        case BlendFactor::one_minus_src_alpha:
+            return N::mul(value, one - s.a);
+        case BlendFactor::dst_alpha:
+            return N::mul(value, d.a);
+        case BlendFactor::one_minus_dst_alpha:
+            return N::mul(value, one - d.a);
+        case BlendFactor::dst_color:
+            return N::mul(value, cd);
+        case BlendFactor::one_minus_dst_color:
+            return N::mul(value, one - cd);
         case BlendFactor::src_alpha_saturate:
             return alpha ? value : N::mul(value, s.a < one - d.a ? s.a : one - d.a);
         }

@@ -64,7 +64,18 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 };
 
-/// The same, of which nothing but the top bits is stored.
+/// In place of a primary colour that a texture replaces.
+template <class N> struct White : StageBase {
+    static constexpr unsigned out = field_color;
+    SPANGLE_INLINE White(const Span<typename N::Policy>&, std::int32_t) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::T one = N::from_units(color_one);
+        p.color = {one, one, one, one};
+        return true;
+    }
+};
+
+/// Affine colour of which nothing but the top bits is stored.
 template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;

@@ -215,7 +215,8 @@ template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
     static constexpr bool runs = N::lanes == 1;
     CoordRuns<Unit> run;
     std::int32_t x, next;
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first), x(first), next(first) {}
+    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first)
+        : run(span, first), x(first), next(first) {}
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         for (int lane = 0; lane < N::lanes; ++lane) {

@@ -19,18 +19,19 @@ inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
     const std::uint32_t c = numeric::abs_u32(static_cast<std::int32_t>(coordinate));
     const std::uint64_t square = numeric::mul_u32(c, c) >> 24;
     const std::uint64_t exponent = mode == FogMode::exp ? c : square;
-    return numeric::exp2_neg(exponent < 0xFFFFFFFFu ? static_cast<std::uint32_t>(exponent) : 0xFFFFFFFFu) >> 6;
+    return numeric::exp2_neg(exponent < 0xFFFFFFFFu ? static_cast<std::uint32_t>(exponent) : 0xFFFFFFFFu) >>
+           6;
 }
 
 /// Mode at run time.
-template <class N>
-struct Fog : StageBase {
+template <class N> struct Fog : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     FogMode mode;
     typename N::T r, g, b;
     SPANGLE_INLINE Fog(const Span<typename N::Policy>& s, std::int32_t)
         : mode(s.state->fragment.fog_mode), r(N::from_units(s.state->fragment.fog_color[0])),
-          g(N::from_units(s.state->fragment.fog_color[1])), b(N::from_units(s.state->fragment.fog_color[2])) {}
+          g(N::from_units(s.state->fragment.fog_color[1])), b(N::from_units(s.state->fragment.fog_color[2])) {
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T f = N::from_fraction24(fog_factor(mode, p.fog));
         p.color.r = N::lerp(r, p.color.r, f);
@@ -41,8 +42,7 @@ struct Fog : StageBase {
 };
 
 /// FOG_MODE LINEAR.
-template <class N>
-struct FogLinear : Fog<N> {
+template <class N> struct FogLinear : Fog<N> {
     using Fog<N>::Fog;
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T f = N::from_fraction24(clamped(p.fog));

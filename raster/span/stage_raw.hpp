@@ -6,8 +6,7 @@
 namespace spangle::raster {
 
 /// One colour for the whole primitive.
-template <int Count>
-struct FlatWord : StageBase {
+template <int Count> struct FlatWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
     typename N::T word;
@@ -19,8 +18,7 @@ struct FlatWord : StageBase {
 };
 
 /// The word in the byte order of the surface.
-template <int Count, PixelFormat Format>
-struct StoreRaw : StageBase {
+template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
     static_assert(Format == PixelFormat::rgb565_be || Format == PixelFormat::rgb565_le);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;

@@ -14,8 +14,7 @@ constexpr bool is_565(PixelFormat format) {
 }
 
 /// 16-bit words of a 565 surface, host order.
-template <class L, PixelFormat Format>
-struct Words565 {
+template <class L, PixelFormat Format> struct Words565 {
     static constexpr bool swaps =
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     SPANGLE_INLINE static typename L::U16 load(const std::uint8_t* at) {
@@ -29,17 +28,16 @@ struct Words565 {
 
 /// 5, 6 and 5 bits of a colour in one word; without dither the top bits of the rounded 8-bit value.
 template <class N>
-SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6, typename N::L::U16 b5) {
+SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::U16 g6,
+                                          typename N::L::U16 b5) {
     return (r5 << 11) | (g6 << 5) | b5;
 }
-template <class N>
-SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
+template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
 
 /// Dithering off, all channels written.
-template <class N, PixelFormat Format>
-struct Store : StageBase {
+template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
@@ -69,21 +67,17 @@ struct Store : StageBase {
 namespace detail {
 
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
-template <class L>
-struct DitherRow;
+template <class L> struct DitherRow;
 
-template <>
-struct DitherRow<Lanes<1>> {
+template <> struct DitherRow<Lanes<1>> {
     std::uint32_t row;
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
-        : row(std::rotr(dither_row(y), 8 * (x & 3))) {}
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(std::rotr(dither_row(y), 8 * (x & 3))) {}
     SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
 /// Eight columns are two periods: nothing to walk.
-template <>
-struct DitherRow<Lanes<8>> {
+template <> struct DitherRow<Lanes<8>> {
     Lanes<8>::U16 row;
     SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) {
         const std::uint32_t r = std::rotr(dither_row(y), 8 * (x & 3));
@@ -99,8 +93,7 @@ struct DitherRow<Lanes<8>> {
 } // namespace detail
 
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
-template <class N, PixelFormat Format>
-struct StoreDithered : Store<N, Format> {
+template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
     detail::DitherRow<L> dither;
     SPANGLE_INLINE StoreDithered(const Span<typename N::Policy>& s, std::int32_t x)
@@ -112,9 +105,9 @@ struct StoreDithered : Store<N, Format> {
         } else {
             std::uint8_t* const at = this->plane + 2 * p.i;
             const typename L::U16 t = dither.threshold();
-            typename L::U16 word = pack565<N>(N::template dithered<5>(p.color.r, t),
-                                              N::template dithered<6>(p.color.g, t),
-                                              N::template dithered<5>(p.color.b, t));
+            typename L::U16 word =
+                pack565<N>(N::template dithered<5>(p.color.r, t), N::template dithered<6>(p.color.g, t),
+                           N::template dithered<5>(p.color.b, t));
             if constexpr (N::lanes > 1)
                 word = L::select(p.live, word, Words565<L, Format>::load(at));
             Words565<L, Format>::store(at, word);
@@ -125,8 +118,7 @@ struct StoreDithered : Store<N, Format> {
 };
 
 /// Some channels keep what is stored; dithers when the state says so (GL 1.3, 4.2.2).
-template <class N, PixelFormat Format>
-struct StoreMasked : StageBase {
+template <class N, PixelFormat Format> struct StoreMasked : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
@@ -136,14 +128,15 @@ struct StoreMasked : StageBase {
     bool dithers;
     std::uint8_t mask;
     SPANGLE_INLINE StoreMasked(const Span<typename N::Policy>& s, std::int32_t x)
-        : plane(s.color), dither(s.x + x, s.y), dithers(s.state->fragment.dither), mask(s.state->fragment.color_mask) {}
+        : plane(s.color), dither(s.x + x, s.y), dithers(s.state->fragment.dither),
+          mask(s.state->fragment.color_mask) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto& c = p.color;
         if constexpr (is_565(Format)) {
             std::uint8_t* const at = plane + 2 * p.i;
-            const std::uint32_t bits =
-                ((mask & 1) != 0 ? 0xF800u : 0) | ((mask & 2) != 0 ? 0x07E0u : 0) | ((mask & 4) != 0 ? 0x1Fu : 0);
+            const std::uint32_t bits = ((mask & 1) != 0 ? 0xF800u : 0) | ((mask & 2) != 0 ? 0x07E0u : 0) |
+                                       ((mask & 4) != 0 ? 0x1Fu : 0);
             const std::uint32_t t = dither.threshold();
             const std::uint32_t word =
                 dithers ? pack565<N>(N::template dithered<5>(c.r, t), N::template dithered<6>(c.g, t),

@@ -6,8 +6,7 @@
 namespace spangle::raster {
 
 /// Alpha rounds to 8 bits, as the reference value did.
-template <class N>
-struct AlphaTest : StageBase {
+template <class N> struct AlphaTest : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true;
@@ -23,21 +22,28 @@ struct AlphaTest : StageBase {
 /// What an operation makes of a stored stencil value.
 constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::uint32_t ref) {
     switch (op) {
-    case StencilOp::keep: return stored;
-    case StencilOp::zero: return 0;
-    case StencilOp::replace: return ref;
-    case StencilOp::incr: return stored == 0xFF ? stored : stored + 1;
-    case StencilOp::decr: return stored == 0 ? stored : stored - 1;
-    case StencilOp::invert: return stored ^ 0xFF;
-    case StencilOp::incr_wrap: return (stored + 1) & 0xFF;
-    case StencilOp::decr_wrap: return (stored - 1) & 0xFF;
+    case StencilOp::keep:
+        return stored;
+    case StencilOp::zero:
+        return 0;
+    case StencilOp::replace:
+        return ref;
+    case StencilOp::incr:
+        return stored == 0xFF ? stored : stored + 1;
+    case StencilOp::decr:
+        return stored == 0 ? stored : stored - 1;
+    case StencilOp::invert:
+        return stored ^ 0xFF;
+    case StencilOp::incr_wrap:
+        return (stored + 1) & 0xFF;
+    case StencilOp::decr_wrap:
+        return (stored - 1) & 0xFF;
     }
     return stored;
 }
 
 /// Stencil test and, when it is on, the depth test behind it; 24 bits of depth above 8 of stencil.
-template <class N>
-struct StencilDepth : DepthValue<N> {
+template <class N> struct StencilDepth : DepthValue<N> {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = true;
     std::uint8_t* plane;
@@ -66,7 +72,8 @@ struct StencilDepth : DepthValue<N> {
             }
         }
         const std::uint32_t writes = stencil.write_mask;
-        const std::uint32_t result = (stencil_result(op, stored, stencil.ref) & writes) | (stored & ~writes & 0xFF);
+        const std::uint32_t result =
+            (stencil_result(op, stored, stencil.ref) & writes) | (stored & ~writes & 0xFF);
         word = depth << 8 | result;
         std::memcpy(at, &word, 4);
         return passes;

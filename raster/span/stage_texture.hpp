@@ -8,69 +8,71 @@
 
 namespace spangle::raster {
 
-/// All modes at run time. p.lod is read where it is written: mipmaps, or filters that differ.
-template <class N, int Unit>
-struct Texture2D : StageBase {
-    static_assert(N::lanes == 1);
-    static constexpr unsigned in = field_color | field_coord << Unit | field_lod << Unit, out = field_color;
+/// A texture and its environment, all modes at run time. Out of line, because the chain calls it from two
+/// units.
+template <class N> struct TextureFunction {
     using Color = typename N::Color;
     const Texture& texture;
     TexEnv env;
-    bool wants_lod;
+    bool wants_lod; ///< mipmaps, or filters that differ
     Color constant, border;
 
-    SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t)
-        : texture(*s.state->fragment.unit[Unit].texture), env(s.state->fragment.unit[Unit].env),
+    explicit TextureFunction(const TextureUnit& unit)
+        : texture(*unit.texture), env(unit.env),
           wants_lod(texture.mip != MipFilter::none || texture.mag != texture.min) {
-        const std::uint32_t* const c = s.state->fragment.unit[Unit].env_color;
+        const std::uint32_t* const c = unit.env_color;
         constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
         const std::uint8_t* const b = texture.border_color;
         border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
     }
 
-    bool operator()(Px<N>& p) const {
-        const auto s = p.coord[Unit].s[0], t = p.coord[Unit].t[0];
-        apply_env<N>(env, texture.base, p.color, wants_lod ? minified(p.lod[Unit][0], s, t) : filtered(0, texture.mag, s, t),
-                     constant);
-        return true;
+    [[gnu::noinline]] void apply(Color& color, std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
+        apply_env<N>(env, texture.base, color,
+                     wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t), constant);
     }
 
   private:
     /// Level and filter by lambda (GL 1.3, 3.8.8).
-    Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
+    [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         lod = lod > texture.max_lod ? texture.max_lod : lod;
-        const bool late = texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
-        if (lod <= (late ? 128 : 0))
-            return filtered(0, texture.mag, s, t);
+        const bool late =
+            texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
+        const bool magnified = lod <= (late ? 128 : 0);
+        const Filter filter = magnified ? texture.mag : texture.min;
         const int last = texture.level_count - 1;
-        if (texture.mip == MipFilter::none)
-            return filtered(0, texture.min, s, t);
-        if (texture.mip == MipFilter::nearest) {
-            const int level = lod <= 128 ? 0 : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
-            return filtered(level < last ? level : last, texture.min, s, t);
+        int level = 0;
+        std::uint32_t next = 0; // weight of the level behind, 2^-16
+        if (!magnified && texture.mip != MipFilter::none) {
+            level = texture.mip == MipFilter::linear ? lod >> 8
+                    : lod <= 128                     ? 0
+                                                     : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
+            next = texture.mip == MipFilter::linear ? (static_cast<std::uint32_t>(lod) & 255) << 8 : 0;
+            if (level >= last)
+                level = last, next = 0;
         }
-        const int level = lod >> 8;
-        if (level >= last)
-            return filtered(last, texture.min, s, t);
-        const Color a = filtered(level, texture.min, s, t), b = filtered(level + 1, texture.min, s, t);
-        const std::uint32_t w = (static_cast<std::uint32_t>(lod) & 255) << 8, rest = 65536 - w;
-        return {N::weighted(a.r, rest, b.r, w, 0, 0, 0, 0), N::weighted(a.g, rest, b.g, w, 0, 0, 0, 0),
-                N::weighted(a.b, rest, b.b, w, 0, 0, 0, 0), N::weighted(a.a, rest, b.a, w, 0, 0, 0, 0)};
+        const Color a = filtered(level, filter, s, t);
+        if (next == 0)
+            return a;
+        const Color b = filtered(level + 1, filter, s, t);
+        const auto mix = [&](typename N::T v, typename N::T w) {
+            return N::weighted(v, 65536 - next, w, next, 0, 0, 0, 0);
+        };
+        return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
     }
 
-    Color filtered(int level, Filter filter, std::uint32_t s, std::uint32_t t) const {
+    [[gnu::noinline]] Color filtered(int level, Filter filter, std::uint32_t s, std::uint32_t t) const {
         const TextureLevel& image = texture.level[level];
         const int w = log2_of(image.width), h = log2_of(image.height);
         if (filter == Filter::nearest)
-            return texel(image, nearest(texture.wrap_s, s, w, image.width), nearest(texture.wrap_t, t, h, image.height));
+            return texel(image, nearest(texture.wrap_s, s, w, image.width),
+                         nearest(texture.wrap_t, t, h, image.height));
         const TexelIndex i = linear(texture.wrap_s, s, w), j = linear(texture.wrap_t, t, h);
-        const std::int32_t i0 = wrap_texel(texture.wrap_s, i.i, image.width);
-        const std::int32_t i1 = wrap_texel(texture.wrap_s, i.i + 1, image.width);
-        const std::int32_t j0 = wrap_texel(texture.wrap_t, j.i, image.height);
-        const std::int32_t j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
-        return bilinear<N>(texel(image, i0, j0), texel(image, i1, j0), texel(image, i0, j1), texel(image, i1, j1),
-                           i.weight, j.weight);
+        Color four[4];
+        for (int k = 0; k < 4; ++k)
+            four[k] = texel(image, wrap_texel(texture.wrap_s, i.i + (k & 1), image.width),
+                            wrap_texel(texture.wrap_t, j.i + (k >> 1), image.height));
+        return bilinear<N>(four[0], four[1], four[2], four[3], i.weight, j.weight);
     }
 
     static int log2_of(std::uint32_t size) { return 31 - numeric::clz32(size | 1); }
@@ -91,8 +93,24 @@ struct Texture2D : StageBase {
         const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
         if (outside && texture.border_texels == 0)
             return border;
-        return read_texel<N>(texture.format, image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
-                                                 i * texel_bytes(texture.format));
+        return read_texel<N>(texture.format,
+                             image.texels +
+                                 static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
+                                 i * texel_bytes(texture.format));
+    }
+};
+
+/// The chain's texture stage. HasLod: a stage before it writes p.lod.
+template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
+    static constexpr unsigned out = field_color;
+    TextureFunction<N> function;
+    SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t)
+        : function(s.state->fragment.unit[Unit]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        function.apply(p.color, p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0);
+        return true;
     }
 };
 
@@ -109,8 +127,8 @@ struct TextureFixed : StageBase {
 
     SPANGLE_INLINE TextureFixed(const Span<typename N::Policy>& s, std::int32_t)
         : texels(s.state->fragment.unit[Unit].texture->level[0].texels),
-          stride(s.state->fragment.unit[Unit].texture->level[0].stride), log2_width(s.state->log2_width[Unit]),
-          log2_height(s.state->log2_height[Unit]) {
+          stride(s.state->fragment.unit[Unit].texture->level[0].stride),
+          log2_width(s.state->log2_width[Unit]), log2_height(s.state->log2_height[Unit]) {
         if constexpr (Env == TexEnv::blend) {
             const std::uint32_t* const c = s.state->fragment.unit[Unit].env_color;
             constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
@@ -145,28 +163,32 @@ struct TextureFixed : StageBase {
 
   private:
     SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
-        return texels + static_cast<std::uint32_t>(j) * stride + static_cast<std::uint32_t>(i) * texel_bytes(Texels);
+        return texels + static_cast<std::uint32_t>(j) * stride +
+               static_cast<std::uint32_t>(i) * texel_bytes(Texels);
     }
-    template <class M>
-    SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
+    template <class M> SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
         if constexpr (F == Filter::nearest) {
             return read_texel<M, Texels>(at(repeat_index(s, log2_width), repeat_index(t, log2_height)));
         } else {
             const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
-            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1), j1 = (j.i + 1) & ((1 << log2_height) - 1);
+            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
+                               j1 = (j.i + 1) & ((1 << log2_height) - 1);
             return bilinear<M>(read_texel<M, Texels>(at(i.i, j.i)), read_texel<M, Texels>(at(i1, j.i)),
-                               read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)), i.weight, j.weight);
+                               read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)),
+                               i.weight, j.weight);
         }
     }
     SPANGLE_INLINE typename N::T raw(const typename N::Coord& c) const {
         static_assert(F == Filter::nearest && Env == TexEnv::replace);
         std::uint16_t word[N::lanes];
         for (int i = 0; i < N::lanes; ++i) {
-            const std::uint8_t* const texel = at(repeat_index(c.s[i], log2_width), repeat_index(c.t[i], log2_height));
+            const std::uint8_t* const texel =
+                at(repeat_index(c.s[i], log2_width), repeat_index(c.t[i], log2_height));
             if constexpr (Texels == TexelFormat::rgb565)
                 word[i] = static_cast<std::uint16_t>(Lanes<1>::load(texel));
             else
-                word[i] = static_cast<std::uint16_t>((texel[0] & 0xF8) << 8 | (texel[1] & 0xFC) << 3 | texel[2] >> 3);
+                word[i] = static_cast<std::uint16_t>((texel[0] & 0xF8) << 8 | (texel[1] & 0xFC) << 3 |
+                                                     texel[2] >> 3);
         }
         return N::L::gather(word);
     }

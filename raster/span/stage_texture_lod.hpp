@@ -1,5 +1,5 @@
-// Level of detail (GL 1.3, 3.8.8): lambda = log2 of the largest derivative of u and v along x and y, which is one of the
-// approximations the specification allows.
+// Level of detail (GL 1.3, 3.8.8): lambda = log2 of the largest derivative of u and v along x and y, which is
+// one of the approximations the specification allows.
 #pragma once
 
 #include "raster/numeric/power.hpp"
@@ -16,12 +16,12 @@ inline std::int32_t log2_fraction8(std::uint64_t v) {
     const std::uint32_t x = (mantissa << 1) >> 16; // 16 fraction bits
     const std::uint32_t bulge = (x * (65536 - x)) >> 16;
     const std::int32_t slope = 27700 - ((static_cast<std::int32_t>(x) * 10400) >> 16);
-    const std::int32_t fraction = static_cast<std::int32_t>(x) + ((static_cast<std::int32_t>(bulge) * slope) >> 16);
+    const std::int32_t fraction =
+        static_cast<std::int32_t>(x) + ((static_cast<std::int32_t>(bulge) * slope) >> 16);
     return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
 }
 
-template <class N, int Unit>
-struct Lod : StageBase {
+template <class N, int Unit> struct Lod : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned out = field_lod << Unit;
     const Span<Fixed>& span;
@@ -47,7 +47,8 @@ struct Lod : StageBase {
 
     std::int32_t affine() const {
         const auto steps = [](std::uint32_t dx, std::uint64_t dy, bool wraps) {
-            const std::uint64_t m = largest(numeric::abs_u32(static_cast<std::int32_t>(dx)), numeric::abs_u64(static_cast<std::int64_t>(dy)));
+            const std::uint64_t m = largest(numeric::abs_u32(static_cast<std::int32_t>(dx)),
+                                            numeric::abs_u64(static_cast<std::int64_t>(dy)));
             return m << (wraps ? 0 : 32 - clamped_coord_bits);
         };
         const auto& unit = span.unit[Unit];
@@ -61,7 +62,8 @@ struct Lod : StageBase {
         const auto& unit = span.unit[Unit];
         const auto& q = unit.shares_q ? span.q : unit.q;
         const std::uint64_t q_dy = unit.shares_q ? span.q_dy : unit.q_dy;
-        const std::int64_t at_q = positive(q.at(x)), at_s = unguarded(unit.s.at(x)), at_t = unguarded(unit.t.at(x));
+        const std::int64_t at_q = positive(q.at(x)), at_s = unguarded(unit.s.at(x)),
+                           at_t = unguarded(unit.t.at(x));
         const auto numerator = [&](std::uint64_t dv, std::int64_t v, std::uint64_t dq) {
             return numeric::abs_u64(unguarded(dv) * at_q - v * unguarded(dq));
         };

@@ -14,8 +14,7 @@ constexpr int texel_bytes(TexelFormat format) {
 }
 
 /// The components of one texel; what a format lacks is 1 (alpha) or luminance in all three.
-template <class N, TexelFormat Format>
-SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
+template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
     static_assert(N::lanes == 1);
     const typename N::T one = N::from_units(color_one);
     if constexpr (Format == TexelFormat::a8) {
@@ -41,15 +40,22 @@ SPANGLE_INLINE typename N::Color read_texel(const std::uint8_t* at) {
 
 /// Format at run time.
 template <class N>
-inline typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
+[[gnu::noinline]] typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
     switch (format) {
-    case TexelFormat::a8: return read_texel<N, TexelFormat::a8>(at);
-    case TexelFormat::l8: return read_texel<N, TexelFormat::l8>(at);
-    case TexelFormat::i8: return read_texel<N, TexelFormat::i8>(at);
-    case TexelFormat::la88: return read_texel<N, TexelFormat::la88>(at);
-    case TexelFormat::rgb565: return read_texel<N, TexelFormat::rgb565>(at);
-    case TexelFormat::rgb888: return read_texel<N, TexelFormat::rgb888>(at);
-    case TexelFormat::rgba8888: return read_texel<N, TexelFormat::rgba8888>(at);
+    case TexelFormat::a8:
+        return read_texel<N, TexelFormat::a8>(at);
+    case TexelFormat::l8:
+        return read_texel<N, TexelFormat::l8>(at);
+    case TexelFormat::i8:
+        return read_texel<N, TexelFormat::i8>(at);
+    case TexelFormat::la88:
+        return read_texel<N, TexelFormat::la88>(at);
+    case TexelFormat::rgb565:
+        return read_texel<N, TexelFormat::rgb565>(at);
+    case TexelFormat::rgb888:
+        return read_texel<N, TexelFormat::rgb888>(at);
+    case TexelFormat::rgba8888:
+        return read_texel<N, TexelFormat::rgba8888>(at);
     }
     return {};
 }
@@ -65,7 +71,8 @@ SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
     return static_cast<std::int32_t>((std::uint64_t{s} << log2_size) >> 32);
 }
 SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
-    const std::uint64_t u = (std::uint64_t{s} << log2_size) + (std::uint64_t{1} << (log2_size + 32)) - (1u << 31);
+    const std::uint64_t u =
+        (std::uint64_t{s} << log2_size) + (std::uint64_t{1} << (log2_size + 32)) - (1u << 31);
     const auto fixed = static_cast<std::uint32_t>(u >> 24); // one repeat too high: the mask takes it off
     return {static_cast<std::int32_t>((fixed >> 8) & ((1u << log2_size) - 1)), fixed & 255};
 }
@@ -83,7 +90,8 @@ SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_siz
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The equivalent texel of a wrap mode: REPEAT i mod size; CLAMP_TO_EDGE 0 .. size - 1; the others -1 .. size.
+/// The equivalent texel of a wrap mode: REPEAT i mod size; CLAMP_TO_EDGE 0 .. size - 1; the others -1 ..
+/// size.
 SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t size) {
     if (wrap == Wrap::repeat)
         return i & (size - 1);
