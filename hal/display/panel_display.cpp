@@ -30,8 +30,7 @@ DisplayInfo PanelDisplay::info() const {
     return {described ? config_.panel->name : "", size.width, size.height, config_.format};
 }
 
-// --- Initialisation
-// ----------------------------------------------------------------------------------------------
+// --- Initialisation ---
 
 Result<void> PanelDisplay::check_config() const {
     const PanelDesc& panel = *config_.panel;
@@ -190,8 +189,7 @@ Result<void> PanelDisplay::append_black() {
     return {};
 }
 
-// --- Transfers
-// ---------------------------------------------------------------------------------------------------
+// --- Transfers ---
 
 /// The longest operation of the bus in bytes, whole pixels.
 std::uint32_t PanelDisplay::op_limit() const {
@@ -246,8 +244,7 @@ Result<void> PanelDisplay::finish() {
     return {};
 }
 
-// --- Frames
-// ------------------------------------------------------------------------------------------------------
+// --- Frames ---
 
 Result<Frame> PanelDisplay::acquire() {
     if (!ready_)
@@ -344,8 +341,7 @@ Result<void> PanelDisplay::append_pixels(const std::uint8_t* data, std::uint32_t
     return {};
 }
 
-// --- Damage
-// ------------------------------------------------------------------------------------------------------
+// --- Damage ---
 
 namespace {
 
@@ -388,8 +384,7 @@ void PanelDisplay::collect_damage() {
         drawn.clear_value = extents_.clear_value;
 }
 
-// --- Read-back
-// ---------------------------------------------------------------------------------------------------
+// --- Read-back ---
 
 Result<PanelStatus> PanelDisplay::status() {
     if (!ready_)

@@ -54,9 +54,8 @@ struct WireFormats {
 };
 
 struct Quirks {
-    bool resend_window : 1 =
-        false; ///< RAMWR does not return to the window's start: send CASET and RASET each time
-    bool no_read_back : 1 = false; ///< the data line never drives back
+    bool resend_window = false; ///< RAMWR does not return to the window's start: CASET and RASET each time
+    bool no_read_back = false;  ///< the data line never drives back
 };
 
 struct PanelDesc {
