@@ -84,6 +84,14 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
 
 } // namespace
 
+AnyFunction chain_runner(Number number) {
+    switch (number) {
+    case Number::raw565: return reinterpret_cast<AnyFunction>(&chain_span<Raw565<1>>);
+    case Number::balanced: return reinterpret_cast<AnyFunction>(&chain_span<Balanced<1>>);
+    default: return reinterpret_cast<AnyFunction>(&chain_span<Exact>);
+    }
+}
+
 void prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
     draw.fragment = state;
     draw.tier = state.tier;

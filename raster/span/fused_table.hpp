@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/span.hpp"
 
@@ -18,6 +19,9 @@ struct FusedSpan {
 
 /// null: draw with the chain.
 SpanFunction find_fused(const Key& key);
+
+/// What runs the chain of a number system of the fixed policy.
+AnyFunction chain_runner(Number number);
 
 /// The whole table, for the tests.
 const FusedSpan* fused_spans();

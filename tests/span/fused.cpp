@@ -1,0 +1,121 @@
+// Every fused span is its chain: byte for byte, with one lane and with eight, over all alignments and
+// lengths.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "raster/span/fused_table.hpp"
+#include "tests/span/sweep.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+constexpr int width = 56, height = 12;
+
+/// The GL state a key stands for.
+struct StateOfKey {
+    FragmentState state;
+    std::vector<std::unique_ptr<TestTexture>> textures;
+    explicit StateOfKey(const Key& key) {
+        state.tier = key.number == Number::exact ? Tier::exact : Tier::balanced;
+        state.scissor = {0, 0, width, height};
+        state.dither = key.dither;
+        for (int i = 0; i < max_texture_units; ++i) {
+            const UnitKey& unit = key.unit[i];
+            if (!unit.on)
+                continue;
+            textures.push_back(std::make_unique<TestTexture>(unit.texels, unit.base, 6 - i, 5 + i));
+            textures.back()->texture.mag = textures.back()->texture.min = unit.filter;
+            state.unit[i].texture = &textures.back()->texture;
+            state.unit[i].env = unit.env;
+            for (auto& c : state.unit[i].env_color)
+                c = color_one / 3;
+        }
+        state.color_sum = key.color_sum;
+        state.fog = key.fog;
+        state.fog_mode = key.fog_mode;
+        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // 0.5 .. 4
+        state.fog_color[0] = color_one / 2, state.fog_color[1] = color_one / 5,
+        state.fog_color[2] = color_one;
+        state.alpha_test = key.alpha != Compare::always;
+        state.alpha_func = key.alpha;
+        state.alpha_ref = 128;
+        state.depth_test = key.depth != Compare::always || key.depth_write;
+        state.depth_func = key.depth;
+        state.depth_write = key.depth_write;
+        state.blend = key.blend;
+        state.blend_src = key.blend_src;
+        state.blend_dst = key.blend_dst;
+        state.color_mask = key.masked ? 5 : 0xF;
+    }
+};
+
+struct Hits {
+    int draws = 0;
+    bool length[41] = {}, alignment[8] = {};
+};
+Hits hits;
+SpanFunction under_test;
+
+/// Stands in for the span function: notes what it was asked for.
+void note_and_draw(const Span<Fixed>& span) {
+    const std::int32_t n = span.end - span.begin;
+    ++hits.draws;
+    if (n <= 40)
+        hits.length[n] = true;
+    hits.alignment[reinterpret_cast<std::uintptr_t>(span.color) / 2 % 8] = true;
+    under_test(span);
+}
+
+void expect_equal(const FusedSpan& fused, SpanFunction run, const char* name) {
+    const StateOfKey of(fused.key);
+    const DepthFormat depth =
+        fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
+    Canvas chain_canvas(width, height, fused.key.format, depth),
+        fused_canvas(width, height, fused.key.format, depth);
+    DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface);
+    const auto kind = static_cast<unsigned>(fused.key.kind);
+    ASSERT_EQ(reinterpret_cast<SpanFunction>(state.variant[kind].run), fused.run)
+        << "the key is not the state's: " << name;
+    DrawState chained = state;
+    for (int i = 0; i < kind_count; ++i)
+        chained.variant[i].run = chain_runner(fused.key.number);
+    under_test = run;
+    state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);
+    hits = {};
+    RandomVertices source(17 + kind);
+    for (int round = 0; round < 700; ++round) {
+        chain_canvas.noise(static_cast<std::uint32_t>(round));
+        fused_canvas.noise(static_cast<std::uint32_t>(round));
+        const Triangle t = random_triangle(source, width, height, fused.key.kind);
+        const Rect cut = {static_cast<int>(source.below(8)), 0,
+                          width - static_cast<int>(source.below(30)) - 8, height};
+        state.fragment.scissor = chained.fragment.scissor = round % 2 == 0 ? of.state.scissor : cut;
+        draw(chained, chain_canvas.surface, t);
+        draw(state, fused_canvas.surface, t);
+        ASSERT_EQ(chain_canvas.color, fused_canvas.color) << name << " round " << round;
+        ASSERT_EQ(chain_canvas.depth, fused_canvas.depth) << name << " round " << round;
+    }
+    EXPECT_GE(hits.draws, 500) << name;
+    EXPECT_EQ(std::count(hits.length + 1, hits.length + 41, true), 40) << name;
+    EXPECT_EQ(std::count(hits.alignment, hits.alignment + 8, true), 8) << name;
+}
+
+TEST(Fused, EverySpanIsItsChain) {
+    ASSERT_GT(fused_span_count(), 10u);
+    for (std::size_t i = 0; i < fused_span_count(); ++i) {
+        const FusedSpan& fused = fused_spans()[i];
+        const std::string name = "entry " + std::to_string(i);
+        expect_equal(fused, fused.run, (name + ", lanes of this build").c_str());
+        expect_equal(fused, fused.narrow, (name + ", one lane").c_str());
+    }
+}
+
+TEST(Fused, KeysAreDistinct) {
+    for (std::size_t i = 0; i < fused_span_count(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(fused_spans()[i].key == fused_spans()[j].key) << i << " and " << j;
+}
+
+} // namespace
+} // namespace spangle::raster::test

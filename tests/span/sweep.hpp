@@ -1,0 +1,117 @@
+// Random draws with a chosen state: the same primitives through several span functions, byte for byte.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include "raster/primitive/draw.hpp"
+
+namespace spangle::raster::test {
+
+/// A surface with planes of exactly its size, so that sanitizers see every byte outside.
+struct Canvas {
+    std::vector<std::uint8_t> color, depth;
+    Surface surface;
+    Canvas(int width, int height, PixelFormat format, DepthFormat depth_format) {
+        const int bytes = format_info(format).bytes_per_pixel,
+                  depth_bytes = depth_format == DepthFormat::z16 ? 2 : 4;
+        color.resize(static_cast<std::size_t>(width) * height * bytes);
+        if (depth_format != DepthFormat::none)
+            depth.resize(static_cast<std::size_t>(width) * height * depth_bytes);
+        surface.color = color.data();
+        surface.depth = depth.empty() ? nullptr : depth.data();
+        surface.color_stride = width * bytes;
+        surface.depth_stride = width * depth_bytes;
+        surface.width = width;
+        surface.height = height;
+        surface.format = format;
+        surface.depth_format = depth_format;
+    }
+    /// Something to blend with and to be hidden by.
+    void noise(std::uint32_t seed) {
+        std::mt19937 random(seed);
+        for (auto& byte : color)
+            byte = static_cast<std::uint8_t>(random());
+        for (auto& byte : depth)
+            byte = static_cast<std::uint8_t>(random());
+    }
+};
+
+struct RandomVertices {
+    std::mt19937 random;
+    explicit RandomVertices(std::uint32_t seed) : random(seed) {}
+
+    std::uint32_t below(std::uint32_t n) { return random() % n; }
+
+    FixedVertex vertex(int width, int height) {
+        FixedVertex v{};
+        v.x = static_cast<std::int32_t>(below(static_cast<std::uint32_t>(width * 256)));
+        v.y = static_cast<std::int32_t>(below(static_cast<std::uint32_t>(height * 256)));
+        v.z = below(depth_one + 1);
+        for (auto& c : v.color)
+            c = below(4) == 0 ? (below(2) == 0 ? 0 : color_one) : below(color_one + 1);
+        for (auto& c : v.secondary)
+            c = below(color_one / 2);
+        v.w_mantissa = 0x80000000u | random();
+        v.w_exponent = static_cast<std::int16_t>(-32 - static_cast<int>(below(3)));
+        v.fog_mantissa = 0x80000000u | random();
+        v.fog_exponent = -30;
+        for (auto& tex : v.tex) {
+            tex.s = static_cast<std::int32_t>(random());
+            tex.t = static_cast<std::int32_t>(random());
+            tex.exponent = -29;
+            tex.q = 1 << 29;
+            tex.q_is_one = 1;
+        }
+        return v;
+    }
+};
+
+/// One kind of geometry: all w alike (affine), or all colours alike (flat), or neither.
+struct Triangle {
+    FixedVertex v[3];
+};
+inline Triangle random_triangle(RandomVertices& source, int width, int height, Kind kind) {
+    Triangle t{{source.vertex(width, height), source.vertex(width, height), source.vertex(width, height)}};
+    for (int i = 1; i < 3; ++i) {
+        if (kind == Kind::flat || kind == Kind::affine)
+            t.v[i].w_mantissa = t.v[0].w_mantissa, t.v[i].w_exponent = t.v[0].w_exponent;
+        if (kind == Kind::flat)
+            std::copy_n(t.v[0].color, 4, t.v[i].color);
+    }
+    if (kind == Kind::textured) // colours vary too little for perspective, coordinates do not
+        for (auto& v : t.v)
+            for (int c = 0; c < 4; ++c)
+                v.color[c] = t.v[0].color[c] / 2 + source.below(1 << 10);
+    return t;
+}
+inline void draw(const DrawState& state, const Surface& surface, const Triangle& t) {
+    const auto& v = t.v;
+    const std::int64_t area = signed_area(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y);
+    if (area != 0)
+        draw_triangle<FixedVertex>(state, surface, v[0], v[1], v[2], v[2], area);
+}
+
+/// 64 x 64 texels of every format.
+struct TestTexture {
+    std::vector<std::uint8_t> texels;
+    Texture texture;
+    TestTexture(TexelFormat format, BaseFormat base, int log2_width = 6, int log2_height = 6) {
+        constexpr int bytes_of[] = {1, 1, 1, 2, 2, 3, 4};
+        const int bytes = bytes_of[static_cast<int>(format)], w = 1 << log2_width, h = 1 << log2_height;
+        texels.resize(static_cast<std::size_t>(w) * h * bytes);
+        std::mt19937 random(99);
+        for (auto& byte : texels)
+            byte = static_cast<std::uint8_t>(random());
+        texture.level[0] = {texels.data(), static_cast<std::uint16_t>(w), static_cast<std::uint16_t>(h),
+                            static_cast<std::uint32_t>(w * bytes)};
+        texture.level_count = 1;
+        texture.format = format;
+        texture.base = base;
+        texture.mag = texture.min = Filter::nearest;
+    }
+};
+
+} // namespace spangle::raster::test
