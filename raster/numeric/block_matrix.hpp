@@ -24,9 +24,6 @@ using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
 
 namespace detail {
 
-/// Columns this close share one exponent; what their elements lose stays below 2^-29 of the terms.
-inline constexpr std::int32_t column_spread = 3;
-
 /// 2^n > |v|, the least n.
 constexpr std::int32_t width(Block v) {
     return v.e + 32 - clz32(abs_u32(v.m));
@@ -51,7 +48,7 @@ template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N])
     }
     if (most == none)
         return r;
-    r.uniform = most - least <= column_spread;
+    r.uniform = most == least;
     for (int j = 0; j < N; ++j)
         r.column[j] = block_exponent(r.uniform || column[j] == none ? most : column[j]);
     for (int i = 0; i < N; ++i) {
@@ -96,31 +93,57 @@ constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
     return detail::scale_blocks<3>(v);
 }
 
-/// a * v, normalised by its own largest component. Each row is within 2^-27 of the sum of its terms'
-/// magnitudes.
-constexpr Block4 transform(const BlockMatrix& a, const Block4& v) {
-    using namespace detail;
-    const std::int32_t e = v.e;
-    const Block4 s = a.uniform ? Block4{{v.m[0], v.m[1], v.m[2], v.m[3]}, block_exponent(e + a.column[0])}
-                               : common_exponent<4, Block4>(
-                                     {v.m[0], v.m[1], v.m[2], v.m[3]},
-                                     {e + a.column[0], e + a.column[1], e + a.column[2], e + a.column[3]});
+namespace detail {
+
+/// a times a vertex whose columns have been scaled.
+SPANGLE_INLINE constexpr Block4 rows_times(const BlockMatrix& a, const Block4& s) {
     const std::int32_t up = s.e + 1; // the high word is worth 2^(32 - 31)
     return common_exponent<4, Block4>(
         {row_times(a, 0, s.m), row_times(a, 1, s.m), row_times(a, 2, s.m), row_times(a, 3, s.m)},
         {up + a.row[0], up + a.row[1], up + a.row[2], up + a.row[3]});
 }
-
-constexpr Block3 transform(const BlockMatrix3& a, const Block3& v) {
-    using namespace detail;
-    const std::int32_t e = v.e;
-    const Block3 s = a.uniform
-                         ? Block3{{v.m[0], v.m[1], v.m[2]}, block_exponent(e + a.column[0])}
-                         : common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]},
-                                                      {e + a.column[0], e + a.column[1], e + a.column[2]});
+SPANGLE_INLINE constexpr Block3 rows_times(const BlockMatrix3& a, const Block3& s) {
     const std::int32_t up = s.e + 1;
     return common_exponent<3, Block3>({row_times(a, 0, s.m), row_times(a, 1, s.m), row_times(a, 2, s.m)},
                                       {up + a.row[0], up + a.row[1], up + a.row[2]});
+}
+
+} // namespace detail
+
+/// a * v, normalised by its own largest component. v is loaded under the exponents of the columns, so each of
+/// its floats keeps the bits that count: x/w, y/w, z/w are within 2^-25 of their terms at worst.
+constexpr Block4 transform(const BlockMatrix& a, const Real (&v)[4]) {
+    using namespace detail;
+    const Scaled s[4] = {scaled(v[0]), scaled(v[1]), scaled(v[2]), scaled(v[3])};
+    return rows_times(a, common_exponent<4, Block4>({s[0].m, s[1].m, s[2].m, s[3].m},
+                                                    {s[0].e + a.column[0], s[1].e + a.column[1],
+                                                     s[2].e + a.column[2], s[3].e + a.column[3]}));
+}
+constexpr Block3 transform(const BlockMatrix3& a, const Real (&v)[3]) {
+    using namespace detail;
+    const Scaled s[3] = {scaled(v[0]), scaled(v[1]), scaled(v[2])};
+    return rows_times(
+        a, common_exponent<3, Block3>({s[0].m, s[1].m, s[2].m},
+                                      {s[0].e + a.column[0], s[1].e + a.column[1], s[2].e + a.column[2]}));
+}
+
+/// The same of a vertex in block form, which keeps 30 bits of its own largest component.
+constexpr Block4 transform(const BlockMatrix& a, const Block4& v) {
+    const std::int32_t e = v.e;
+    if (a.uniform)
+        return detail::rows_times(
+            a, {{v.m[0], v.m[1], v.m[2], v.m[3]}, detail::block_exponent(e + a.column[0])});
+    return detail::rows_times(a, detail::common_exponent<4, Block4>(
+                                     {v.m[0], v.m[1], v.m[2], v.m[3]},
+                                     {e + a.column[0], e + a.column[1], e + a.column[2], e + a.column[3]}));
+}
+constexpr Block3 transform(const BlockMatrix3& a, const Block3& v) {
+    const std::int32_t e = v.e;
+    if (a.uniform)
+        return detail::rows_times(a, {{v.m[0], v.m[1], v.m[2]}, detail::block_exponent(e + a.column[0])});
+    return detail::rows_times(
+        a, detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]},
+                                              {e + a.column[0], e + a.column[1], e + a.column[2]}));
 }
 
 } // namespace spangle::numeric
