@@ -120,10 +120,11 @@ TEST_F(ErrorSweep, BeginEndLegality) {
             continue;
         glBegin(GL_TRIANGLES);
         const auto values = good(c);
-        if (c.inside)
+        if (c.inside) {
             EXPECT_NE(call(c, values), GLenum{GL_INVALID_OPERATION}) << c.name;
-        else
+        } else {
             refused(c, values, GL_INVALID_OPERATION, "between glBegin and glEnd");
+        }
         ASSERT_TRUE(context->inside_begin_end()) << c.name;
         glEnd();
         context->error_code = GL_NO_ERROR;

@@ -311,7 +311,7 @@ TEST_F(State, ClientArraysAreQueriedButNotEnabledAsCapabilities) {
 }
 
 TEST_F(State, ArrayPointers) {
-    int data[4];
+    int data[4] = {};
     glVertexPointer(2, GL_INT, 12, data);
     glColorPointer(3, GL_FLOAT, 0, data + 1);
     glNormalPointer(GL_BYTE, 4, data + 2);

@@ -332,8 +332,9 @@ TEST_F(Lists, CallListsOfEveryType) {
             for (const Event& e : drawn([&] { compiled != 0 ? glCallList(1) : glCallLists(n, type, lists); }))
                 if (e.what == Event::vertex)
                     now.push_back(static_cast<int>(std::bit_cast<float>(e.position[0])));
-            if (compiled != 0)
+            if (compiled != 0) {
                 EXPECT_EQ(now, which);
+            }
             which = now;
         }
         return which;
