@@ -340,6 +340,7 @@ TEST_F(State, LaterDrawablesKeepViewportAndScissor) {
     raster::Surface other = surface();
     other.width = 32;
     other.height = 16;
+    gl::make_current(context, other, true);
     gl::make_current(context, other, false);
     GLint box[4];
     glGetIntegerv(GL_VIEWPORT, box);

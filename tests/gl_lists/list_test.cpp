@@ -380,6 +380,12 @@ TEST_F(Lists, Names) {
     glDeleteLists(0xFFFFFFF0, 0x7FFFFFFF); // ends at the last name, does not wrap
     EXPECT_FALSE(glIsList(0xFFFFFFFF));
     EXPECT_TRUE(glIsList(first));
+    glNewList(100, GL_COMPILE);
+    glEndList();
+    glDeleteLists(50, 50); // more names than the table holds: ends before 100
+    EXPECT_TRUE(glIsList(100));
+    glDeleteLists(50, 51);
+    EXPECT_FALSE(glIsList(100));
     glDeleteLists(1, 0x7FFFFFFF);
     EXPECT_FALSE(glIsList(first));
     EXPECT_EQ(context->share->lists.count(), 0u);
