@@ -30,6 +30,10 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal_seed(std::uint32_t a) {
 
 } // namespace detail
 
+/// Bounds of the relative error, in tenths of a bit: tests and proofs take them from here.
+inline constexpr int reciprocal_1_accuracy = 179, reciprocal_accuracy = 308;
+inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute error, hundredths of 2^-30
+
 /// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
 /// 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {

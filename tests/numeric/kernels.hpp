@@ -36,6 +36,10 @@ KernelError sweep(std::uint64_t begin, std::uint64_t stride, One one_step, Two t
     return e;
 }
 
+inline double bound(int tenths) {
+    return std::exp2(-tenths / 10.0);
+}
+
 /// The bounds reciprocal.hpp states.
 inline void check_reciprocal(std::uint64_t stride) {
     using namespace spangle::numeric;
@@ -44,10 +48,10 @@ inline void check_reciprocal(std::uint64_t stride) {
         [](std::uint32_t a) { return reciprocal(a); }, [](double a) { return 0x1p62 / a; });
     std::printf("reciprocal: one step [-2^%.3f, 2^%.3f], two steps 2^%.3f = %.4f ulp\n", std::log2(-e.low_1),
                 std::log2(e.high_1), std::log2(e.relative), e.ulps);
-    EXPECT_GE(e.low_1, -std::exp2(-17.9));
+    EXPECT_GE(e.low_1, -bound(reciprocal_1_accuracy));
     EXPECT_LE(e.high_1, std::exp2(-30.0));
-    EXPECT_LE(e.ulps, 0.54);
-    EXPECT_LE(e.relative, std::exp2(-30.8));
+    EXPECT_LE(e.ulps, reciprocal_ulp_percent / 100.0);
+    EXPECT_LE(e.relative, bound(reciprocal_accuracy));
     EXPECT_EQ(e.rises, 0u);
     EXPECT_EQ(reciprocal(0x80000000u), 0x80000000u);
 }
@@ -60,8 +64,8 @@ inline void check_rsqrt(std::uint64_t stride) {
         [](std::uint32_t a) { return rsqrt(a); }, [](double a) { return 0x1p46 / std::sqrt(a); });
     std::printf("rsqrt: one step [-2^%.3f, 2^%.3f], two steps 2^%.3f = %.4f ulp\n", std::log2(-e.low_1),
                 std::log2(e.high_1), std::log2(e.relative), e.ulps);
-    EXPECT_GE(e.low_1, -std::exp2(-17.3));
+    EXPECT_GE(e.low_1, -bound(rsqrt_1_accuracy));
     EXPECT_LE(e.high_1, std::exp2(-29.0));
-    EXPECT_LE(e.relative, std::exp2(-29.9));
+    EXPECT_LE(e.relative, bound(rsqrt_accuracy));
     EXPECT_EQ(rsqrt(1u << 30), 0x80000000u);
 }

@@ -1,0 +1,108 @@
+// Prints the proof obligations with the numbers of the headers: table errors, widths, bounds. `generate NAME`
+// writes one Gappa script to stdout.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+
+#include "raster/numeric/block_matrix.hpp"
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/numeric/rsqrt.hpp"
+
+namespace {
+
+using namespace spangle::numeric;
+
+constexpr long long matrix_most = 0x7FFFFFFF; // BlockMatrix: |m| < 2^31
+constexpr long long vertex_most = block_max;  // Block4: |m| < 2^30
+constexpr int half_bit = 31;                  // row_times rounds at 2^31
+
+/// Row of a block matrix times a vertex: the 64-bit sum, its high word, and the sum of three products of
+/// blocks.
+void accumulators() {
+    std::printf("@whole = fixed<0, ne>;\n"
+                "m0 = whole(M0); m1 = whole(M1); m2 = whole(M2); m3 = whole(M3);\n"
+                "v0 = whole(V0); v1 = whole(V1); v2 = whole(V2); v3 = whole(V3);\n"
+                "sum = 1b%d + m0 * v0 + m1 * v1 + m2 * v2 + m3 * v3;\n"
+                "high = fixed<0, dn>(sum * 1b-32);\n"
+                "dot3 = v0 * v1 + v1 * v2 + v2 * v3;\n",
+                half_bit);
+    std::printf("{ ");
+    for (int i = 0; i < 4; ++i)
+        std::printf("m%d in [-%lld, %lld] /\\ v%d in [-%lld, %lld]%s", i, matrix_most, matrix_most, i,
+                    vertex_most, vertex_most, i < 3 ? " /\\ " : "\n");
+    std::printf("  -> sum in [-9223372036854775808, 9223372036854775807]\n"
+                "  /\\ high in [-2147483648, 2147483647]\n"
+                "  /\\ dot3 in [-4611686018427387904, 4611686018427387904] }\n");
+}
+
+/// Largest relative error of the reciprocal's table over each interval's two ends, in parts of 2^-40: the
+/// error is linear in a within an interval.
+std::int64_t reciprocal_seed_error() {
+    std::int64_t worst = 0;
+    for (std::uint64_t i = 0; i < 256; ++i)
+        for (std::uint64_t a : {(256 + i) << 23, ((257 + i) << 23) - 1}) {
+            const std::uint64_t product = a * detail::reciprocal_seed(static_cast<std::uint32_t>(a)); // Q.62
+            const std::int64_t error = static_cast<std::int64_t>(product - (std::uint64_t{1} << 62)) >> 22;
+            const std::int64_t size = (error < 0 ? -error : error) + 1;
+            if (size > worst)
+                worst = size;
+        }
+    return worst;
+}
+
+double bound(int tenths) {
+    return std::exp2(-tenths / 10.0);
+}
+
+// In all of these E is the relative error of what a step starts from, given as a hypothesis, and the
+// rewriting rule spells out Newton's identity, which Gappa cannot find by itself; it checks the rule's use,
+// and the rest is roundings.
+
+void reciprocal_first() {
+    const long long seed = reciprocal_seed_error();
+    // r: the seed; p: mul_high_u32(a, r) in Q.30; r1: the step, truncated to Q.30.
+    std::printf("a = fixed<-32, dn>(A_);\n"
+                "r = fixed<-15, dn>(R_);\n"
+                "p fixed<-30, dn>= a * r;\n"
+                "r1 fixed<-30, dn>= r * (2 - p);\n"
+                "M = r * (2 - a * r);\n"
+                "{ a in [0.5, 1] /\\ r in [0.99, 2] /\\ (r - 1/a) / (1/a) in [-%lldb-40, %lldb-40]\n"
+                "  -> (r1 - 1/a) / (1/a) in [-%.17g, 1b-29] }\n"
+                "(r1 - 1/a) / (1/a) -> (r1 - M) * a - ((r - 1/a) / (1/a)) * ((r - 1/a) / (1/a)) { a <> 0 };\n"
+                "r1 - M -> (r1 - r * (2 - p)) + r * (a * r - p);\n",
+                seed, seed, bound(reciprocal_1_accuracy));
+}
+
+void reciprocal_second() {
+    // d: the residual with 48 fraction bits, one signed word; r2: rounded to Q.30.
+    std::printf("a = fixed<-32, dn>(A_);\n"
+                "r = fixed<-30, dn>(R_);\n"
+                "E = 1 - a * r;\n"
+                "d fixed<-48, dn>= E;\n"
+                "r2 fixed<-30, ne>= r + r * d;\n"
+                "M = r + r * E;\n"
+                "{ a in [0.5, 1] /\\ r in [0.99, 2.0001] /\\ (r - 1/a) / (1/a) "
+                "in [-%.17g, 1b-29]\n"
+                "  -> r2 - 1/a in [-%.17g, %.17g] /\\ d * 1b48 in [-2147483648, 2147483647] }\n"
+                "E -> -((r - 1/a) / (1/a)) { a <> 0 };\n"
+                "r2 - 1/a -> (r2 - M) - (1/a) * (((r - 1/a) / (1/a)) * ((r - 1/a) / (1/a))) { a <> 0 };\n"
+                "r2 - M -> (r2 - (r + r * d)) + r * (d - E);\n",
+                bound(reciprocal_1_accuracy), reciprocal_ulp_percent / 100.0 * 0x1p-30,
+                reciprocal_ulp_percent / 100.0 * 0x1p-30);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const char* name = argc == 2 ? argv[1] : "";
+    if (std::strcmp(name, "accumulators") == 0)
+        return accumulators(), 0;
+    if (std::strcmp(name, "reciprocal_first") == 0)
+        return reciprocal_first(), 0;
+    if (std::strcmp(name, "reciprocal_second") == 0)
+        return reciprocal_second(), 0;
+    std::fprintf(stderr, "usage: generate accumulators|reciprocal_first|reciprocal_second\n");
+    return 2;
+}
