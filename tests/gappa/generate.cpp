@@ -9,6 +9,7 @@
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/numeric/rsqrt.hpp"
+#include "raster/primitive/edge.hpp"
 
 namespace {
 
@@ -93,16 +94,80 @@ void reciprocal_second() {
                 reciprocal_ulp_percent / 100.0 * 0x1p-30);
 }
 
+void rsqrt_second() {
+    // s: r^2 rounded to Q.30; d: half the residual with 48 fraction bits, one signed word; r2: rounded to
+    // Q.30.
+    std::printf("a = fixed<-32, dn>(A_);\n"
+                "r = fixed<-30, dn>(R_);\n"
+                "T = 1 / sqrt(a);\n"
+                "s fixed<-30, ne>= r * r;\n"
+                "F = (1 - a * s) / 2;\n"
+                "d fixed<-48, dn>= F;\n"
+                "r2 fixed<-30, ne>= r + r * d;\n"
+                "M = r + r * ((1 - a * (r * r)) / 2);\n"
+                "Q = (r - T) / T;\n"
+                "{ a in [0.25, 1] /\\ r in [0.99, 2] /\\ T in [1, 2] /\\ Q in [-%.17g, 1b-29]\n"
+                "  -> (r2 - T) / T in [-%.17g, %.17g] /\\ d * 1b48 in [-2147483648, 2147483647] }\n"
+                "F -> -(Q + Q * Q / 2) - a * (s - r * r) / 2 { a <> 0 };\n"
+                "(r2 - T) / T -> (r2 - M) / T - (3 * (Q * Q) + Q * Q * Q) / 2;\n"
+                "r2 - M -> (r2 - (r + r * d)) + r * (d - F) - r * (a * (s - r * r)) / 2;\n",
+                bound(rsqrt_1_accuracy), bound(rsqrt_accuracy), bound(rsqrt_accuracy));
+}
+
+/// Set-up and walk of an edge: `extent` is the largest |difference| of coordinates, `most` the largest
+/// integer in use.
+void edge(const char* what, long long guard, long long extent, const char* most) {
+    using namespace spangle::raster;
+    std::printf("# %s\n"
+                "@whole = fixed<0, ne>;\n"
+                "dx = whole(DX); dy = whole(DY); above = whole(AB); inside = whole(IN);\n"
+                "part = whole(PA); rest = whole(RE); x0 = whole(X0);\n"
+                "numerator = above * dx + inside * dy;\n"
+                "denominator = dy * %d;\n"
+                "stepped = rest + part * %d;\n"
+                "{ x0 in [-%lld, %lld] /\\ dx in [-%lld, %lld] /\\ dy in [1, %lld] /\\ above in [0, %lld]\n"
+                "  /\\ inside in [-%d, %d] /\\ part in [0, %lld] /\\ rest in [-%lld, 0]\n"
+                "  -> numerator in [-%s, %s] /\\ denominator in [1, 2147483647] /\\ stepped in [-2147483648, "
+                "2147483647] }\n",
+                what, subpixel_one, subpixel_one, guard, guard, extent, extent, extent, extent + subpixel_one,
+                subpixel_one / 2, subpixel_one / 2, extent - 1, extent * subpixel_one, most, most);
+}
+
+void edge_wide() {
+    using namespace spangle::raster;
+    static_assert(edge_max_denominator == std::int64_t{2} * guard_band * subpixel_one);
+    edge("64-bit numerators: anything in the guard band", guard_band, std::int64_t{2} * guard_band,
+         "9223372036854775807");
+}
+
+void edge_small() {
+    using namespace spangle::raster;
+    edge("32-bit numerators: small triangles", guard_band, small_extent, "2147483647");
+}
+
 } // namespace
 
+struct Obligation {
+    const char* name;
+    void (*print)();
+};
+
+constexpr Obligation obligations[] = {
+    {"accumulators", accumulators},
+    {"reciprocal_first", reciprocal_first},
+    {"reciprocal_second", reciprocal_second},
+    {"rsqrt_second", rsqrt_second},
+    {"edge_wide", edge_wide},
+    {"edge_small", edge_small},
+};
+
 int main(int argc, char** argv) {
-    const char* name = argc == 2 ? argv[1] : "";
-    if (std::strcmp(name, "accumulators") == 0)
-        return accumulators(), 0;
-    if (std::strcmp(name, "reciprocal_first") == 0)
-        return reciprocal_first(), 0;
-    if (std::strcmp(name, "reciprocal_second") == 0)
-        return reciprocal_second(), 0;
-    std::fprintf(stderr, "usage: generate accumulators|reciprocal_first|reciprocal_second\n");
+    for (const Obligation& o : obligations)
+        if (argc == 2 && std::strcmp(argv[1], o.name) == 0)
+            return o.print(), 0;
+    std::fprintf(stderr, "usage: generate NAME, with NAME one of");
+    for (const Obligation& o : obligations)
+        std::fprintf(stderr, " %s", o.name);
+    std::fprintf(stderr, "\n");
     return 2;
 }
