@@ -2,34 +2,54 @@
 
 namespace spangle::gl::convert {
 
-Real cast_special(std::uint32_t bits) { return numeric::from_float_bits(bits); }
-Real cast_d(GLdouble v) { return numeric::from_double(v); }
-Real cast_x(GLfixed v) { return numeric::from_fixed16(v); }
-Real cast_i(GLint v) { return numeric::from_i32(v); }
+Real cast_special(std::uint32_t bits) {
+    return numeric::from_float_bits(bits);
+}
+Real cast_d(GLdouble v) {
+    return numeric::from_double(v);
+}
+Real cast_x(GLfixed v) {
+    return numeric::from_fixed16(v);
+}
+Real cast_i(GLint v) {
+    return numeric::from_i32(v);
+}
 
-Real unit_b(GLbyte v) { return numeric::normalized_byte(v); }
-Real unit_s(GLshort v) { return numeric::normalized_short(v); }
-Real unit_i(GLint v) { return numeric::normalized_int(v); }
-Real unit_ub(GLubyte v) { return numeric::normalized_ubyte(v); }
-Real unit_us(GLushort v) { return numeric::normalized_ushort(v); }
-Real unit_ui(GLuint v) { return numeric::normalized_uint(v); }
+Real unit_b(GLbyte v) {
+    return numeric::normalized_byte(v);
+}
+Real unit_s(GLshort v) {
+    return numeric::normalized_short(v);
+}
+Real unit_i(GLint v) {
+    return numeric::normalized_int(v);
+}
+Real unit_ub(GLubyte v) {
+    return numeric::normalized_ubyte(v);
+}
+Real unit_us(GLushort v) {
+    return numeric::normalized_ushort(v);
+}
+Real unit_ui(GLuint v) {
+    return numeric::normalized_uint(v);
+}
 
 namespace {
 
-template <class T, class Convert>
-Matrix16 matrix(const T* m, Convert convert) {
+template <class T, class Convert> Matrix16 matrix(const T* m, Convert convert) {
     Matrix16 out;
     for (int i = 0; i < 16; ++i)
         out.m[i] = convert(m[i]);
     return out;
 }
 
-// A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given as a
-// GLfixed is not scaled (GL_OES_fixed_point).
+// A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
+// as a GLfixed is not scaled (GL_OES_fixed_point).
 Param param_f(Kind kind, GLfloat v) {
     const Real real = cast_f(v);
-    return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(real)))
-                                 : Param::from(real);
+    return kind == Kind::integer
+               ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(real)))
+               : Param::from(real);
 }
 Param param_i(Kind kind, GLint v) {
     if (kind == Kind::integer)
@@ -37,12 +57,12 @@ Param param_i(Kind kind, GLint v) {
     return Param::from(kind == Kind::color ? unit_i(v) : cast_i(v));
 }
 Param param_x(Kind kind, GLfixed v) {
-    return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(v)) : Param::from(cast_x(v));
+    return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(v))
+                                 : Param::from(cast_x(v));
 }
 
 /// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
-template <class T, class Convert>
-Params scalar(Shape shape, T value, Convert convert) {
+template <class T, class Convert> Params scalar(Shape shape, T value, Convert convert) {
     Params out;
     if (shape.count == 1) {
         out.v[0] = convert(shape.kind, value);
@@ -51,36 +71,58 @@ Params scalar(Shape shape, T value, Convert convert) {
     return out;
 }
 
-template <class T, class Convert>
-Params vector(Shape shape, const T* values, Convert convert) {
+template <class T, class Convert> Params vector(Shape shape, const T* values, Convert convert) {
     Params out;
     for (; out.count < shape.count; ++out.count)
         out.v[out.count] = convert(shape.kind, values[out.count]);
     return out;
 }
 
-template <class T, class Convert>
-void store(Shape shape, const Params& found, T* out, Convert convert) {
+template <class T, class Convert> void store(Shape shape, const Params& found, T* out, Convert convert) {
     for (std::uint32_t i = 0; i < found.count; ++i)
         out[i] = convert(shape.kind, found.v[i]);
 }
 
 } // namespace
 
-Matrix16 matrix_f(const GLfloat* m) { return matrix(m, cast_f); }
-Matrix16 matrix_d(const GLdouble* m) { return matrix(m, cast_d); }
-Matrix16 matrix_x(const GLfixed* m) { return matrix(m, cast_x); }
+Matrix16 matrix_f(const GLfloat* m) {
+    return matrix(m, cast_f);
+}
+Matrix16 matrix_d(const GLdouble* m) {
+    return matrix(m, cast_d);
+}
+Matrix16 matrix_x(const GLfixed* m) {
+    return matrix(m, cast_x);
+}
 
-Params scalar_f(Shape shape, GLfloat value) { return scalar(shape, value, param_f); }
-Params scalar_i(Shape shape, GLint value) { return scalar(shape, value, param_i); }
-Params scalar_x(Shape shape, GLfixed value) { return scalar(shape, value, param_x); }
-Params vector_f(Shape shape, const GLfloat* values) { return vector(shape, values, param_f); }
-Params vector_i(Shape shape, const GLint* values) { return vector(shape, values, param_i); }
-Params vector_x(Shape shape, const GLfixed* values) { return vector(shape, values, param_x); }
+Params scalar_f(Shape shape, GLfloat value) {
+    return scalar(shape, value, param_f);
+}
+Params scalar_i(Shape shape, GLint value) {
+    return scalar(shape, value, param_i);
+}
+Params scalar_x(Shape shape, GLfixed value) {
+    return scalar(shape, value, param_x);
+}
+Params vector_f(Shape shape, const GLfloat* values) {
+    return vector(shape, values, param_f);
+}
+Params vector_i(Shape shape, const GLint* values) {
+    return vector(shape, values, param_i);
+}
+Params vector_x(Shape shape, const GLfixed* values) {
+    return vector(shape, values, param_x);
+}
 
-void store_f(Shape shape, const Params& found, GLfloat* out) { store(shape, found, out, to_float); }
-void store_i(Shape shape, const Params& found, GLint* out) { store(shape, found, out, to_int); }
-void store_x(Shape shape, const Params& found, GLfixed* out) { store(shape, found, out, to_fixed); }
+void store_f(Shape shape, const Params& found, GLfloat* out) {
+    store(shape, found, out, to_float);
+}
+void store_i(Shape shape, const Params& found, GLint* out) {
+    store(shape, found, out, to_int);
+}
+void store_x(Shape shape, const Params& found, GLfixed* out) {
+    store(shape, found, out, to_fixed);
+}
 
 GLfloat to_float(Kind kind, Param value) {
     return numeric::to_float(kind == Kind::integer ? cast_i(value.integer()) : value.real());
@@ -95,7 +137,8 @@ GLdouble to_double(Kind kind, Param value) {
     const std::uint32_t magnitude = numeric::abs_u32(v);
     const int top = 31 - numeric::clz32(magnitude);
     const std::uint64_t fraction = (std::uint64_t{magnitude} << (52 - top)) & ((std::uint64_t{1} << 52) - 1);
-    return std::bit_cast<double>(std::uint64_t{v < 0} << 63 | static_cast<std::uint64_t>(1023 + top) << 52 | fraction);
+    return std::bit_cast<double>(std::uint64_t{v < 0} << 63 | static_cast<std::uint64_t>(1023 + top) << 52 |
+                                 fraction);
 }
 GLint to_int(Kind kind, Param value) {
     switch (kind) {

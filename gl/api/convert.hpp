@@ -19,7 +19,9 @@ inline Real cast_f(GLfloat v) {
 Real cast_d(GLdouble v);
 Real cast_x(GLfixed v);
 Real cast_i(GLint v);
-inline Real cast_s(GLshort v) { return cast_i(v); }
+inline Real cast_s(GLshort v) {
+    return cast_i(v);
+}
 
 // As components of colours and normals (GL 1.3, table 2.6).
 Real unit_b(GLbyte v);

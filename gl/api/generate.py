@@ -403,7 +403,6 @@ FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint":
 
 def test_table(chapters, tokens):
     out = ["// Every entry point with its argument kinds and a uniform way to call it.\n", NOTICE,
-           "#include \"tests/gl_api/command_table.hpp\"\n\n#include <spangle/GL/gl.h>\n\nnamespace spangle::test {\n\n"
            "namespace {\n\n"]
     rows, pool = [], {}
 
@@ -440,8 +439,7 @@ def test_table(chapters, tokens):
                 rows.append(f"    {{\"{e.name}\", \"{f.name}\", \"{f.row}\", {str(f.inside).lower()}, "
                             f"Listing::{f.listing}, {feature} != 0, {arg_list}, {pname_list},\n"
                             f"     [](const Value* {'a' if calls else ''}) {{ {e.name}({', '.join(calls)}); }}}},\n")
-    out.append("\nconst Command table[] = {\n" + "".join(rows) + "};\n\n} // namespace\n\n"
-               "std::span<const Command> commands() { return table; }\n\n} // namespace spangle::test\n")
+    out.append("\nconst Command table[] = {\n" + "".join(rows) + "};\n\n} // namespace\n")
     return "".join(out)
 
 
@@ -483,7 +481,7 @@ def outputs():
         "gl/api/generated/commands.hpp": commands_header(chapters, tokens),
         "gl/api/generated/shapes.hpp": shapes_header(chapters, tokens),
         "gl/api/generated/names.cpp": names(chapters, tokens),
-        "tests/gl_api/command_table_generated.cpp": test_table(chapters, tokens),
+        "tests/gl_api/generated/command_table.inc": test_table(chapters, tokens),
         "docs/features.md": features(chapters, tokens),
     }
     for data, families in chapters:

@@ -11,10 +11,16 @@ void refuse(GLenum code, const char* text) {
 
 } // namespace
 
-void refuse_null(const char* text) { refuse(GL_INVALID_VALUE, text); }
+void refuse_null(const char* text) {
+    refuse(GL_INVALID_VALUE, text);
+}
 
-void refuse_feature(const char* text) { refuse(GL_INVALID_OPERATION, text); }
+void refuse_feature(const char* text) {
+    refuse(GL_INVALID_OPERATION, text);
+}
 
-void refuse_inside(Context& context, const char* text) { error(context, GL_INVALID_OPERATION, text); }
+void refuse_inside(Context& context, const char* text) {
+    error(context, GL_INVALID_OPERATION, text);
+}
 
 } // namespace spangle::gl

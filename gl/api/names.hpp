@@ -7,7 +7,8 @@ namespace spangle::gl {
 
 using EntryPoint = void (*)();
 
-/// The entry point called `name` ("glBegin"), or null; null for every name without SPANGLE_FEATURE_GET_PROC_ADDRESS.
+/// The entry point called `name` ("glBegin"), or null; null for every name without
+/// SPANGLE_FEATURE_GET_PROC_ADDRESS.
 EntryPoint find_entry_point(const char* name);
 
 } // namespace spangle::gl

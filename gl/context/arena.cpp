@@ -1,6 +1,7 @@
-// After M. Masmano et al., "TLSF: a new dynamic memory allocator for real-time systems", ECRTS 2004. Sizes below 64
-// bytes have a class per 8 bytes, larger ones 8 classes per power of two; two bitmaps find a class that surely fits, so
-// every operation is constant time. A block knows its neighbours, so free blocks never lie side by side.
+// After M. Masmano et al., "TLSF: a new dynamic memory allocator for real-time systems", ECRTS 2004. Sizes
+// below 64 bytes have a class per 8 bytes, larger ones 8 classes per power of two; two bitmaps find a class
+// that surely fits, so every operation is constant time. A block knows its neighbours, so free blocks never
+// lie side by side.
 #include "gl/context/arena.hpp"
 
 #include <bit>
@@ -196,8 +197,9 @@ bool Arena::consistent() const {
             for (Block* b = free_[first][second]; b != nullptr; previous = b, b = b->next_free) {
                 const Slot slot = slot_of(b->size());
                 const bool alone = !b->after()->is_free() && (b->before == nullptr || !b->before->is_free());
-                if (!b->is_free() || b->previous_free != previous || slot.first != first || slot.second != second ||
-                    !alone || b->after()->before != b || (b->before != nullptr && b->before->after() != b))
+                if (!b->is_free() || b->previous_free != previous || slot.first != first ||
+                    slot.second != second || !alone || b->after()->before != b ||
+                    (b->before != nullptr && b->before->after() != b))
                     return false;
                 free_bytes += b->size() + Block::header;
                 ++free_blocks;

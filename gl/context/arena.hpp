@@ -1,4 +1,5 @@
-// Memory handed over by the board, given out in bounded time: a two-level segregated fit with immediate coalescing.
+// Memory handed over by the board, given out in bounded time: a two-level segregated fit with immediate
+// coalescing.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +7,8 @@
 
 namespace spangle::gl {
 
-/// allocate, free and shrink take constant time whatever was allocated before. Exhaustion gives null and changes
-/// nothing: a caller stores the replacement first and frees the old block after.
+/// allocate, free and shrink take constant time whatever was allocated before. Exhaustion gives null and
+/// changes nothing: a caller stores the replacement first and frees the old block after.
 class Arena {
   public:
     static constexpr std::size_t alignment = 8;

@@ -32,8 +32,8 @@ enum Gate : std::uint8_t {
     gate_compiling = 2, ///< between NewList and EndList
 };
 
-/// Which derived state must be computed again before the next primitive. Whoever changes state says changed(); whoever
-/// derives clears the bits.
+/// Which derived state must be computed again before the next primitive. Whoever changes state says
+/// changed(); whoever derives clears the bits.
 enum Dirty : std::uint8_t {
     dirty_vertex = 1,   ///< matrices, normals, lighting
     dirty_fragment = 2, ///< what raster::FragmentState is filled from, the drawable included
@@ -48,7 +48,7 @@ struct Drawable {
 };
 
 struct Context {
-    std::uint8_t gate = 0; ///< Gate bits
+    std::uint8_t gate = 0;          ///< Gate bits
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
 
@@ -80,7 +80,8 @@ struct Context {
 void set_current_context(Context* context);
 
 #if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
-#define SPANGLE_THREAD_LOCAL __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
+#define SPANGLE_THREAD_LOCAL                                                                                 \
+    __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
 #else
 #define SPANGLE_THREAD_LOCAL
 #endif
@@ -88,6 +89,8 @@ namespace detail {
 extern SPANGLE_THREAD_LOCAL Context* current;
 }
 /// The context of this thread (of the program, in firmware), or null.
-inline Context* current_context() { return detail::current; }
+inline Context* current_context() {
+    return detail::current;
+}
 
 } // namespace spangle::gl

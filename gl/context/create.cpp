@@ -13,7 +13,9 @@ namespace detail {
 constinit SPANGLE_THREAD_LOCAL Context* current = nullptr;
 }
 
-void set_current_context(Context* context) { detail::current = context; }
+void set_current_context(Context* context) {
+    detail::current = context;
+}
 
 namespace {
 

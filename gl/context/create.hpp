@@ -10,15 +10,16 @@ struct ContextConfig {
     const Engine* engine = nullptr; ///< the numeric policy; required
 };
 
-/// A context with GL's initial state, or null when the arena has no room. With `share`, objects are shared with that
-/// context, and the arena is the one it came from.
+/// A context with GL's initial state, or null when the arena has no room. With `share`, objects are shared
+/// with that context, and the arena is the one it came from.
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share);
 
-/// Frees the context, and the shared objects with the last one of a group. Releases it first if it is current.
+/// Frees the context, and the shared objects with the last one of a group. Releases it first if it is
+/// current.
 void destroy_context(Context* context);
 
-/// MakeCurrent's half in GL. The first drawable gives viewport, scissor box, draw and read buffer (GL 1.3, 2.10.1,
-/// 4.1.2, 4.2.1). Null releases.
+/// MakeCurrent's half in GL. The first drawable gives viewport, scissor box, draw and read buffer
+/// (GL 1.3, 2.10.1, 4.1.2, 4.2.1). Null releases.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
 } // namespace spangle::gl

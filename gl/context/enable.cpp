@@ -41,9 +41,13 @@ void set(Context& context, GLenum cap, bool on) {
 
 namespace cmd {
 
-void Enable(Context& context, GLenum cap) { set(context, cap, true); }
+void Enable(Context& context, GLenum cap) {
+    set(context, cap, true);
+}
 
-void Disable(Context& context, GLenum cap) { set(context, cap, false); }
+void Disable(Context& context, GLenum cap) {
+    set(context, cap, false);
+}
 
 GLboolean IsEnabled(Context& context, GLenum cap) {
     const StateRow* const row = find_switch(context, cap, true);

@@ -9,8 +9,7 @@ namespace spangle::gl {
 
 namespace {
 
-template <class T>
-void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
+template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
     const StateRow* const row = find_state(pname);
     if (row == nullptr)
         return error(context, GL_INVALID_ENUM);
@@ -31,10 +30,18 @@ namespace cmd {
 void GetBooleanv(Context& context, GLenum pname, GLboolean* params) {
     get(context, pname, params, convert::to_boolean);
 }
-void GetIntegerv(Context& context, GLenum pname, GLint* params) { get(context, pname, params, convert::to_int); }
-void GetFloatv(Context& context, GLenum pname, GLfloat* params) { get(context, pname, params, convert::to_float); }
-void GetDoublev(Context& context, GLenum pname, GLdouble* params) { get(context, pname, params, convert::to_double); }
-void GetFixedvOES(Context& context, GLenum pname, GLfixed* params) { get(context, pname, params, convert::to_fixed); }
+void GetIntegerv(Context& context, GLenum pname, GLint* params) {
+    get(context, pname, params, convert::to_int);
+}
+void GetFloatv(Context& context, GLenum pname, GLfloat* params) {
+    get(context, pname, params, convert::to_float);
+}
+void GetDoublev(Context& context, GLenum pname, GLdouble* params) {
+    get(context, pname, params, convert::to_double);
+}
+void GetFixedvOES(Context& context, GLenum pname, GLfixed* params) {
+    get(context, pname, params, convert::to_fixed);
+}
 
 void GetPointerv(Context& context, GLenum pname, void** params) {
     const ArraysState& arrays = context.arrays;

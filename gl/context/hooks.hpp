@@ -1,4 +1,5 @@
-// What creation, Enable and the queries ask of the chapters: state that is computed rather than stored as it is returned.
+// What creation, Enable and the queries ask of the chapters: state that is computed rather than stored as it
+// is returned.
 #pragma once
 
 #include "gl/context/types.hpp"

@@ -6,8 +6,9 @@
 namespace spangle::gl {
 
 inline constexpr std::int32_t max_viewport_dim = 4096;
-inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels, 1 and up
+inline constexpr std::int32_t max_point_size = 64; ///< sizes are whole pixels, 1 and up
 inline constexpr std::int32_t max_line_width = 64;
-inline constexpr std::int32_t modelview_stack_entries = 32, projection_stack_entries = 2, texture_stack_entries = 2;
+inline constexpr std::int32_t modelview_stack_entries = 32, projection_stack_entries = 2,
+                              texture_stack_entries = 2;
 
 } // namespace spangle::gl

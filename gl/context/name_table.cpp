@@ -19,7 +19,9 @@ void** NameTable::find(std::uint32_t name) const {
     return entry.name == 0 ? nullptr : &entry.object;
 }
 
-void NameTable::place(std::uint32_t name, void* object) { entries_[index_of(name)] = {name, object}; }
+void NameTable::place(std::uint32_t name, void* object) {
+    entries_[index_of(name)] = {name, object};
+}
 
 bool NameTable::reserve(Arena& arena, std::uint32_t more) {
     const std::uint64_t wanted = std::uint64_t{count_} + more;
@@ -62,7 +64,8 @@ void* NameTable::remove(std::uint32_t name) {
     std::uint32_t hole = index_of(name);
     void* const object = entries_[hole].object;
     // Pull later entries of the same cluster over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
-    for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0; i = (i + 1) & (capacity_ - 1)) {
+    for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0;
+         i = (i + 1) & (capacity_ - 1)) {
         const std::uint32_t from_home = (i - home(entries_[i].name)) & (capacity_ - 1);
         const std::uint32_t from_hole = (i - hole) & (capacity_ - 1);
         if (from_home >= from_hole) {

@@ -7,8 +7,8 @@ namespace spangle::gl {
 
 class Arena;
 
-/// Open addressing with linear probing in a power-of-two array that is at most three quarters full. A name may be
-/// present with a null object: GenTextures reserves, GenLists makes empty lists.
+/// Open addressing with linear probing in a power-of-two array that is at most three quarters full. A name
+/// may be present with a null object: GenTextures reserves, GenLists makes empty lists.
 class NameTable {
   public:
     struct Entry {

@@ -1,5 +1,5 @@
-// What contexts share: texture objects, display lists, and the memory they lie in (GL 1.3, 2.2; EGL 1.4, 2.4).
-// Contexts of one group, and the arena under them, belong to one thread at a time.
+// What contexts share: texture objects, display lists, and the memory they lie in (GL 1.3, 2.2;
+// EGL 1.4, 2.4). Contexts of one group, and the arena under them, belong to one thread at a time.
 #pragma once
 
 #include "gl/context/arena.hpp"

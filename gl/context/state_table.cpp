@@ -14,14 +14,14 @@ namespace spangle::gl {
 
 namespace {
 
-template <class T>
-constexpr Source source_of_type() {
+template <class T> constexpr Source source_of_type() {
     using Element = std::remove_all_extents_t<T>;
-    return std::is_same_v<Element, bool> ? Source::boolean : std::is_same_v<Element, Real> ? Source::real : Source::integer;
+    return std::is_same_v<Element, bool>   ? Source::boolean
+           : std::is_same_v<Element, Real> ? Source::real
+                                           : Source::integer;
 }
 
-template <class T>
-constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
+template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
     return {name,
@@ -42,10 +42,13 @@ constexpr StateRow linear(StateRow row) {
 }
 
 constexpr StateRow constant(GLenum name, std::int32_t value) {
-    return {name, Kind::integer, Source::constant, Switch::none, 1, static_cast<std::uint32_t>(value), nullptr, nullptr, false};
+    return {
+        name,    Kind::integer, Source::constant, Switch::none, 1, static_cast<std::uint32_t>(value), nullptr,
+        nullptr, false};
 }
 
-constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count, void (*compute)(const Context&, GLenum, Param*)) {
+constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
+                            void (*compute)(const Context&, GLenum, Param*)) {
     return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
 }
 
@@ -56,16 +59,20 @@ constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
     return row;
 }
 constexpr StateRow of_lighting(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_LIGHTING != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LIGHTING"), row);
+    return of_feature(SPANGLE_FEATURE_LIGHTING != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LIGHTING"), row);
 }
 constexpr StateRow of_fog(StateRow row) {
     return of_feature(SPANGLE_FEATURE_FOG != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"), row);
 }
 constexpr StateRow of_lists(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"), row);
+    return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"),
+                      row);
 }
 
-Param integer(std::int32_t value) { return Param::from_integer(static_cast<std::uint32_t>(value)); }
+Param integer(std::int32_t value) {
+    return Param::from_integer(static_cast<std::uint32_t>(value));
+}
 
 void matrix(const Context& context, GLenum name, Param* out) {
     const Matrix16 top = top_matrix(context, name);
@@ -73,9 +80,13 @@ void matrix(const Context& context, GLenum name, Param* out) {
         out[i] = Param::from(top.m[i]);
 }
 
-void depth_of_stack(const Context& context, GLenum name, Param* out) { out[0] = integer(stack_depth(context, name)); }
+void depth_of_stack(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(stack_depth(context, name));
+}
 
-void viewport_limits(const Context&, GLenum, Param* out) { out[0] = out[1] = integer(max_viewport_dim); }
+void viewport_limits(const Context&, GLenum, Param* out) {
+    out[0] = out[1] = integer(max_viewport_dim);
+}
 
 void size_range(const Context&, GLenum name, Param* out) {
     const bool point = name == GL_POINT_SIZE_RANGE || name == GL_ALIASED_POINT_SIZE_RANGE;
@@ -83,21 +94,27 @@ void size_range(const Context&, GLenum name, Param* out) {
     out[1] = integer(point ? max_point_size : max_line_width);
 }
 
-void binding(const Context& context, GLenum, Param* out) { out[0] = Param::from_integer(texture_binding_2d(context)); }
+void binding(const Context& context, GLenum, Param* out) {
+    out[0] = Param::from_integer(texture_binding_2d(context));
+}
 
 void bits(const Context& context, GLenum name, Param* out) {
     const raster::Surface& surface = context.drawable.surface;
     const FormatInfo format = format_info(surface.format);
     const std::uint8_t colors[] = {format.red_bits, format.green_bits, format.blue_bits, format.alpha_bits};
     if (name == GL_DEPTH_BITS)
-        out[0] = integer(surface.depth_format == DepthFormat::none ? 0 : surface.depth_format == DepthFormat::z16 ? 16 : 24);
+        out[0] = integer(surface.depth_format == DepthFormat::none  ? 0
+                         : surface.depth_format == DepthFormat::z16 ? 16
+                                                                    : 24);
     else if (name == GL_STENCIL_BITS)
         out[0] = integer(surface.depth_format == DepthFormat::z24s8 ? 8 : 0);
     else
         out[0] = integer(colors[name - GL_RED_BITS]);
 }
 
-#define STORED(NAME, MEMBER) stored<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(NAME, offsetof(Context, MEMBER))
+#define STORED(NAME, MEMBER)                                                                                 \
+    stored<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(NAME,                         \
+                                                                               offsetof(Context, MEMBER))
 #define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
 #define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
 #define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
@@ -153,7 +170,14 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_lighting(STORED(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer)),
     of_lighting(STORED(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side)),
     of_lighting(STORED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control)),
-    LIGHT(0), LIGHT(1), LIGHT(2), LIGHT(3), LIGHT(4), LIGHT(5), LIGHT(6), LIGHT(7),
+    LIGHT(0),
+    LIGHT(1),
+    LIGHT(2),
+    LIGHT(3),
+    LIGHT(4),
+    LIGHT(5),
+    LIGHT(6),
+    LIGHT(7),
     // Rasterization
     STORED(GL_POINT_SIZE, polygon.point_size),
     STORED(GL_LINE_WIDTH, polygon.line_width),
@@ -298,7 +322,8 @@ void load_state(const Context& context, const StateRow& row, Param* out) {
         break;
     case Source::integer:
         for (int i = 0; i < row.count; ++i)
-            std::memcpy(&out[i].word, from + static_cast<std::size_t>(i) * sizeof(std::uint32_t), sizeof(std::uint32_t));
+            std::memcpy(&out[i].word, from + static_cast<std::size_t>(i) * sizeof(std::uint32_t),
+                        sizeof(std::uint32_t));
         break;
     case Source::real:
         for (int i = 0; i < row.count; ++i)

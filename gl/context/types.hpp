@@ -15,8 +15,8 @@ using numeric::Real;
 /// Texture units of GL; arrays over units are sized by it. 1 until MultiTexCoord and ActiveTexture exist.
 inline constexpr int texture_units = 1;
 
-/// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are Reals, an
-/// enum, a boolean and a level are integers).
+/// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are
+/// Reals, an enum, a boolean and a level are integers).
 struct Param {
     std::uint32_t word = 0;
 
@@ -27,9 +27,10 @@ struct Param {
     constexpr GLenum token() const { return word; }
 };
 
-/// The value of a Light/Material/Fog/TexParameter... command, and what their queries give back. `count` is what the
-/// pname needs, or 0: the pname is unknown, or takes a vector and was given through the scalar form; both are
-/// INVALID_ENUM (GL 1.3, 2.5), so a command only has to ask for count == 0. A query leaves 0 after an error.
+/// The value of a Light/Material/Fog/TexParameter... command, and what their queries give back. `count` is
+/// what the pname needs, or 0: the pname is unknown, or takes a vector and was given through the scalar form;
+/// both are INVALID_ENUM (GL 1.3, 2.5), so a command only has to ask for count == 0. A query leaves 0 after
+/// an error.
 struct Params {
     Param v[4];
     std::uint32_t count = 0;

@@ -6,15 +6,16 @@ namespace spangle::gl::list {
 
 namespace {
 
-template <class T>
-T element(const void* array, GLsizei i) {
+template <class T> T element(const void* array, GLsizei i) {
     T value; // client arrays need not be aligned
-    std::memcpy(&value, static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * sizeof(T), sizeof value);
+    std::memcpy(&value, static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * sizeof(T),
+                sizeof value);
     return value;
 }
 
 GLuint bytes(const void* array, GLsizei i, int count) {
-    const unsigned char* from = static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * static_cast<unsigned>(count);
+    const unsigned char* from =
+        static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * static_cast<unsigned>(count);
     GLuint value = 0;
     for (int k = 0; k < count; ++k)
         value = value << 8 | from[k];
@@ -34,7 +35,9 @@ GLuint truncate(Real v) {
 
 } // namespace
 
-bool is_name_type(GLenum type) { return type >= GL_BYTE && type <= GL_4_BYTES; }
+bool is_name_type(GLenum type) {
+    return type >= GL_BYTE && type <= GL_4_BYTES;
+}
 
 GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
     switch (type) {

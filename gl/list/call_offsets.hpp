@@ -7,8 +7,8 @@ namespace spangle::gl::list {
 
 bool is_name_type(GLenum type);
 
-/// Element i of an array of `type`, as an offset to LIST_BASE modulo 2^32: floats truncated, n_BYTES most significant
-/// byte first.
+/// Element i of an array of `type`, as an offset to LIST_BASE modulo 2^32: floats truncated, n_BYTES most
+/// significant byte first.
 GLuint name_offset(GLenum type, const void* lists, GLsizei i);
 
 } // namespace spangle::gl::list

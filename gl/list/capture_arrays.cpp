@@ -1,5 +1,5 @@
-// Vertex arrays in display lists: the elements are read while the list is compiled and stored as what ArrayElement
-// stands for, so that they share the runs of immediate mode (GL 1.3, 2.8 and 5.4).
+// Vertex arrays in display lists: the elements are read while the list is compiled and stored as what
+// ArrayElement stands for, so that they share the runs of immediate mode (GL 1.3, 2.8 and 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -16,15 +16,15 @@ namespace {
 
 using list::Word;
 
-/// Begin of a captured draw. Between Begin and End the whole draw fails at execution: its vertices must not reach the
-/// primitive that is open.
+/// Begin of a captured draw. Between Begin and End the whole draw fails at execution: its vertices must not
+/// reach the primitive that is open.
 const Word* play_begin_draw(Context& context, const Word* words) {
     const Word* past;
     std::memcpy(&past, words + 1, sizeof past);
     if (!list::allowed_outside(context, SPANGLE_TEXT("a drawn array in a list between glBegin and glEnd")))
         return past;
     cmd::Begin(context, words[0]);
-    return words + 1 + sizeof past / sizeof(Word);
+    return words + 1 + list::address_words;
 }
 
 const Word* play_end_draw(Context& context, const Word* words) {
@@ -58,12 +58,12 @@ void capture(Context& context, GLuint index) {
         encode::Vertex(context, e.vertex[0], e.vertex[1], e.vertex[2], e.vertex[3]);
 }
 
-template <class Index>
-void capture_draw(Context& context, GLenum mode, GLsizei count, Index index) {
-    Word* const begin = list::record(context, &play_begin_draw, 1 + sizeof(const Word*) / sizeof(Word));
+template <class Index> void capture_draw(Context& context, GLenum mode, GLsizei count, Index index) {
+    Word* const begin = list::record(context, &play_begin_draw, 1 + list::address_words);
     for (GLsizei i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
         capture(context, index(i));
-    // The record of End is never the first of a chunk without a link to it, so its address is where a skip goes on.
+    // The record of End is never the first of a chunk without a link to it, so its address is where a skip
+    // goes on.
     Word* const end = list::record(context, &play_end_draw, 0);
     if (end == nullptr)
         return;
@@ -91,7 +91,8 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (first < 0 || count < 0)
         return list::record_error(context, GL_INVALID_VALUE, false);
-    capture_draw(context, mode, count, [first](GLsizei i) { return static_cast<GLuint>(first) + static_cast<GLuint>(i); });
+    capture_draw(context, mode, count,
+                 [first](GLsizei i) { return static_cast<GLuint>(first) + static_cast<GLuint>(i); });
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {

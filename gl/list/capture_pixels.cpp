@@ -1,5 +1,5 @@
-// Images in display lists: the pixels are copied while the list is compiled, through the unpack state of that moment,
-// and played with a state that describes the copy (GL 1.3, 3.6.1 and 5.4).
+// Images in display lists: the pixels are copied while the list is compiled, through the unpack state of that
+// moment, and played with a state that describes the copy (GL 1.3, 3.6.1 and 5.4).
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -17,8 +17,8 @@ namespace {
 using list::Word;
 
 /// Rows side by side, elements in host order.
-void copy_rows(const PixelStore& store, const PixelLayout& layout, GLsizei width, GLsizei height, const void* pixels,
-               unsigned char* to) {
+void copy_rows(const PixelStore& store, const PixelLayout& layout, GLsizei width, GLsizei height,
+               const void* pixels, unsigned char* to) {
     const ImageRows rows = image_rows(store, layout, width);
     const std::size_t row_bytes = static_cast<std::size_t>(width) * layout.group_bytes();
     const unsigned char* from = static_cast<const unsigned char*>(pixels) + rows.skip;
@@ -36,7 +36,8 @@ void copy_rows(const PixelStore& store, const PixelLayout& layout, GLsizei width
 }
 
 /// An image whose pixels are worth keeping: one that TexImage2D may accept.
-bool sensible(GLenum format, GLenum type, GLsizei width, GLsizei height, const void* pixels, PixelLayout& layout) {
+bool sensible(GLenum format, GLenum type, GLsizei width, GLsizei height, const void* pixels,
+              PixelLayout& layout) {
     constexpr GLsizei most = max_texture_size + 2; // with its border
     return pixels != nullptr && width >= 0 && width <= most && height >= 0 && height <= most &&
            format != GL_DEPTH_COMPONENT && format != GL_STENCIL_INDEX &&
@@ -56,8 +57,9 @@ enum : Word { no_pixels, pixels_follow };
 void capture(Context& context, list::Player player, const Image& image) {
     PixelLayout layout;
     const bool keep = sensible(image.format, image.type, image.width, image.height, image.pixels, layout);
-    const std::uint32_t bytes =
-        keep ? static_cast<std::uint32_t>(image.width) * static_cast<std::uint32_t>(image.height) * layout.group_bytes() : 0;
+    const std::uint32_t bytes = keep ? static_cast<std::uint32_t>(image.width) *
+                                           static_cast<std::uint32_t>(image.height) * layout.group_bytes()
+                                     : 0;
     constexpr std::uint32_t fixed_words = 10;
     Word* to = list::record(context, player, fixed_words + (bytes + 3) / 4);
     if (to == nullptr)
@@ -98,15 +100,15 @@ const Word* play(Context& context, const Word* words, void (*run)(Context&, cons
 
 const Word* play_tex_image_2d(Context& context, const Word* words) {
     return play(context, words, [](Context& c, const Image& i) {
-        cmd::TexImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.width, i.height,
-                        i.arguments[3], i.format, i.type, i.pixels);
+        cmd::TexImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.width,
+                        i.height, i.arguments[3], i.format, i.type, i.pixels);
     });
 }
 
 const Word* play_tex_sub_image_2d(Context& context, const Word* words) {
     return play(context, words, [](Context& c, const Image& i) {
-        cmd::TexSubImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.arguments[3],
-                           i.width, i.height, i.format, i.type, i.pixels);
+        cmd::TexSubImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2],
+                           i.arguments[3], i.width, i.height, i.format, i.type, i.pixels);
     });
 }
 
@@ -114,15 +116,17 @@ const Word* play_tex_sub_image_2d(Context& context, const Word* words) {
 
 namespace encode {
 
-void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
-                GLint border, GLenum format, GLenum type, const void* pixels) {
+void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
     if (target == GL_PROXY_TEXTURE_2D) { // a query: runs at once and is not stored (GL 1.3, 5.4)
         if (!context.list.execute && list::allowed_outside(context, family::TexImage2D::refusal))
-            cmd::TexImage2D(context, target, level, internalformat, width, height, border, format, type, pixels);
+            cmd::TexImage2D(context, target, level, internalformat, width, height, border, format, type,
+                            pixels);
         return;
     }
-    capture(context, &play_tex_image_2d,
-            {{static_cast<GLint>(target), level, internalformat, border}, width, height, format, type, pixels});
+    capture(
+        context, &play_tex_image_2d,
+        {{static_cast<GLint>(target), level, internalformat, border}, width, height, format, type, pixels});
 }
 
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,

@@ -5,7 +5,8 @@
 
 namespace spangle::gl::list {
 
-/// Records never straddle chunks. The last record of a chunk is a link to the next one, of a list the end: a null player.
+/// Records never straddle chunks. The last record of a chunk is a link to the next one, of a list the end: a
+/// null player.
 struct Chunk {
     Chunk* next;
     std::uint32_t words; ///< in `data`
@@ -13,11 +14,12 @@ struct Chunk {
     Word* data() { return reinterpret_cast<Word*>(this + 1); }
 };
 
-inline constexpr std::uint32_t link_words = player_words + sizeof(const Word*) / sizeof(Word);
+inline constexpr std::uint32_t link_words = player_words + address_words;
 
 void begin_recording(Context& context);
 
-/// Closes the list and gives its chain; null when there was not memory enough for all of it (nothing is kept then).
+/// Closes the list and gives its chain; null when there was not memory enough for all of it (nothing is kept
+/// then).
 Chunk* end_recording(Context& context);
 
 /// Frees a whole chain; null is an empty list.

@@ -38,7 +38,8 @@ void EndList(Context& context) {
     NameTable& names = context.share->lists;
     if (chain == nullptr || (names.find(name) == nullptr && !names.insert(*context.arena, name, nullptr))) {
         list::free_chain(*context.arena, chain);
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glEndList: no memory for the list; the old one stays"));
+        return error(context, GL_OUT_OF_MEMORY,
+                     SPANGLE_TEXT("glEndList: no memory for the list; the old one stays"));
     }
     void** const object = names.find(name);
     list::Chunk* const old = static_cast<list::Chunk*>(*object);
@@ -63,7 +64,9 @@ void CallLists(Context& context, GLsizei n, GLenum type, const void* lists) {
         list::execute(context, context.list.base + list::name_offset(type, lists, i));
 }
 
-void ListBase(Context& context, GLuint base) { context.list.base = base; }
+void ListBase(Context& context, GLuint base) {
+    context.list.base = base;
+}
 
 GLuint GenLists(Context& context, GLsizei range) {
     if (range < 0) {
@@ -96,7 +99,8 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
             list::free_chain(*context.arena, static_cast<list::Chunk*>(names.remove(list + i)));
         return;
     }
-    // A range wider than the table: walk the table. A removal may pull another entry into the slot: look again.
+    // A range wider than the table: walk the table. A removal may pull another entry into the slot: look
+    // again.
     for (std::uint32_t i = 0; i < names.capacity();) {
         const GLuint name = names.slot(i).name;
         if (name != 0 && name - list < count)
@@ -106,7 +110,9 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
     }
 }
 
-GLboolean IsList(Context& context, GLuint list) { return context.share->lists.find(list) != nullptr; }
+GLboolean IsList(Context& context, GLuint list) {
+    return context.share->lists.find(list) != nullptr;
+}
 
 } // namespace spangle::gl::cmd
 
@@ -119,7 +125,8 @@ void CallList(Context& context, GLuint list) {
 
 void CallLists(Context& context, GLsizei n, GLenum type, const void* lists) {
     if (n < 0 || !list::is_name_type(type) || (lists == nullptr && n > 0))
-        return list::record_error(context, n >= 0 && !list::is_name_type(type) ? GL_INVALID_ENUM : GL_INVALID_VALUE, true);
+        return list::record_error(
+            context, n >= 0 && !list::is_name_type(type) ? GL_INVALID_ENUM : GL_INVALID_VALUE, true);
     for (GLsizei i = 0; i < n && !context.list.recorder.out_of_memory; ++i)
         if (list::Word* to = list::record(context, &list::play_call_offset, 1); to != nullptr)
             *to = list::name_offset(type, lists, i);

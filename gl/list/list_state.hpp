@@ -17,11 +17,11 @@ inline constexpr unsigned max_list_nesting = 64;
 struct ListRecorder {
     list::Chunk* first = nullptr;
     list::Chunk* last = nullptr;
-    list::Word* write = nullptr;     ///< in `last`
-    list::Word* end = nullptr;       ///< of `last`; room for the link is behind it
-    bool out_of_memory = false;      ///< the list is lost: EndList says so and keeps the old one
-    list::Word* run = nullptr;       ///< header word of the open run, or null
-    std::uint32_t pending = 0;       ///< attributes given since the last vertex (list::Field bits)
+    list::Word* write = nullptr;            ///< in `last`
+    list::Word* end = nullptr;              ///< of `last`; room for the link is behind it
+    bool out_of_memory = false;             ///< the list is lost: EndList says so and keeps the old one
+    list::Word* run = nullptr;              ///< header word of the open run, or null
+    std::uint32_t pending = 0;              ///< attributes given since the last vertex (list::Field bits)
     Real color[4], normal[3], tex_coord[4]; ///< their values
 };
 

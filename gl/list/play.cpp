@@ -1,5 +1,5 @@
-// A called list is entered by remembering where to go on, not by recursion: 64 levels cost 64 words of context and no
-// stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit exists to bound recursion).
+// A called list is entered by remembering where to go on, not by recursion: 64 levels cost 64 words of
+// context and no stack. Deeper calls are ignored (GL 1.3, 5.4: the nesting limit exists to bound recursion).
 #include "gl/list/play.hpp"
 
 #if SPANGLE_FEATURE_LISTS

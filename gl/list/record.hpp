@@ -1,5 +1,6 @@
-// How a command becomes words of a display list and how they are played. A record is the address of its player and
-// the command's canonical arguments: what a program never calls is never referenced, so the linker drops it.
+// How a command becomes words of a display list and how they are played. A record is the address of its
+// player and the command's canonical arguments: what a program never calls is never referenced, so the linker
+// drops it.
 #pragma once
 
 #include <type_traits>
@@ -10,31 +11,30 @@
 
 namespace spangle::gl::list {
 
-/// Executes the record whose arguments start at `words`; returns the next record, or null after a jump that ended.
+/// Executes the record whose arguments start at `words`; returns the next record, or null after a jump that
+/// ended.
 using Player = const Word* (*)(Context& context, const Word* words);
 
 inline constexpr std::uint32_t player_words = sizeof(Player) / sizeof(Word);
+inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< of a position in a list
 
 /// Room for the arguments of a new record, or null without memory (EndList reports that). Closes an open run.
 Word* record(Context& context, Player player, std::uint32_t words);
 
 /// One word per argument; a matrix and parameters stand last and take more.
-template <class T>
-struct Codec {
+template <class T> struct Codec {
     static std::uint32_t words(T) { return 1; }
     static void store(Word* to, T value) { *to = static_cast<Word>(value); }
     static T load(const Word* from) { return static_cast<T>(*from); }
     static std::uint32_t stored(const Word*) { return 1; }
 };
-template <>
-struct Codec<Real> {
+template <> struct Codec<Real> {
     static std::uint32_t words(Real) { return 1; }
     static void store(Word* to, Real value) { *to = value.bits; }
     static Real load(const Word* from) { return {*from}; }
     static std::uint32_t stored(const Word*) { return 1; }
 };
-template <>
-struct Codec<const Matrix16&> {
+template <> struct Codec<const Matrix16&> {
     static std::uint32_t words(const Matrix16&) { return 16; }
     static void store(Word* to, const Matrix16& matrix) {
         for (const Real element : matrix.m)
@@ -48,8 +48,7 @@ struct Codec<const Matrix16&> {
     }
     static std::uint32_t stored(const Word*) { return 16; }
 };
-template <>
-struct Codec<const Params&> {
+template <> struct Codec<const Params&> {
     static std::uint32_t words(const Params& params) { return 1 + params.count; }
     static void store(Word* to, const Params& params) {
         *to++ = params.count;
@@ -66,18 +65,16 @@ struct Codec<const Params&> {
     static std::uint32_t stored(const Word* from) { return 1 + *from; }
 };
 
-/// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION between Begin
-/// and End unless it is allowed there.
+/// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
+/// between Begin and End unless it is allowed there.
 void record_error(Context& context, GLenum code, bool inside);
 
 /// True when `context` is not between Begin and End, where F is not allowed; else INVALID_OPERATION.
 bool allowed_outside(Context& context, const char* refusal);
 
-template <class F, class Run>
-struct Recorder;
+template <class F, class Run> struct Recorder;
 
-template <class F, class... A>
-struct Recorder<F, void (*)(Context&, A...)> {
+template <class F, class... A> struct Recorder<F, void (*)(Context&, A...)> {
     static void write(Context& context, A... args) {
         Word* to = record(context, &play, (Codec<A>::words(args) + ... + 0u));
         if (to == nullptr)
@@ -99,8 +96,7 @@ struct Recorder<F, void (*)(Context&, A...)> {
     }
 };
 
-template <class F, class... A>
-inline void record_words(Context& context, const A&... args) {
+template <class F, class... A> inline void record_words(Context& context, const A&... args) {
     Recorder<F, std::remove_const_t<decltype(F::run)>>::write(context, args...);
 }
 

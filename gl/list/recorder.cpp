@@ -1,8 +1,9 @@
 // Writing a display list: records into chunks, vertices into runs.
 //
-// A run is one record for any number of vertices that carry the same attributes: header, then per vertex the given
-// ones of colour (4 words), normal (3), texture coordinates (2 or 4) and the position (2, 3 or 4). Attributes are held
-// back until the vertex that takes them, or until another command needs them in their place.
+// A run is one record for any number of vertices that carry the same attributes: header, then per vertex the
+// given ones of colour (4 words), normal (3), texture coordinates (2 or 4) and the position (2, 3 or 4).
+// Attributes are held back until the vertex that takes them, or until another command needs them in their
+// place.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -66,7 +67,9 @@ const Word* play_run(Context& context, const Word* words) {
     return words;
 }
 
-void store_player(Word* to, Player player) { std::memcpy(to, &player, sizeof player); }
+void store_player(Word* to, Player player) {
+    std::memcpy(to, &player, sizeof player);
+}
 
 bool grow(Context& context, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
@@ -74,7 +77,8 @@ bool grow(Context& context, std::uint32_t words) {
     std::uint32_t size = r.last == nullptr ? first_words : r.last->words * 2;
     size = size > most_words ? most_words : size;
     size = size < words + link_words ? words + link_words : size;
-    auto* chunk = static_cast<Chunk*>(context.arena->allocate(sizeof(Chunk) + std::size_t{size} * sizeof(Word)));
+    auto* chunk =
+        static_cast<Chunk*>(context.arena->allocate(sizeof(Chunk) + std::size_t{size} * sizeof(Word)));
     if (chunk == nullptr) {
         r.out_of_memory = true;
         return false;
@@ -112,7 +116,9 @@ void store_reals(Word*& to, const Real* from, std::uint32_t count) {
         *to++ = from[i].bits;
 }
 
-bool same(Real a, Real b) { return a.bits == b.bits; }
+bool same(Real a, Real b) {
+    return a.bits == b.bits;
+}
 
 /// Attributes without a vertex become records of their own.
 void flush_attributes(Context& context) {
@@ -124,7 +130,8 @@ void flush_attributes(Context& context) {
     if (pending & field_normal)
         record_words<family::Normal>(context, r.normal[0], r.normal[1], r.normal[2]);
     if (pending & (field_tex2 | field_tex4))
-        record_words<family::TexCoord>(context, r.tex_coord[0], r.tex_coord[1], r.tex_coord[2], r.tex_coord[3]);
+        record_words<family::TexCoord>(context, r.tex_coord[0], r.tex_coord[1], r.tex_coord[2],
+                                       r.tex_coord[3]);
 }
 
 } // namespace
@@ -160,7 +167,9 @@ void record_error(Context& context, GLenum code, bool inside) {
     }
 }
 
-void begin_recording(Context& context) { context.list.recorder = ListRecorder{}; }
+void begin_recording(Context& context) {
+    context.list.recorder = ListRecorder{};
+}
 
 Chunk* end_recording(Context& context) {
     ListRecorder& r = context.list.recorder;
@@ -204,7 +213,8 @@ void Normal(Context& context, Real x, Real y, Real z) {
 
 void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
     ListRecorder& recorder = context.list.recorder;
-    recorder.tex_coord[0] = s, recorder.tex_coord[1] = t, recorder.tex_coord[2] = r, recorder.tex_coord[3] = q;
+    recorder.tex_coord[0] = s, recorder.tex_coord[1] = t, recorder.tex_coord[2] = r,
+    recorder.tex_coord[3] = q;
     recorder.pending &= ~(field_tex2 | field_tex4);
     recorder.pending |= same(r, numeric::zero) && same(q, numeric::one) ? field_tex2 : field_tex4;
 }

@@ -15,20 +15,20 @@ struct Format {
 
 /// In the order of the tokens, V2F first.
 constexpr Format formats[] = {
-    {0, 0, false, false, 2, 0, 0, 0, 8},     // V2F
-    {0, 0, false, false, 3, 0, 0, 0, 12},    // V3F
-    {0, 4, true, false, 2, 0, 0, 4, 12},     // C4UB_V2F
-    {0, 4, true, false, 3, 0, 0, 4, 16},     // C4UB_V3F
-    {0, 3, false, false, 3, 0, 0, 12, 24},   // C3F_V3F
-    {0, 0, false, true, 3, 0, 0, 12, 24},    // N3F_V3F
-    {0, 4, false, true, 3, 0, 16, 28, 40},   // C4F_N3F_V3F
-    {2, 0, false, false, 3, 0, 0, 8, 20},    // T2F_V3F
-    {4, 0, false, false, 4, 0, 0, 16, 32},   // T4F_V4F
-    {2, 4, true, false, 3, 8, 0, 12, 24},    // T2F_C4UB_V3F
-    {2, 3, false, false, 3, 8, 0, 20, 32},   // T2F_C3F_V3F
-    {2, 0, false, true, 3, 0, 8, 20, 32},    // T2F_N3F_V3F
-    {2, 4, false, true, 3, 8, 24, 36, 48},   // T2F_C4F_N3F_V3F
-    {4, 4, false, true, 4, 16, 32, 44, 60},  // T4F_C4F_N3F_V4F
+    {0, 0, false, false, 2, 0, 0, 0, 8},    // V2F
+    {0, 0, false, false, 3, 0, 0, 0, 12},   // V3F
+    {0, 4, true, false, 2, 0, 0, 4, 12},    // C4UB_V2F
+    {0, 4, true, false, 3, 0, 0, 4, 16},    // C4UB_V3F
+    {0, 3, false, false, 3, 0, 0, 12, 24},  // C3F_V3F
+    {0, 0, false, true, 3, 0, 0, 12, 24},   // N3F_V3F
+    {0, 4, false, true, 3, 0, 16, 28, 40},  // C4F_N3F_V3F
+    {2, 0, false, false, 3, 0, 0, 8, 20},   // T2F_V3F
+    {4, 0, false, false, 4, 0, 0, 16, 32},  // T4F_V4F
+    {2, 4, true, false, 3, 8, 0, 12, 24},   // T2F_C4UB_V3F
+    {2, 3, false, false, 3, 8, 0, 20, 32},  // T2F_C3F_V3F
+    {2, 0, false, true, 3, 0, 8, 20, 32},   // T2F_N3F_V3F
+    {2, 4, false, true, 3, 8, 24, 36, 48},  // T2F_C4F_N3F_V3F
+    {4, 4, false, true, 4, 16, 32, 44, 60}, // T4F_C4F_N3F_V4F
 };
 
 void set(ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer, unsigned at) {

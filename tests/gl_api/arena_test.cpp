@@ -12,7 +12,9 @@ namespace {
 using spangle::gl::Arena;
 
 struct Memory {
-    explicit Memory(std::size_t bytes) : storage(new unsigned char[bytes]) { arena.give(storage.get(), bytes); }
+    explicit Memory(std::size_t bytes) : storage(new unsigned char[bytes]) {
+        arena.give(storage.get(), bytes);
+    }
     std::unique_ptr<unsigned char[]> storage;
     Arena arena;
 };
@@ -42,7 +44,8 @@ TEST(Arena, NeighboursJoinInEveryOrder) {
         ASSERT_NE(whole, nullptr);
         m.arena.free(whole);
         void* const b[3] = {m.arena.allocate(1000), m.arena.allocate(1000), m.arena.allocate(1000)};
-        static constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+        static constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                             {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
         for (int i : orders[order])
             m.arena.free(b[i]);
         EXPECT_TRUE(m.arena.consistent());
@@ -123,7 +126,9 @@ TEST(Arena, MillionOperations) {
     for (int i = 0; i < 1'000'000; ++i) {
         const unsigned what = random() % 100;
         if (what < 50 || live.empty()) {
-            const std::size_t size = random() % (random() % 16 == 0 ? 20'000 : random() % 4 == 0 ? 1000 : 100);
+            const std::size_t size = random() % (random() % 16 == 0  ? 20'000
+                                                 : random() % 4 == 0 ? 1000
+                                                                     : 100);
             auto* const block = static_cast<unsigned char*>(m.arena.allocate(size));
             if (block == nullptr) {
                 ++failures;

@@ -1,5 +1,5 @@
-// Every entry point with its argument kinds and a uniform way to call it: what the error sweep and the fuzzer walk.
-// The table itself is generated from gl/api/commands.
+// Every entry point with its argument kinds and a uniform way to call it: what the error sweep and the fuzzer
+// walk. The table itself is generated from gl/api/commands.
 #pragma once
 
 #include <climits>
@@ -13,23 +13,23 @@ namespace spangle::test {
 using gl::Listing;
 
 enum class Kind : std::uint8_t {
-    real,     ///< a number of the entry point's type, in Value::number
-    enum_,    ///< Value::integer, as the next ones
+    real,  ///< a number of the entry point's type, in Value::number
+    enum_, ///< Value::integer, as the next ones
     int_,
     uint,
     sizei,
     bitfield,
     boolean,
-    pname,    ///< one of Command::pnames
-    pvalue,   ///< the value of the scalar form, in Value::number
-    in,       ///< client memory that is read
-    out,      ///< client memory that is written
+    pname,  ///< one of Command::pnames
+    pvalue, ///< the value of the scalar form, in Value::number
+    in,     ///< client memory that is read
+    out,    ///< client memory that is written
 };
 
 struct Pname {
     GLenum name;
-    int count;      ///< values it takes
-    char kind;      ///< c colour, r real, i integer
+    int count;         ///< values it takes
+    char kind;         ///< c colour, r real, i integer
     std::int64_t good; ///< a value that is accepted
 };
 

@@ -158,7 +158,8 @@ TEST_F(ErrorSweep, UnknownEnums) {
 TEST_F(ErrorSweep, EveryAcceptedTokenIsAccepted) {
     for (const Command& c : commands())
         for (std::size_t i = 0; c.present && i < c.args.size(); ++i)
-            for (GLenum token : c.args[i].kind == Kind::enum_ ? c.args[i].accepted : std::span<const GLenum>{}) {
+            for (GLenum token :
+                 c.args[i].kind == Kind::enum_ ? c.args[i].accepted : std::span<const GLenum>{}) {
                 auto values = good(c);
                 values[i].integer = token;
                 EXPECT_NE(call(c, values), GLenum{GL_INVALID_ENUM}) << c.name << " " << std::hex << token;
@@ -181,7 +182,8 @@ TEST_F(ErrorSweep, NegativeSizesAndValuesOutOfRange) {
                     continue;
                 auto values = good(c);
                 values[i].integer = wrong;
-                refused(c, values, GL_INVALID_VALUE, "argument " + std::to_string(i) + " = " + std::to_string(wrong));
+                refused(c, values, GL_INVALID_VALUE,
+                        "argument " + std::to_string(i) + " = " + std::to_string(wrong));
             }
         }
 }
@@ -206,7 +208,8 @@ TEST_F(ErrorSweep, ExtremeNumbersDoNoHarm) {
             auto values = good(c);
             bool any = false;
             for (std::size_t i = 0; i < c.args.size(); ++i) {
-                // Only float and double entry points can be given these; a conversion to an integer type is not ours.
+                // Only float and double entry points can be given these; a conversion to an integer type is
+                // not ours.
                 const bool number = c.args[i].kind == Kind::real || c.args[i].kind == Kind::pvalue;
                 const std::string name = c.name;
                 if (number && (name.back() == 'f' || name.back() == 'd')) {
@@ -224,7 +227,8 @@ TEST_F(ErrorSweep, ClearRefusesUnknownBits) {
     for (int bit = 0; bit < 32; ++bit) {
         const GLbitfield mask = 1u << bit;
         glClear(mask);
-        const bool known = (mask & (GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT)) != 0;
+        const bool known = (mask & (GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT |
+                                    GL_ACCUM_BUFFER_BIT)) != 0;
         EXPECT_EQ(glGetError(), known ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_VALUE}) << bit;
     }
 }

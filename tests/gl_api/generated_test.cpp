@@ -31,10 +31,12 @@ TEST(Generated, IsFresh) {
 
 TEST(Generated, HeaderIsC) {
     for (const char* standard : {"c89 -pedantic", "c11 -pedantic"})
-        EXPECT_EQ(std::system(("echo '#include <spangle/GL/gl.h>' | cc -x c -fsyntax-only -Wall -Wextra -Werror -std=" +
-                               std::string(standard) + " -I'" + root + "/gl/include' -")
-                                  .c_str()),
-                  0)
+        EXPECT_EQ(
+            std::system(
+                ("echo '#include <spangle/GL/gl.h>' | cc -x c -fsyntax-only -Wall -Wextra -Werror -std=" +
+                 std::string(standard) + " -I'" + root + "/gl/include' -")
+                    .c_str()),
+            0)
             << standard;
 }
 

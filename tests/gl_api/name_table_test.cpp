@@ -24,7 +24,8 @@ TEST_F(Names, AgreesWithAMap) {
     std::map<std::uint32_t, void*> model;
     std::mt19937 random(2);
     for (int i = 0; i < 200'000; ++i) {
-        const std::uint32_t name = 1 + random() % (i % 20'000 < 10'000 ? 40 : 2000) * (random() % 8 == 0 ? 0x10001u : 1u);
+        const std::uint32_t name =
+            1 + random() % (i % 20'000 < 10'000 ? 40 : 2000) * (random() % 8 == 0 ? 0x10001u : 1u);
         void* const object = storage.get() + random() % 1000;
         if (void** const found = names.find(name); found != nullptr) {
             ASSERT_TRUE(model.contains(name));

@@ -52,9 +52,11 @@ class RecordingContext : public ::testing::Test {
     static constexpr std::int32_t width = 64, height = 48;
     static constexpr std::size_t arena_bytes = 4 << 20;
 
-    explicit RecordingContext(bool double_buffered = true, std::size_t bytes = arena_bytes) : memory(new std::uint64_t[bytes / 8]) {
+    explicit RecordingContext(bool double_buffered = true, std::size_t bytes = arena_bytes)
+        : memory(new std::uint64_t[bytes / 8]) {
         arena.give(memory.get(), bytes);
-        context = gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &recording_engine}, nullptr);
+        context =
+            gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &recording_engine}, nullptr);
         gl::make_current(context, surface(), double_buffered);
         events().clear();
     }

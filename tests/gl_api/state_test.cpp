@@ -19,7 +19,9 @@ struct Expected {
 
 constexpr double ones = 4294967295.0; // a 32-bit mask of all ones
 
-std::vector<double> identity() { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }
+std::vector<double> identity() {
+    return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
 
 std::vector<Expected> initial_state() {
     std::vector<Expected> table = {
@@ -129,8 +131,9 @@ std::vector<Expected> initial_state() {
         {GL_ACCUM_BLUE_BITS, {0}},
         {GL_ACCUM_ALPHA_BITS, {0}},
     };
-    const std::vector<Expected> fog = {{GL_FOG_COLOR, {0, 0, 0, 0}}, {GL_FOG_DENSITY, {1}}, {GL_FOG_START, {0}},
-                                       {GL_FOG_END, {1}}, {GL_FOG_MODE, {GL_EXP}}, {GL_FOG, {0}}};
+    const std::vector<Expected> fog = {{GL_FOG_COLOR, {0, 0, 0, 0}}, {GL_FOG_DENSITY, {1}},
+                                       {GL_FOG_START, {0}},          {GL_FOG_END, {1}},
+                                       {GL_FOG_MODE, {GL_EXP}},      {GL_FOG, {0}}};
     std::vector<Expected> lighting = {
         {GL_LIGHTING, {0}},
         {GL_COLOR_MATERIAL, {0}},
@@ -144,7 +147,8 @@ std::vector<Expected> initial_state() {
     };
     for (GLenum i = 0; i < 8; ++i)
         lighting.push_back({GL_LIGHT0 + i, {0}});
-    const std::vector<Expected> lists = {{GL_LIST_BASE, {0}}, {GL_LIST_INDEX, {0}}, {GL_LIST_MODE, {0}}, {GL_MAX_LIST_NESTING, {64}}};
+    const std::vector<Expected> lists = {
+        {GL_LIST_BASE, {0}}, {GL_LIST_INDEX, {0}}, {GL_LIST_MODE, {0}}, {GL_MAX_LIST_NESTING, {64}}};
     if (SPANGLE_FEATURE_FOG)
         table.insert(table.end(), fog.begin(), fog.end());
     if (SPANGLE_FEATURE_LIGHTING)
@@ -155,7 +159,9 @@ std::vector<Expected> initial_state() {
 }
 
 /// Integers come from GetDoublev signed.
-double as_signed(double v) { return v == ones ? -1 : v; }
+double as_signed(double v) {
+    return v == ones ? -1 : v;
+}
 
 TEST_F(State, InitialValues) {
     for (const Expected& e : initial_state()) {
@@ -171,8 +177,8 @@ TEST_F(State, InitialValues) {
 
 TEST_F(State, EveryQueryAgreesAcrossTypes) {
     const auto linear = [](GLenum name) {
-        for (GLenum n : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE,
-                         GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF})
+        for (GLenum n : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE,
+                         GL_DEPTH_CLEAR_VALUE, GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF})
             if (n == name)
                 return true;
         return false;
@@ -197,9 +203,9 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
             } else {
                 EXPECT_EQ(n[i], static_cast<GLint>(v)) << std::hex << e.name;
             }
-            const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE || e.name == GL_LINE_WIDTH ||
-                              e.name == GL_FOG_DENSITY || e.name == GL_FOG_START || e.name == GL_FOG_END ||
-                              e.name == GL_CURRENT_TEXTURE_COORDS;
+            const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
+                              e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
+                              e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS;
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
         }
     }
@@ -248,11 +254,12 @@ TEST_F(State, IntegersKeepAllBitsAsDoubles) {
 }
 
 TEST_F(State, EveryCapabilityToggles) {
-    std::vector<GLenum> caps = {GL_ALPHA_TEST, GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_NORMALIZE,
-                                GL_RESCALE_NORMAL, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_TEXTURE_2D};
+    std::vector<GLenum> caps = {GL_ALPHA_TEST,   GL_BLEND,     GL_CULL_FACE,      GL_DEPTH_TEST,
+                                GL_DITHER,       GL_NORMALIZE, GL_RESCALE_NORMAL, GL_SCISSOR_TEST,
+                                GL_STENCIL_TEST, GL_TEXTURE_2D};
     if (SPANGLE_FEATURE_LIGHTING)
-        for (GLenum cap : {GL_LIGHTING, GL_COLOR_MATERIAL, GL_LIGHT0, GL_LIGHT1, GL_LIGHT2, GL_LIGHT3, GL_LIGHT4, GL_LIGHT5,
-                           GL_LIGHT6, GL_LIGHT7})
+        for (GLenum cap : {GL_LIGHTING, GL_COLOR_MATERIAL, GL_LIGHT0, GL_LIGHT1, GL_LIGHT2, GL_LIGHT3,
+                           GL_LIGHT4, GL_LIGHT5, GL_LIGHT6, GL_LIGHT7})
             caps.push_back(cap);
     if (SPANGLE_FEATURE_FOG)
         caps.push_back(GL_FOG);
@@ -316,7 +323,8 @@ TEST_F(State, ArrayPointers) {
     glColorPointer(3, GL_FLOAT, 0, data + 1);
     glNormalPointer(GL_BYTE, 4, data + 2);
     glTexCoordPointer(4, GL_SHORT, 8, data + 3);
-    const GLenum names[] = {GL_VERTEX_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER, GL_NORMAL_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_POINTER};
+    const GLenum names[] = {GL_VERTEX_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER, GL_NORMAL_ARRAY_POINTER,
+                            GL_TEXTURE_COORD_ARRAY_POINTER};
     for (int i = 0; i < 4; ++i) {
         void* pointer = nullptr;
         glGetPointerv(names[i], &pointer);

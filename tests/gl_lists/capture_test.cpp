@@ -30,16 +30,25 @@ TEST_F(CapturedImages, EqualImmediateOnes) {
         word = random();
     const auto* pixels = reinterpret_cast<const unsigned char*>(storage.data());
     const std::pair<GLenum, GLenum> kinds[] = {
-        {GL_RGB, GL_UNSIGNED_BYTE},          {GL_RGBA, GL_UNSIGNED_BYTE},           {GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE},
-        {GL_ALPHA, GL_UNSIGNED_SHORT},       {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},     {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
-        {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8},  {GL_RGBA, GL_UNSIGNED_INT},            {GL_LUMINANCE, GL_BYTE},
-        {GL_BGR, GL_UNSIGNED_BYTE},          {GL_RGB, GL_UNSIGNED_BYTE_3_3_2},      {GL_RED, GL_SHORT},
+        {GL_RGB, GL_UNSIGNED_BYTE},
+        {GL_RGBA, GL_UNSIGNED_BYTE},
+        {GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE},
+        {GL_ALPHA, GL_UNSIGNED_SHORT},
+        {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
+        {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
+        {GL_BGRA, GL_UNSIGNED_INT_8_8_8_8},
+        {GL_RGBA, GL_UNSIGNED_INT},
+        {GL_LUMINANCE, GL_BYTE},
+        {GL_BGR, GL_UNSIGNED_BYTE},
+        {GL_RGB, GL_UNSIGNED_BYTE_3_3_2},
+        {GL_RED, GL_SHORT},
     };
     for (const auto& [format, type] : kinds)
         for (int trial = 0; trial < 40; ++trial) {
             const GLsizei width = 1 << random() % 4, height = 1 << random() % 4;
             glPixelStorei(GL_UNPACK_ALIGNMENT, 1 << random() % 4);
-            glPixelStorei(GL_UNPACK_ROW_LENGTH, random() % 2 == 0 ? 0 : width + static_cast<GLint>(random() % 5));
+            glPixelStorei(GL_UNPACK_ROW_LENGTH,
+                          random() % 2 == 0 ? 0 : width + static_cast<GLint>(random() % 5));
             glPixelStorei(GL_UNPACK_SKIP_ROWS, static_cast<GLint>(random() % 3));
             glPixelStorei(GL_UNPACK_SKIP_PIXELS, static_cast<GLint>(random() % 3));
             glPixelStorei(GL_UNPACK_SWAP_BYTES, static_cast<GLint>(random() % 2));
@@ -108,11 +117,20 @@ TEST_F(Interleaved, EqualsSeparatePointers) {
         int position;
     };
     const Row table[] = {
-        {GL_V2F, 0, 0, false, 2},           {GL_V3F, 0, 0, false, 3},           {GL_C4UB_V2F, 0, 5, false, 2},
-        {GL_C4UB_V3F, 0, 5, false, 3},      {GL_C3F_V3F, 0, 3, false, 3},       {GL_N3F_V3F, 0, 0, true, 3},
-        {GL_C4F_N3F_V3F, 0, 4, true, 3},    {GL_T2F_V3F, 2, 0, false, 3},       {GL_T4F_V4F, 4, 0, false, 4},
-        {GL_T2F_C4UB_V3F, 2, 5, false, 3},  {GL_T2F_C3F_V3F, 2, 3, false, 3},   {GL_T2F_N3F_V3F, 2, 0, true, 3},
-        {GL_T2F_C4F_N3F_V3F, 2, 4, true, 3}, {GL_T4F_C4F_N3F_V4F, 4, 4, true, 4},
+        {GL_V2F, 0, 0, false, 2},
+        {GL_V3F, 0, 0, false, 3},
+        {GL_C4UB_V2F, 0, 5, false, 2},
+        {GL_C4UB_V3F, 0, 5, false, 3},
+        {GL_C3F_V3F, 0, 3, false, 3},
+        {GL_N3F_V3F, 0, 0, true, 3},
+        {GL_C4F_N3F_V3F, 0, 4, true, 3},
+        {GL_T2F_V3F, 2, 0, false, 3},
+        {GL_T4F_V4F, 4, 0, false, 4},
+        {GL_T2F_C4UB_V3F, 2, 5, false, 3},
+        {GL_T2F_C3F_V3F, 2, 3, false, 3},
+        {GL_T2F_N3F_V3F, 2, 0, true, 3},
+        {GL_T2F_C4F_N3F_V3F, 2, 4, true, 3},
+        {GL_T4F_C4F_N3F_V4F, 4, 4, true, 4},
     };
     std::vector<GLfloat> data(400);
     for (std::size_t i = 0; i < data.size(); ++i)
@@ -120,9 +138,12 @@ TEST_F(Interleaved, EqualsSeparatePointers) {
     for (const Row& row : table)
         for (GLsizei stride : {0, 80}) {
             const auto* at = reinterpret_cast<const unsigned char*>(data.data());
-            const int bytes = 4 * (row.tex + (row.color == 5 ? 1 : row.color) + (row.normal ? 3 : 0) + row.position);
+            const int bytes =
+                4 * (row.tex + (row.color == 5 ? 1 : row.color) + (row.normal ? 3 : 0) + row.position);
             const GLsizei step = stride != 0 ? stride : bytes;
-            const auto toggle = [](GLenum array, bool on) { (on ? glEnableClientState : glDisableClientState)(array); };
+            const auto toggle = [](GLenum array, bool on) {
+                (on ? glEnableClientState : glDisableClientState)(array);
+            };
             toggle(GL_TEXTURE_COORD_ARRAY, row.tex != 0);
             toggle(GL_COLOR_ARRAY, row.color != 0);
             toggle(GL_NORMAL_ARRAY, row.normal);
@@ -131,7 +152,8 @@ TEST_F(Interleaved, EqualsSeparatePointers) {
                 glTexCoordPointer(row.tex, GL_FLOAT, step, at);
             at += 4 * row.tex;
             if (row.color != 0)
-                glColorPointer(row.color == 5 ? 4 : row.color, row.color == 5 ? GL_UNSIGNED_BYTE : GL_FLOAT, step, at);
+                glColorPointer(row.color == 5 ? 4 : row.color, row.color == 5 ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                               step, at);
             at += row.color == 5 ? 4 : 4 * row.color;
             if (row.normal)
                 glNormalPointer(GL_FLOAT, step, at);

@@ -1,5 +1,5 @@
-// Display lists (GL 1.3, 5.4). The yardstick is immediate mode: the same commands must reach the pipeline and leave
-// the same state.
+// Display lists (GL 1.3, 5.4). The yardstick is immediate mode: the same commands must reach the pipeline and
+// leave the same state.
 #include "gl/context/features.hpp"
 
 #if SPANGLE_FEATURE_LISTS
@@ -205,8 +205,10 @@ TEST_F(Lists, ErrorsArriveAtExecution) {
         {[] { glCallLists(-1, GL_BYTE, ""); }, GL_INVALID_VALUE},
         {[] { glCallLists(1, GL_DOUBLE, ""); }, GL_INVALID_ENUM},
         {[] { glCallList(0); }, GL_INVALID_VALUE},
-        {[] { glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, 0xDEAD, GL_UNSIGNED_BYTE, ""); }, GL_INVALID_ENUM},
-        {[] { glTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, ""); }, GL_INVALID_VALUE},
+        {[] { glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, 0xDEAD, GL_UNSIGNED_BYTE, ""); },
+         GL_INVALID_ENUM},
+        {[] { glTexSubImage2D(GL_TEXTURE_2D, -1, 0, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, ""); },
+         GL_INVALID_VALUE},
         {[] { glTexParameteri(GL_TEXTURE_2D, 0xDEAD, 0); }, GL_INVALID_ENUM},
     };
     int i = 0;
@@ -262,7 +264,8 @@ TEST_F(Lists, NestingAndRedefinition) {
     auto all = drawn([] { glCallList(1); });
     ASSERT_EQ(all.size(), 5u);
     for (int i = 0; i < 3; ++i)
-        EXPECT_EQ(all[1 + static_cast<unsigned>(i)].position[0], std::bit_cast<std::uint32_t>(static_cast<float>(i + 1)));
+        EXPECT_EQ(all[1 + static_cast<unsigned>(i)].position[0],
+                  std::bit_cast<std::uint32_t>(static_cast<float>(i + 1)));
     glNewList(2, GL_COMPILE);
     glEndList();
     EXPECT_EQ(drawn([] { glCallList(1); }).size(), 4u);
@@ -353,7 +356,8 @@ TEST_F(Lists, CallListsOfEveryType) {
     const GLuint ui[] = {0xFFFFFFFF, 12};
     EXPECT_EQ(called(1001, 2, GL_UNSIGNED_INT, ui), (V{0, 13}));
     const GLfloat f[] = {2.9f, -1.9f, 1e30f, -1e30f, 0.1f};
-    EXPECT_EQ(called(1001, 5, GL_FLOAT, f), (V{3, 0, 0, 2, 1})); // 1e30 and -1e30 saturate to -1 and 1 modulo 2^32
+    EXPECT_EQ(called(1001, 5, GL_FLOAT, f),
+              (V{3, 0, 0, 2, 1})); // 1e30 and -1e30 saturate to -1 and 1 modulo 2^32
     const GLubyte bytes[] = {0, 0, 1, 2, 0, 0, 3, 231};
     EXPECT_EQ(called(1000, 2, GL_2_BYTES, bytes), (V{0, 258}));
     EXPECT_EQ(called(1000, 2, GL_3_BYTES, bytes + 1), (V{258, 3}));
