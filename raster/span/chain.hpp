@@ -9,17 +9,19 @@
 
 namespace spangle::raster {
 
-/// Fragments between two stages. Packets start at multiples of run_length, so that runs never straddle two.
+inline constexpr std::int32_t packet_length = 16;
+
+/// Fragments between two stages. Packets start at multiples of their length from the anchor.
 template <class N> struct Packet {
     std::int32_t x;    ///< first pixel, counted from the anchor of the span
     std::int32_t i;    ///< the same, counted from the span's `begin`
-    std::int32_t n;    ///< fragments, 1 .. run_length
+    std::int32_t n;    ///< fragments, 1 .. packet_length
     std::int32_t dead; ///< how many of them were dropped; `live` is valid when not 0
-    bool live[run_length];
-    typename N::Color color[run_length];
-    typename N::Coord coord[max_texture_units][run_length];
-    std::int32_t lod[max_texture_units][run_length];
-    typename N::Fog fog[run_length];
+    bool live[packet_length];
+    typename N::Color color[packet_length];
+    typename N::Coord coord[max_texture_units][packet_length];
+    std::int32_t lod[max_texture_units][packet_length];
+    typename N::Fog fog[packet_length];
 };
 
 template <class N> using ChainStage = void (*)(Packet<N>&, const Span<typename N::Policy>&);
@@ -88,7 +90,7 @@ template <class N> void chain_span(const Span<typename N::Policy>& span) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
     Packet<N> k;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
-        const std::int32_t boundary = (k.x & -run_length) + run_length;
+        const std::int32_t boundary = (k.x & -packet_length) + packet_length;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;
         k.i = k.x - span.begin;
         k.dead = 0;

@@ -84,7 +84,4 @@ template <class P> struct Span {
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
 };
 
-/// Runs of the perspective correction: at most 16 pixels, starting at multiples of their length.
-inline constexpr std::int32_t run_length = 16;
-
 } // namespace spangle::raster

@@ -7,8 +7,7 @@
 //   std::int32_t begin(std::int32_t x)          only if `runs` (one lane only): called at the constructor's x
 //   before the
 //                                               first fragment, then whenever x reaches a value some stage
-//                                               returned; returns the end of the run that holds x, at most x
-//                                               + run_length;
+//                                               returned; returns the end of the run that holds x;
 //   static in, out                              fields of Px it reads and writes (Field); out counts only
 //   where it
 //                                               writes every lane that is alive;
@@ -71,7 +70,7 @@ template <class N, class... S> struct Seq : S... {
     SPANGLE_INLINE void step() { (S::step(), ...); }
     /// Nearest end of a run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
-        std::int32_t next = x + run_length;
+        std::int32_t next = INT32_MAX;
         const auto one = [&]<class T>(T& stage) {
             if constexpr (T::runs) {
                 const std::int32_t end = stage.begin(x);

@@ -1,6 +1,7 @@
 // Texture coordinates of a fragment: affine, divided at every fragment, or divided at the ends of runs.
 #pragma once
 
+#include "raster/span/log2.hpp"
 #include "raster/span/stage_color.hpp"
 
 namespace spangle::raster {
@@ -93,46 +94,46 @@ template <int Unit> struct Coord<Exact, Unit, true> : StageBase {
     }
 };
 
-/// Balanced and fast tiers: affine between the ends of runs. A run of 16 pixels is halved until the error of
-/// the affine form is proven to be at most 1/4 texel of the base level: |du| |dq| <= 4 tol min(q0, q1)
-/// (numerics.md 1.2); the fast tier takes 16 pixels always. Runs depend on the anchor and the span only,
-/// never on where drawing starts.
+/// Balanced and fast tiers: affine between the ends of runs, which start at multiples of their length from
+/// the anchor.
+///
+/// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
+/// 1/4 texel of the base level. In one row N = dS Q - S dQ is constant and du/dx = N / Q^2, so a run of L
+/// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
+/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes 16 always. Where 1/w
+/// does not change along the row, the row is one run.
 template <int Unit> class CoordRuns {
   public:
     std::uint32_t s, t, ds, dt;
 
-    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
-        : span_(span), next_(x), started_(false) {}
+    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x) : span_(span), next_(x), log2_(-1) {}
 
     /// Makes s, t, ds, dt valid at pixel x; returns the end of its run.
-    std::int32_t begin(std::int32_t x) {
-        if (started_ && x < next_)
+    [[gnu::noinline]] std::int32_t begin(std::int32_t x) {
+        if (x < next_)
             return next_;
-        std::int32_t from = x & -run_length, length = run_length;
-        if (started_) { // runs that hold the pixel before x, too, are known to be too long
-            const std::int32_t aligned = x & -x;
-            length = aligned != 0 && aligned < run_length ? aligned : run_length;
-            from = x;
-        } else {
-            first_ = Sample(span_, from);
-        }
-        started_ = true;
-        for (;;) {
-            const std::int32_t limit = span_.length - 1;
-            const std::int32_t to = from + length < limit ? from + length : limit;
-            const Sample last(span_, to);
-            if (length == 1 || affine(first_, last)) {
-                set(last, from, to, x);
-                next_ = from + length;
-                first_ = last; // the next run's first, unless the span ends here
-                return next_;
-            }
-            length >>= 1;
-            if (x >= from + length) {
-                from += length;
-                first_ = Sample(span_, from);
-            }
-        }
+        const bool first = log2_ < 0;
+        if (first)
+            log2_ = choose_log2();
+        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_.length - 1;
+        const std::int32_t to = from + length < limit ? from + length : limit;
+        const Sample start = first ? Sample(span_, from) : last_;
+        last_ = Sample(span_, to);
+        next_ = from + length;
+        const auto& unit = span_.unit[Unit];
+        const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
+                               std::uint32_t& v, std::uint32_t& dv) {
+            v = detail::to_coord(v0, wraps, base);
+            const std::int64_t d =
+                wraps ? difference(v1, v0)
+                      : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
+                            static_cast<std::int32_t>(v);
+            dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : slope(d, to - from);
+            v += static_cast<std::uint32_t>(x - from) * dv;
+        };
+        along(start.s, last_.s, span_.state->wraps[Unit].s, unit.s_base, s, ds);
+        along(start.t, last_.t, span_.state->wraps[Unit].t, unit.t_base, t, dt);
+        return next_;
     }
 
     SPANGLE_INLINE void step() {
@@ -141,73 +142,64 @@ template <int Unit> class CoordRuns {
     }
 
   private:
+    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
+
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
-        std::int32_t q;
         Sample() = default;
-        Sample(const Span<Fixed>& span, std::int32_t x) {
+        SPANGLE_INLINE Sample(const Span<Fixed>& span, std::int32_t x) {
             const detail::Homogeneous h(span, Unit, x);
             const Inverse inverse(h.q);
             s = detail::to_repeats(h.s, inverse, span.unit[Unit].exponent);
             t = detail::to_repeats(h.t, inverse, span.unit[Unit].exponent);
-            q = h.q > 0 ? h.q : 1;
         }
     };
-
-    /// The bound, with 4 tol = 1 texel; 8 of the 32 fraction bits are rounded away, upwards.
-    bool affine(const Sample& a, const Sample& b) const {
-        if (span_.state->tier == Tier::fast)
-            return true;
-        const auto least = static_cast<std::uint32_t>(a.q < b.q ? a.q : b.q);
-        const std::uint32_t dq = numeric::abs_u32(b.q - a.q);
-        const auto within = [&](std::int64_t u0, std::int64_t u1, int log2_size) {
-            const std::uint64_t du = numeric::abs_u64(difference(u1, u0)) >> 8;
-            return du < 0xFFFFFFFFu && (du + 1) * dq <= std::uint64_t{least} << (24 - log2_size);
-        };
-        return within(a.s, b.s, span_.state->log2_width[Unit]) &&
-               within(a.t, b.t, span_.state->log2_height[Unit]);
-    }
 
     SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
     }
 
-    /// d / n, n 0 .. 16.
-    SPANGLE_INLINE static std::uint32_t slope(std::int64_t d, std::int32_t n) {
-        if (n == run_length)
-            return static_cast<std::uint32_t>(d >> 4);
-        constexpr auto inverse = [] {
-            struct {
-                std::uint32_t of[run_length];
-            } table{};
-            for (std::uint32_t i = 1; i < run_length; ++i)
-                table.of[i] = ((1u << 21) / i + 1) / 2; // 20 fraction bits
-            return table;
-        }();
-        return static_cast<std::uint32_t>((static_cast<std::uint64_t>(d) * inverse.of[n]) >> 20);
+    /// d / n with 20 bits of 1 / n; the last run of a row.
+    static std::uint32_t slope(std::int64_t d, std::int32_t n) {
+        if (n == 0)
+            return 0;
+        const std::uint32_t inverse =
+            ((1u << 20) + static_cast<std::uint32_t>(n) / 2) / static_cast<std::uint32_t>(n);
+        return static_cast<std::uint32_t>((static_cast<std::uint64_t>(d) * inverse) >> 20);
     }
 
-    void set(const Sample& last, std::int32_t from, std::int32_t to, std::int32_t x) {
-        const std::int32_t n = to - from;
+    int choose_log2() const {
         const auto& unit = span_.unit[Unit];
-        const auto skip = static_cast<std::uint32_t>(x - from);
-        const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
-                               std::uint32_t& v, std::uint32_t& dv) {
-            v = detail::to_coord(v0, wraps, base);
-            dv = wraps ? slope(difference(v1, v0), n)
-                       : slope(std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
-                                   static_cast<std::int32_t>(v),
-                               n);
-            v += skip * dv;
+        const auto& q = unit.shares_q ? span_.q : unit.q;
+        if (q.dx == 0)
+            return row_log2;
+        if (span_.state->tier == Tier::fast)
+            return 4;
+        const detail::Homogeneous at(span_, Unit, 0);
+        const std::int32_t end = unguarded(q.at(span_.length - 1));
+        const std::int32_t least = at.q < end ? at.q : end;
+        if (least <= 0)
+            return 0;
+        // What the gradients lost below their last bit is at most Q + |S| in N.
+        const std::int64_t dq = unguarded(q.dx);
+        const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
+            return numeric::abs_u64(unguarded(dv) * std::int64_t{at.q} - v * dq) + (std::uint64_t{1} << 31);
         };
-        along(first_.s, last.s, span_.state->wraps[Unit].s, unit.s_base, s, ds);
-        along(first_.t, last.t, span_.state->wraps[Unit].t, unit.t_base, t, dt);
+        const int width = span_.state->log2_width[Unit], height = span_.state->log2_height[Unit];
+        const std::int32_t ns = log2_fraction8(numerator(unit.s.dx, at.s)) + (width << 8);
+        const std::int32_t nt = log2_fraction8(numerator(unit.t.dx, at.t)) + (height << 8);
+        constexpr std::int32_t margin = 6; // of three logarithms within 1/256 each
+        const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) -
+                                    (ns > nt ? ns : nt) - log2_fraction8(numeric::abs_u64(dq) + 1) -
+                                    (unit.exponent << 8) - margin;
+        const std::int32_t log2 = square >> 9;
+        return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
     }
 
     const Span<Fixed>& span_;
-    Sample first_;
+    Sample last_;
     std::int32_t next_;
-    bool started_;
+    int log2_;
 };
 
 template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {

@@ -129,7 +129,7 @@ template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
     std::uint8_t* plane;
     Compare func;
     bool write;
-    SPANGLE_INLINE DepthGeneral(const Span<Fixed>& s, std::int32_t x)
+    SPANGLE_INLINE DepthGeneral(const Span<typename N::Policy>& s, std::int32_t x)
         : DepthValue<N>(s, x), plane(s.depth), func(s.state->fragment.depth_func),
           write(s.state->fragment.depth_write) {}
 

@@ -68,13 +68,11 @@ struct TexelIndex {
 
 /// From a coordinate that wraps (2^32 = one repeat).
 SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
-    return static_cast<std::int32_t>((std::uint64_t{s} << log2_size) >> 32);
+    return static_cast<std::int32_t>((s >> 1) >> (31 - log2_size));
 }
 SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
-    const std::uint64_t u =
-        (std::uint64_t{s} << log2_size) + (std::uint64_t{1} << (log2_size + 32)) - (1u << 31);
-    const auto fixed = static_cast<std::uint32_t>(u >> 24); // one repeat too high: the mask takes it off
-    return {static_cast<std::int32_t>((fixed >> 8) & ((1u << log2_size) - 1)), fixed & 255};
+    const std::uint32_t u = s - ((1u << 31) >> log2_size); // half a texel
+    return {repeat_index(u, log2_size), (u << log2_size) >> 24};
 }
 
 /// From a coordinate that does not wrap (s3.28).

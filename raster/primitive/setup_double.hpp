@@ -1,0 +1,39 @@
+// Set-up of the reference policy: plane equations in double, perspective-correct throughout (GL 1.3,
+// equations 3.4 and 3.6; depth is affine). Hosts only.
+#pragma once
+
+#include "raster/primitive/setup.hpp"
+#include "raster/span/policy_double.hpp"
+
+namespace spangle::raster {
+
+template <> class Setup<Double> {
+  public:
+    using Vertex = DoubleVertex;
+
+    Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
+          std::int64_t area2);
+    Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
+          std::int32_t begin, std::int32_t end);
+    Setup(Span<Double>& span, const Vertex& v);
+
+    void move_to(std::int32_t x, std::int32_t y);
+
+  private:
+    struct Plane {
+        Interpolant<double>* at;
+        double first, dy; ///< value at the origin; per row
+    };
+    /// Gradients of an attribute with these values at the three reference vertices.
+    void add(Interpolant<double>& at, double v0, double v1, double v2, double* dy = nullptr);
+    void attributes(const Vertex& provoking);
+
+    Span<Double>& span_;
+    const Vertex* v_[3];
+    double origin_x_, origin_y_; ///< of the reference vertex 0, pixels
+    double x1_, y1_, x2_, y2_;   ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
+    int count_ = 0;
+    Plane planes_[9 + 3 * max_texture_units];
+};
+
+} // namespace spangle::raster

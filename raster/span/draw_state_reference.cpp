@@ -1,0 +1,17 @@
+// The chain of the reference policy.
+#include "raster/span/stage_reference.hpp"
+
+#include "raster/span/assemble.hpp"
+
+namespace spangle::raster {
+
+template <> DrawState compile<DoubleVertex>(const FragmentState& state, const Surface& target) {
+    DrawState draw;
+    prepare(draw, state, target);
+    if (!draw.nothing)
+        assemble<Reference>(draw.variant[static_cast<unsigned>(Kind::full)],
+                            make_key(state, target, Kind::full), state);
+    return draw;
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,265 @@
+// The stages of the reference policy that differ from the product's in more than their numbers. Hosts only.
+#pragma once
+
+#include <bit>
+
+#include "raster/span/policy_double.hpp"
+#include "raster/span/stage_color.hpp"
+#include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_texture.hpp"
+#include "raster/span/stage_texture_lod.hpp"
+
+namespace spangle::raster {
+
+/// A stage of the reference: interpolants are evaluated anew at every pixel.
+struct ReferenceStage : StageBase {
+    const Span<Double>& span;
+    std::int32_t x;
+    ReferenceStage(const Span<Double>& s, std::int32_t first) : span(s), x(first) {}
+    void step() { ++x; }
+    /// Perspective-correct (GL 1.3, equation 3.6).
+    double divided(const Interpolant<double>& v) const { return v.at(x) / span.q.at(x); }
+};
+
+/// Nearest code k of k / (2^m - 1), in the top bits as DepthGeneral and StencilDepth take it.
+template <> struct DepthValue<Reference> : StageBase {
+    const Span<Double>& span;
+    std::int32_t x;
+    double max;
+    std::uint32_t z;
+    DepthValue(const Span<Double>& s, std::int32_t first)
+        : span(s), x(first), max(s.state->depth_format == DepthFormat::z16 ? 65535.0 : 16777215.0) {
+        code();
+    }
+    std::uint32_t code24() const { return z >> 8; }
+    void step() {
+        ++x;
+        code();
+    }
+
+  private:
+    void code() {
+        const auto k = static_cast<std::uint32_t>(clamp01(span.z.at(x)) * max + 0.5);
+        z = max < 65536 ? k << 16 : k << 8;
+    }
+};
+
+template <bool Alpha> struct GouraudQ<Reference, Alpha> : ReferenceStage {
+    static constexpr unsigned out = field_color;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const auto at = [&](int i) { return clamp01(divided(span.color_q[i])); };
+        p.color = {at(0), at(1), at(2), Alpha ? at(3) : 1};
+        return true;
+    }
+};
+template <bool Alpha> struct Gouraud<Reference, Alpha> : GouraudQ<Reference, Alpha> {
+    using GouraudQ<Reference, Alpha>::GouraudQ;
+};
+
+struct ReferenceColorSum : ReferenceStage {
+    static constexpr unsigned in = field_color, out = field_color;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        p.color.r = Reference::add(p.color.r, clamp01(divided(span.secondary_q[0])));
+        p.color.g = Reference::add(p.color.g, clamp01(divided(span.secondary_q[1])));
+        p.color.b = Reference::add(p.color.b, clamp01(divided(span.secondary_q[2])));
+        return true;
+    }
+};
+template <bool Projective> struct ColorSum<Reference, Projective> : ReferenceColorSum {
+    using ReferenceColorSum::ReferenceColorSum;
+};
+
+struct ReferenceFogCoord : ReferenceStage {
+    static constexpr unsigned out = field_fog;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        p.fog = divided(span.fog_q);
+        return true;
+    }
+};
+template <> struct FogCoord<Reference, true> : ReferenceFogCoord {
+    using ReferenceFogCoord::ReferenceFogCoord;
+};
+template <> struct FogCoord<Reference, false> : ReferenceFogCoord {
+    using ReferenceFogCoord::ReferenceFogCoord;
+};
+
+/// f of an eye distance (GL 1.3, 3.10).
+inline double reference_fog(const FragmentState& state, double distance) {
+    const double density = std::bit_cast<float>(state.fog_density);
+    const double start = std::bit_cast<float>(state.fog_start), end = std::bit_cast<float>(state.fog_end);
+    switch (state.fog_mode) {
+    case FogMode::exp:
+        return clamp01(std::exp(-density * distance));
+    case FogMode::exp2:
+        return clamp01(std::exp(-density * distance * density * distance));
+    case FogMode::linear:
+        return clamp01((end - distance) / (end - start));
+    }
+    return 1;
+}
+
+template <> struct Fog<Reference> : ReferenceStage {
+    static constexpr unsigned in = field_color | field_fog, out = field_color;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const FragmentState& state = span.state->fragment;
+        const double f = reference_fog(state, p.fog);
+        const auto mix = [&](double c, int i) {
+            return Reference::lerp(Reference::from_units(state.fog_color[i]), c, f);
+        };
+        p.color = {mix(p.color.r, 0), mix(p.color.g, 1), mix(p.color.b, 2), p.color.a};
+        return true;
+    }
+};
+
+template <int Unit> struct ReferenceCoord : ReferenceStage {
+    static constexpr unsigned out = field_coord << Unit;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const auto& unit = span.unit[Unit];
+        p.coord[Unit].s[0] = tame(unit.s.at(x) / unit.q.at(x));
+        p.coord[Unit].t[0] = tame(unit.t.at(x) / unit.q.at(x));
+        return true;
+    }
+};
+template <int Unit> struct Coord<Reference, Unit, true> : ReferenceCoord<Unit> {
+    using ReferenceCoord<Unit>::ReferenceCoord;
+};
+template <int Unit> struct Coord<Reference, Unit, false> : ReferenceCoord<Unit> {
+    using ReferenceCoord<Unit>::ReferenceCoord;
+};
+
+/// lambda = log2 max(|du/dx|, |dv/dx|, |du/dy|, |dv/dy|): a legal f, and the one of every policy. 8 fraction
+/// bits by definition.
+template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
+    static constexpr unsigned out = field_lod << Unit;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const auto& unit = span.unit[Unit];
+        const double s = unit.s.at(x), t = unit.t.at(x), q = unit.q.at(x);
+        const auto slope = [&](double v, double dv, double dq) {
+            return std::fabs(dv * q - v * dq) / (q * q);
+        };
+        const TextureLevel& base = span.state->fragment.unit[Unit].texture->level[0];
+        const double du =
+            base.width * std::fmax(slope(s, unit.s.dx, unit.q.dx), slope(s, unit.s_dy, unit.q_dy));
+        const double dv =
+            base.height * std::fmax(slope(t, unit.t.dx, unit.q.dx), slope(t, unit.t_dy, unit.q_dy));
+        const double rho = std::fmin(std::fmax(std::fmax(du, dv), 0x1p-60), 0x1p60);
+        p.lod[Unit][0] = static_cast<std::int32_t>(std::floor(256 * std::log2(rho) + 0.5));
+        return true;
+    }
+};
+
+/// Sampling by the formulas of GL 1.3, 3.8.7 to 3.8.9; filter weights and lambda have 8 bits by definition.
+struct ReferenceSampler {
+    using Color = Reference::Color;
+    const Texture& texture;
+
+    Color sample(double s, double t, std::int32_t lod8) const {
+        const double lambda = std::fmin(std::fmax(lod8, texture.min_lod), texture.max_lod) / 256;
+        const bool late =
+            texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
+        if (lambda <= (late ? 0.5 : 0))
+            return level(0, texture.mag, s, t);
+        const int q = texture.level_count - 1;
+        switch (texture.mip) {
+        case MipFilter::none:
+            return level(0, texture.min, s, t);
+        case MipFilter::nearest:
+            return level(lambda <= 0.5       ? 0
+                         : lambda <= q + 0.5 ? static_cast<int>(std::ceil(lambda + 0.5)) - 1
+                                             : q,
+                         texture.min, s, t);
+        case MipFilter::linear:
+            break;
+        }
+        if (lambda >= q)
+            return level(q, texture.min, s, t);
+        const int d1 = static_cast<int>(lambda);
+        const double k = lambda - d1;
+        const Color a = level(d1, texture.min, s, t), b = level(d1 + 1, texture.min, s, t);
+        const auto mix = [&](double v, double w) { return (1 - k) * v + k * w; };
+        return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
+    }
+
+  private:
+    static double wrapped(Wrap wrap, double s, double n) {
+        const auto between = [&](double low, double high) { return s < low ? low : s > high ? high : s; };
+        switch (wrap) {
+        case Wrap::repeat:
+            return s - std::floor(s);
+        case Wrap::clamp:
+            return between(0, 1);
+        case Wrap::clamp_to_edge:
+            return between(1 / (2 * n), 1 - 1 / (2 * n));
+        case Wrap::clamp_to_border:
+            return between(-1 / (2 * n), 1 + 1 / (2 * n));
+        }
+        return 0;
+    }
+
+    Color level(int d, Filter filter, double s, double t) const {
+        const TextureLevel& image = texture.level[d];
+        const double u = image.width * wrapped(texture.wrap_s, s, image.width);
+        const double v = image.height * wrapped(texture.wrap_t, t, image.height);
+        if (filter == Filter::nearest) {
+            const auto index = [](Wrap wrap, double at, int n) {
+                const int i = static_cast<int>(std::floor(at));
+                return i == n && wrap != Wrap::clamp_to_border ? n - 1 : i; // s = 1
+            };
+            return texel(image, index(texture.wrap_s, u, image.width),
+                         index(texture.wrap_t, v, image.height));
+        }
+        const auto fixed = [](double at) { return static_cast<int>(std::floor((at - 0.5) * 256)); };
+        const int a = fixed(u), b = fixed(v), i = a >> 8, j = b >> 8;
+        return bilinear<Reference>(texel(image, i, j), texel(image, i + 1, j), texel(image, i, j + 1),
+                                   texel(image, i + 1, j + 1), static_cast<std::uint32_t>(a & 255),
+                                   static_cast<std::uint32_t>(b & 255));
+    }
+
+    Color texel(const TextureLevel& image, int i, int j) const {
+        if (texture.wrap_s == Wrap::repeat)
+            i &= image.width - 1;
+        if (texture.wrap_t == Wrap::repeat)
+            j &= image.height - 1;
+        // CLAMP_TO_EDGE samples edge texels only: what lies behind them has the weight 0.
+        if (texture.wrap_s == Wrap::clamp_to_edge && i >= image.width)
+            i = image.width - 1;
+        if (texture.wrap_t == Wrap::clamp_to_edge && j >= image.height)
+            j = image.height - 1;
+        const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
+        if (outside && texture.border_texels == 0) {
+            const std::uint8_t* const c = texture.border_color;
+            return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0, c[3] / 255.0};
+        }
+        return read_texel<Reference>(texture.format, image.texels +
+                                                         static_cast<std::ptrdiff_t>(j) *
+                                                             static_cast<std::ptrdiff_t>(image.stride) +
+                                                         i * texel_bytes(texture.format));
+    }
+};
+
+template <int Unit, bool HasLod> struct Texture2D<Reference, Unit, HasLod> : ReferenceStage {
+    static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
+    static constexpr unsigned out = field_color;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const TextureUnit& unit = span.state->fragment.unit[Unit];
+        const std::uint32_t* const c = unit.env_color;
+        const Reference::Color constant = {Reference::from_units(c[0]), Reference::from_units(c[1]),
+                                           Reference::from_units(c[2]), Reference::from_units(c[3])};
+        const ReferenceSampler sampler{*unit.texture};
+        apply_env<Reference>(
+            unit.env, unit.texture->base, p.color,
+            sampler.sample(p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0), constant);
+        return true;
+    }
+};
+
+} // namespace spangle::raster

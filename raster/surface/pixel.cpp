@@ -1,0 +1,80 @@
+#include "raster/surface/pixel.hpp"
+
+namespace spangle::raster {
+namespace {
+
+std::uint8_t* color_at(const Surface& s, std::int32_t x, std::int32_t y) {
+    return s.color_row(y) + static_cast<std::intptr_t>(x) * format_info(s.format).bytes_per_pixel;
+}
+
+// Depth words are in host order; bytes are copied because a plane may start anywhere.
+template <class Word> Word load(const Surface& s, std::int32_t x, std::int32_t y) {
+    Word v;
+    __builtin_memcpy(&v, s.depth_row(y) + static_cast<std::intptr_t>(x) * std::intptr_t{sizeof(Word)},
+                     sizeof v);
+    return v;
+}
+
+template <class Word> void store(const Surface& s, std::int32_t x, std::int32_t y, Word v) {
+    __builtin_memcpy(s.depth_row(y) + static_cast<std::intptr_t>(x) * std::intptr_t{sizeof(Word)}, &v,
+                     sizeof v);
+}
+
+std::uint32_t load_bytes(const std::uint8_t* p, unsigned count) {
+    std::uint32_t v = 0;
+    for (unsigned i = 0; i < count; ++i)
+        v |= std::uint32_t{p[i]} << (8 * i);
+    return v;
+}
+
+} // namespace
+
+StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y) {
+    return unpack_pixel(s.format, load_bytes(color_at(s, x, y), format_info(s.format).bytes_per_pixel));
+}
+
+void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32_t count, StoredColor* out) {
+    const unsigned bytes = format_info(s.format).bytes_per_pixel;
+    const std::uint8_t* p = color_at(s, x, y);
+    for (std::int32_t i = 0; i < count; ++i, p += bytes)
+        out[i] = unpack_pixel(s.format, load_bytes(p, bytes));
+}
+
+StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y) {
+    switch (s.depth_format) {
+    case DepthFormat::none:
+        break;
+    case DepthFormat::z16:
+        return {load<std::uint16_t>(s, x, y), 0xFFFF};
+    case DepthFormat::z24s8:
+        return {load<std::uint32_t>(s, x, y) >> 8, 0xFFFFFF};
+    }
+    return {};
+}
+
+std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y) {
+    return s.depth_format == DepthFormat::z24s8 ? static_cast<std::uint8_t>(load<std::uint32_t>(s, x, y))
+                                                : std::uint8_t{0};
+}
+
+void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]) {
+    const std::uint32_t v = pack_pixel(s.format, k);
+    std::uint8_t* p = color_at(s, x, y);
+    for (unsigned i = 0; i < format_info(s.format).bytes_per_pixel; ++i)
+        p[i] = static_cast<std::uint8_t>(v >> (8 * i));
+    touch(s, y, x, x + 1);
+}
+
+void write_depth(const Surface& s, std::int32_t x, std::int32_t y, std::uint32_t k) {
+    if (s.depth_format == DepthFormat::z16)
+        store(s, x, y, static_cast<std::uint16_t>(k));
+    if (s.depth_format == DepthFormat::z24s8)
+        store(s, x, y, k << 8 | read_stencil(s, x, y));
+}
+
+void write_stencil(const Surface& s, std::int32_t x, std::int32_t y, std::uint8_t value) {
+    if (s.depth_format == DepthFormat::z24s8)
+        store(s, x, y, (load<std::uint32_t>(s, x, y) & 0xFFFFFF00u) | value);
+}
+
+} // namespace spangle::raster
