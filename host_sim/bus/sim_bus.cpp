@@ -1,0 +1,167 @@
+#include "host_sim/bus/sim_bus.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spangle::sim {
+
+SimBus::SimBus(DcsController& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
+
+hal::Result<hal::Buffer> SimBus::acquire(std::size_t size) {
+    buffers_.push_back(std::make_unique<std::uint8_t[]>(size));
+    return hal::Buffer{buffers_.back().get(), size};
+}
+
+std::uint64_t SimBus::checksum(const Watched& w) {
+    std::uint64_t sum = 0;
+    for (std::uint32_t row = 0; row < w.rows; ++row) {
+        const std::uint8_t* const at = w.data + static_cast<std::ptrdiff_t>(row) * w.stride;
+        for (std::uint32_t i = 0; i < w.length; ++i)
+            sum = (sum ^ at[i]) * 0x100000001B3u;
+    }
+    return sum;
+}
+
+hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
+    if (ops == nullptr && count != 0)
+        return hal::Error{hal::Fault::bad_argument, "SimBus: submit without operations"};
+    if (failure_ != hal::Fault::none && failure_ != hal::Fault::short_write &&
+        failure_ != hal::Fault::timeout) {
+        const hal::Fault fault = std::exchange(failure_, hal::Fault::none);
+        return hal::Error{fault, "SimBus: the transfer was made to fail"};
+    }
+    const std::size_t sent = failure_ == hal::Fault::short_write ? count / 2 : count;
+    wire_ = std::max(wire_, now_);
+    ++counters_.transfers;
+    watched_.clear();
+    if (listener_ != nullptr)
+        listener_->chip_select(wire_, true);
+    controller_.select(true, wire_);
+    for (std::size_t i = 0; i < sent; ++i)
+        run(ops[i]);
+    controller_.select(false, wire_);
+    if (listener_ != nullptr)
+        listener_->chip_select(wire_, false);
+    token_end_ = wire_;
+    return hal::Token{++last_token_};
+}
+
+bool SimBus::done(hal::Token token) const {
+    return token.id < last_token_ || now_ >= token_end_;
+}
+
+hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
+    if (token.id == 0 || token.id > last_token_)
+        return hal::Error{hal::Fault::bad_argument, "SimBus: wait for a token that was never given"};
+    if (failure_ == hal::Fault::short_write) {
+        failure_ = hal::Fault::none;
+        return hal::Error{hal::Fault::short_write, "SimBus: half of the transfer was made to be lost"};
+    }
+    const Time deadline = now_ + static_cast<Time>(timeout_micros) * 1000;
+    if (failure_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
+        failure_ = hal::Fault::none;
+        now_ = deadline;
+        return hal::Error{hal::Fault::timeout, "SimBus: the transfer did not end in time"};
+    }
+    if (token.id == last_token_) {
+        now_ = std::max(now_, token_end_);
+        for (const Watched& w : watched_)
+            if (checksum(w) != w.checksum)
+                controller_.report(Rule::buffer_changed, "a buffer was drawn into while it was on the wire",
+                                   now_);
+        watched_.clear();
+    }
+    return {};
+}
+
+void SimBus::send(std::uint8_t byte, bool data) {
+    const unsigned period = period_ns();
+    const Time length = static_cast<Time>(period) * (8 / caps_.bits_per_cycle);
+    if (listener_ != nullptr)
+        listener_->byte(wire_, period, data, byte);
+    wire_ += length;
+    counters_.busy_ns += length;
+    if (counters_.bytes++ == drop_at_)
+        return;
+    controller_.write(byte, data, wire_, period);
+}
+
+void SimBus::run(const hal::Op& op) {
+    using Kind = hal::Op::Kind;
+    switch (op.kind) {
+    case Kind::command:
+        ++counters_.commands;
+        wire_ += caps_.command_cost_ns;
+        counters_.busy_ns += caps_.command_cost_ns;
+        send(op.command, false);
+        for (std::uint32_t i = 0; i < op.length; ++i)
+            send(op.data[i], true);
+        break;
+    case Kind::pixels: {
+        const Watched w{op.data, op.length, op.rows, op.stride, 0};
+        watched_.push_back({w.data, w.length, w.rows, w.stride, checksum(w)});
+        for (std::uint32_t row = 0; row < op.rows; ++row) {
+            const std::uint8_t* const at = op.data + static_cast<std::ptrdiff_t>(row) * op.stride;
+            for (std::uint32_t i = 0; i < op.length; ++i)
+                send(at[i], true);
+        }
+        counters_.pixel_bytes += std::uint64_t{op.length} * op.rows;
+        break;
+    }
+    case Kind::repeat:
+        for (std::uint32_t n = 0; n < op.rows; ++n)
+            for (std::uint32_t i = 0; i < op.length; ++i)
+                send(op.data[i], true);
+        counters_.pixel_bytes += std::uint64_t{op.length} * op.rows;
+        break;
+    case Kind::delay:
+        wire_ += static_cast<Time>(op.micros) * 1000;
+        break;
+    case Kind::wait_te:
+        wait_te(op);
+        break;
+    case Kind::read:
+        read(op);
+        break;
+    case Kind::reset:
+        controller_.reset(true, wire_);
+        if (listener_ != nullptr)
+            listener_->reset(wire_, true);
+        wire_ += static_cast<Time>(op.micros) * 1000;
+        controller_.reset(false, wire_);
+        if (listener_ != nullptr)
+            listener_->reset(wire_, false);
+        break;
+    }
+}
+
+void SimBus::read(const hal::Op& op) {
+    ++counters_.commands;
+    send(op.command, false);
+    const unsigned period =
+        caps_.read_hz == 0 ? 0
+                           : static_cast<unsigned>((1'000'000'000ull + caps_.read_hz / 2) / caps_.read_hz);
+    if (caps_.bits_per_cycle == 1) {
+        for (int i = 0; i < op.dummy_bits; ++i)
+            controller_.read_bit(wire_ += period, period);
+        for (std::uint32_t i = 0; i < op.length; ++i) {
+            op.into[i] = controller_.read_byte(wire_, period);
+            wire_ += static_cast<Time>(period) * 8;
+        }
+        return;
+    }
+    for (int i = 0; i < op.dummy_bits / 8; ++i)
+        controller_.read_byte(wire_ += period, period);
+    for (std::uint32_t i = 0; i < op.length; ++i)
+        op.into[i] = controller_.read_byte(wire_ += period, period);
+}
+
+void SimBus::wait_te(const hal::Op& op) {
+    const Time step = controller_.chip().line_ns, deadline = wire_ + static_cast<Time>(op.micros) * 1000;
+    while (wire_ < deadline && controller_.te(wire_))
+        wire_ += step; // an edge, not a level
+    while (wire_ < deadline && !controller_.te(wire_))
+        wire_ += step;
+}
+
+} // namespace spangle::sim

@@ -1,0 +1,74 @@
+// A hal::Bus whose wires end in a controller model. Virtual time: the processor's and the wire's clocks run
+// apart, so that a transfer can be under way while the next frame is drawn.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <spangle/hal/bus.hpp>
+
+#include "host_sim/bus/trace.hpp"
+#include "host_sim/controller/dcs_controller.hpp"
+
+namespace spangle::sim {
+
+struct BusCounters {
+    std::uint64_t bytes = 0; ///< all bytes, commands included
+    std::uint64_t commands = 0;
+    std::uint64_t pixel_bytes = 0;
+    std::uint64_t transfers = 0;
+    Time busy_ns = 0; ///< the wire was in use, delays and waits not counted
+};
+
+class SimBus final : public hal::Bus {
+  public:
+    SimBus(DcsController& controller, const hal::BusCaps& caps);
+
+    hal::BusCaps caps() const override { return caps_; }
+    hal::Result<hal::Buffer> acquire(std::size_t size) override;
+    hal::Result<hal::Token> submit(const hal::Op* ops, std::size_t count) override;
+    bool done(hal::Token token) const override;
+    hal::Result<void> wait(hal::Token token, std::uint32_t timeout_micros) override;
+
+    const BusCounters& counters() const { return counters_; }
+    Time now() const { return now_; }
+    /// The processor does something else for a while: drawing, mostly.
+    void pass(Time ns) { now_ += ns; }
+    void listen(Listener* listener) { listener_ = listener; }
+
+    /// The next transfer fails this way; short_write loses its second half.
+    void fail_next(hal::Fault fault) { failure_ = fault; }
+    /// The wire loses byte `n` counted from now.
+    void drop_byte(std::uint64_t n) { drop_at_ = counters_.bytes + n; }
+
+  private:
+    struct Watched {
+        const std::uint8_t* data;
+        std::uint32_t length, rows;
+        std::int32_t stride;
+        std::uint64_t checksum;
+    };
+
+    DcsController& controller_;
+    hal::BusCaps caps_;
+    std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
+    BusCounters counters_;
+    Listener* listener_ = nullptr;
+    Time now_ = 0, wire_ = 0; ///< processor; end of what the wire was given
+    std::uint32_t last_token_ = 0;
+    Time token_end_ = 0;
+    std::vector<Watched> watched_;
+    hal::Fault failure_ = hal::Fault::none;
+    std::uint64_t drop_at_ = ~std::uint64_t{0};
+
+    unsigned period_ns() const {
+        return static_cast<unsigned>((1'000'000'000ull + caps_.write_hz / 2) / caps_.write_hz);
+    }
+    void send(std::uint8_t byte, bool data);
+    void run(const hal::Op& op);
+    void read(const hal::Op& op);
+    void wait_te(const hal::Op& op);
+    static std::uint64_t checksum(const Watched& w);
+};
+
+} // namespace spangle::sim

@@ -1,0 +1,28 @@
+// What the command line asked for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace spangle::cli {
+
+enum class Precision : std::uint8_t { exact, balanced, fast, reference };
+
+struct RunOptions {
+    std::string scene; ///< id of a scene; empty when a model is drawn
+    std::string model; ///< file of a model; empty when a scene is drawn
+    std::string board = "ili9341";
+    int frames = 1;
+    int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size
+    Precision precision = Precision::exact;
+    bool dither = true;
+    std::string shot;     ///< PNG file of the last frame
+    std::string vcd;      ///< trace of the wires
+    std::string log;      ///< text log of the bus
+    bool compare = false; ///< draw with the double reference too
+    bool stats = false;
+    bool window = false;
+    bool json = false;
+};
+
+} // namespace spangle::cli

@@ -1,0 +1,61 @@
+#include "host_sim/cli/report.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace spangle::cli {
+
+std::string to_json(const Report& r) {
+    nlohmann::ordered_json out = {
+        {"scene", r.scene},
+        {"board", r.board},
+        {"precision", r.precision},
+        {"frames", r.frames},
+        {"fragments", r.fragments},
+        {"triangles", r.triangles},
+        {"identical_565_percent", nullptr},
+        {"max_lsb", nullptr},
+        {"psnr_565_db", nullptr},
+        {"coverage_mismatches", nullptr},
+        {"coverage_unsnapped", nullptr},
+        {"bus_bytes", r.bus_bytes},
+        {"bus_commands", r.bus_commands},
+        {"full_frame_bytes", r.full_frame_bytes},
+        {"fps_at_bus_clock", r.fps_at_bus_clock},
+        {"picture_hash", r.picture_hash},
+    };
+    if (r.compared) {
+        out["identical_565_percent"] = r.identical_565_percent;
+        out["max_lsb"] = r.max_lsb;
+        out["psnr_565_db"] = r.psnr_565_db;
+        out["coverage_mismatches"] = r.coverage_mismatches;
+        out["coverage_unsnapped"] = r.coverage_unsnapped;
+    }
+    return out.dump(2) + "\n";
+}
+
+std::string to_table(const Report& r) {
+    const auto per_frame = [&r](std::uint64_t n) {
+        return static_cast<double>(n) / (r.frames > 0 ? r.frames : 1);
+    };
+    std::string out = fmt::format("{} on {}, {} precision, {} frame{}, picture {}\n", r.scene, r.board,
+                                  r.precision, r.frames, r.frames == 1 ? "" : "s", r.picture_hash);
+    out += fmt::format("  per frame   {:>10.0f} triangles  {:>10.0f} fragments\n", per_frame(r.triangles),
+                       per_frame(r.fragments));
+    if (r.full_frame_bytes > 0)
+        out += fmt::format("  bus         {:>10.0f} bytes      {:>10.1f} commands   {:.0f} % of a full frame "
+                           "  {:.1f} fps at the bus clock\n",
+                           per_frame(r.bus_bytes), per_frame(r.bus_commands),
+                           100.0 * per_frame(r.bus_bytes) / static_cast<double>(r.full_frame_bytes),
+                           r.fps_at_bus_clock);
+    if (r.compared)
+        out += fmt::format(
+            "  error       {:>10.4f} % of {} covered pixels identical in RGB565, worst channel {} steps, "
+            "PSNR {:.1f} dB\n"
+            "  coverage    {:>10} pixels off brute force on snapped vertices, {} off unsnapped ones\n",
+            r.identical_565_percent, r.covered, r.max_lsb, r.psnr_565_db, r.coverage_mismatches,
+            r.coverage_unsnapped);
+    return out;
+}
+
+} // namespace spangle::cli

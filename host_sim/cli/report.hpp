@@ -1,0 +1,32 @@
+// What a run found out, over all its frames.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace spangle::cli {
+
+struct Report {
+    std::string scene, board, precision;
+    int frames = 0;
+    std::uint64_t fragments = 0, triangles = 0;
+    double identical_565_percent = 100.0;  ///< of covered pixels, against the double reference
+    int max_lsb = 0;                       ///< largest difference of a channel, in steps of RGB565
+    double psnr_565_db = 99.0;             ///< 99 when identical
+    std::uint64_t coverage_mismatches = 0; ///< pixels, against brute force on our own snapped vertices
+    std::uint64_t coverage_unsnapped = 0;  ///< pixels, against unsnapped vertices in double
+    std::uint64_t covered = 0;             ///< pixel samples the two coverage counts looked at
+    bool compared = false;                 ///< the five above were measured
+    std::uint64_t bus_bytes = 0, bus_commands = 0;
+    std::uint64_t full_frame_bytes = 0; ///< of one whole frame without commands
+    double fps_at_bus_clock = 0.0;      ///< 0 without a board
+    std::string picture_hash;           ///< of the last frame
+};
+
+/// One JSON object, keys as the fields are called.
+std::string to_json(const Report& report);
+
+/// A table for people.
+std::string to_table(const Report& report);
+
+} // namespace spangle::cli

@@ -1,0 +1,54 @@
+// Pictures on the host: PNG files, comparison, hashes, ASCII art.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spangle::sim {
+
+/// RGBA, 8 bits each, top row first.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+
+    Image() = default;
+    Image(int w, int h)
+        : width(w), height(h), rgba(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4, 255) {}
+    std::uint8_t* at(int x, int y) {
+        return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                          static_cast<std::size_t>(x))];
+    }
+    const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
+    friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// Empty on success, else what went wrong. The file is whole or not there.
+std::string write_png(const Image& image, const std::string& path);
+std::string read_png(const std::string& path, Image& out);
+
+/// Sixteen hexadecimal digits that name the picture: the same on every machine.
+std::string hash(const Image& image);
+
+/// What two pictures of one size have in common, counted in RGB565 steps over the pixels `mask` marks (null:
+/// all).
+struct Difference {
+    std::uint64_t pixels = 0, identical = 0;
+    int max_lsb = 0;       ///< largest difference of a channel, in its own steps
+    double psnr_db = 99.0; ///< of the 565 values scaled to 8 bits; 99 when identical
+    double identical_percent() const {
+        return pixels == 0 ? 100.0 : 100.0 * static_cast<double>(identical) / static_cast<double>(pixels);
+    }
+};
+Difference compare_565(const Image& a, const Image& b, const std::vector<bool>* mask = nullptr);
+
+/// Grey where equal, red where not, brighter with the difference. Sizes may differ: what only one has is
+/// magenta.
+Image difference_picture(const Image& a, const Image& b);
+
+/// One character a pixel: ' ' black, '#' white, and r g b y c m for the pure colours; '?' anything else.
+std::string to_ascii(const Image& image);
+
+} // namespace spangle::sim

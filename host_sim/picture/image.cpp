@@ -1,0 +1,137 @@
+#include <spangle/sim/image.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include <png.h>
+
+namespace spangle::sim {
+
+std::string write_png(const Image& image, const std::string& path) {
+    png_image png;
+    std::memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(image.width);
+    png.height = static_cast<png_uint_32>(image.height);
+    png.format = PNG_FORMAT_RGBA;
+    // A picture that nobody sees through is written without the alpha it does not use.
+    std::vector<std::uint8_t> opaque;
+    bool see_through = false;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        see_through = see_through || image.rgba[i] != 255;
+    const void* pixels = image.rgba.data();
+    if (!see_through) {
+        png.format = PNG_FORMAT_RGB;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            opaque.insert(opaque.end(), &image.rgba[i], &image.rgba[i] + 3);
+        pixels = opaque.data();
+    }
+    const std::string unfinished = path + ".part";
+    if (png_image_write_to_file(&png, unfinished.c_str(), 0, pixels, 0, nullptr) == 0) {
+        std::error_code ignored;
+        std::filesystem::remove(unfinished, ignored);
+        return "cannot write '" + path + "': " + png.message;
+    }
+    std::error_code problem;
+    std::filesystem::rename(unfinished, path, problem);
+    return problem ? "cannot write '" + path + "': " + problem.message() : "";
+}
+
+std::string read_png(const std::string& path, Image& out) {
+    png_image png;
+    std::memset(&png, 0, sizeof png);
+    png.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&png, path.c_str()) == 0)
+        return "cannot read '" + path + "': " + png.message;
+    png.format = PNG_FORMAT_RGBA;
+    Image image(static_cast<int>(png.width), static_cast<int>(png.height));
+    if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0)
+        return "cannot read '" + path + "': " + png.message;
+    out = std::move(image);
+    return "";
+}
+
+std::string hash(const Image& image) {
+    std::uint64_t h = 0xCBF29CE484222325u; // FNV-1a over size and pixels
+    const auto mix = [&h](std::uint64_t byte) { h = (h ^ (byte & 255)) * 0x100000001B3u; };
+    for (const int size : {image.width, image.height})
+        for (int shift = 0; shift < 32; shift += 8)
+            mix(static_cast<unsigned>(size) >> shift);
+    for (const std::uint8_t byte : image.rgba)
+        mix(byte);
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(h));
+    return text;
+}
+
+Difference compare_565(const Image& a, const Image& b, const std::vector<bool>* mask) {
+    Difference d;
+    double squares = 0.0;
+    const std::size_t pixels = std::min(a.rgba.size(), b.rgba.size()) / 4;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (mask != nullptr && !(*mask)[i])
+            continue;
+        ++d.pixels;
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int drop = c == 1 ? 2 : 3;
+            const int difference = std::abs((a.rgba[4 * i + c] >> drop) - (b.rgba[4 * i + c] >> drop));
+            same = same && difference == 0;
+            d.max_lsb = std::max(d.max_lsb, difference);
+            const double scaled = difference * 255.0 / (c == 1 ? 63.0 : 31.0);
+            squares += scaled * scaled;
+        }
+        d.identical += same ? 1 : 0;
+    }
+    if (squares > 0.0)
+        d.psnr_db = 10.0 * std::log10(255.0 * 255.0 * 3.0 * static_cast<double>(d.pixels) / squares);
+    return d;
+}
+
+Image difference_picture(const Image& a, const Image& b) {
+    Image out(std::max(a.width, b.width), std::max(a.height, b.height));
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            std::uint8_t* const to = out.at(x, y);
+            const bool in_a = x < a.width && y < a.height, in_b = x < b.width && y < b.height;
+            if (!in_a || !in_b) {
+                to[0] = to[2] = 255;
+                to[1] = 0;
+                continue;
+            }
+            const std::uint8_t *p = a.at(x, y), *q = b.at(x, y);
+            int worst = 0;
+            for (int c = 0; c < 4; ++c)
+                worst = std::max(worst, std::abs(p[c] - q[c]));
+            const auto grey = static_cast<std::uint8_t>((p[0] + 2 * p[1] + p[2]) / 12);
+            to[0] = worst == 0 ? grey : static_cast<std::uint8_t>(std::min(255, 96 + 8 * worst));
+            to[1] = to[2] = worst == 0 ? grey : 0;
+        }
+    return out;
+}
+
+std::string to_ascii(const Image& image) {
+    std::string out;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const std::uint8_t* const p = image.at(x, y);
+            int code = 0;
+            bool pure = true;
+            for (int c = 0; c < 3; ++c) {
+                // Full scale after any panel format: the top five bits decide.
+                if (p[c] >= 248)
+                    code |= 1 << c;
+                else
+                    pure = pure && p[c] < 8;
+            }
+            out += pure ? " rgybmc#"[code] : '?';
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+} // namespace spangle::sim
