@@ -89,8 +89,9 @@ void TexImage2D(Context& context, GLenum target, GLint level, GLint internalform
         shape.internal_format = static_cast<std::uint16_t>(internalformat);
         shape.border = static_cast<std::uint8_t>(border);
     }
-    if (target == GL_PROXY_TEXTURE_2D) { // too large is an answer, not an error (GL 1.3, 3.8.10)
-        context.texture.proxy_2d[level] = legal ? shape : LevelShape{};
+    if (target ==
+        GL_PROXY_TEXTURE_2D) { // too large is an answer, all zero, and not an error (GL 1.3, 3.8.10)
+        context.texture.proxy_2d[level] = shape;
         return;
     }
     if (!legal)

@@ -1,0 +1,242 @@
+// eglGetConfigs, eglChooseConfig, eglGetConfigAttrib against EGL 1.4's tables 3.1 and 3.4 and sorting rules
+// (3.4.1).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "tests/egl/fake_display.hpp"
+
+namespace spangle::test {
+namespace {
+
+struct Configs : testing::Test {
+    FakeDisplay panel;
+    EGLDisplay display = eglGetDisplay(native(panel));
+
+    void SetUp() override { ASSERT_EQ(eglInitialize(display, nullptr, nullptr), EGLBoolean{EGL_TRUE}); }
+    void TearDown() override { EXPECT_EQ(eglTerminate(display), EGLBoolean{EGL_TRUE}); }
+
+    EGLint get(EGLConfig config, EGLint name) {
+        EGLint value = -12345;
+        EXPECT_EQ(eglGetConfigAttrib(display, config, name, &value), EGLBoolean{EGL_TRUE})
+            << std::hex << name;
+        return value;
+    }
+    std::vector<EGLConfig> all() {
+        EGLint n = 0;
+        EXPECT_EQ(eglGetConfigs(display, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
+        std::vector<EGLConfig> out(static_cast<std::size_t>(n));
+        EXPECT_EQ(eglGetConfigs(display, out.data(), n, &n), EGLBoolean{EGL_TRUE});
+        EXPECT_EQ(static_cast<std::size_t>(n), out.size());
+        return out;
+    }
+    std::vector<EGLConfig> choose(const std::vector<EGLint>& wishes) {
+        std::vector<EGLConfig> out(100);
+        EGLint n = 0;
+        EXPECT_EQ(eglChooseConfig(display, wishes.data(), out.data(), 100, &n), EGLBoolean{EGL_TRUE});
+        out.resize(static_cast<std::size_t>(n));
+        return out;
+    }
+};
+
+TEST_F(Configs, AllAreDistinctAndConsistent) {
+    std::set<EGLint> ids;
+    std::set<std::vector<EGLint>> kinds;
+    for (EGLConfig c : all()) {
+        const EGLint r = get(c, EGL_RED_SIZE), g = get(c, EGL_GREEN_SIZE), b = get(c, EGL_BLUE_SIZE);
+        const EGLint a = get(c, EGL_ALPHA_SIZE);
+        EXPECT_EQ(get(c, EGL_BUFFER_SIZE), r + g + b + a);
+        EXPECT_TRUE(ids.insert(get(c, EGL_CONFIG_ID)).second);
+        EXPECT_EQ(get(c, EGL_COLOR_BUFFER_TYPE), EGL_RGB_BUFFER);
+        EXPECT_EQ(get(c, EGL_RENDERABLE_TYPE), EGL_OPENGL_BIT);
+        EXPECT_NE(get(c, EGL_SURFACE_TYPE) & EGL_PBUFFER_BIT, 0);
+        EXPECT_EQ(get(c, EGL_SAMPLE_BUFFERS), 0);
+        EXPECT_EQ(get(c, EGL_LUMINANCE_SIZE), 0);
+        EXPECT_EQ(get(c, EGL_MAX_PBUFFER_WIDTH), 2048);
+        EXPECT_EQ(get(c, EGL_MAX_SWAP_INTERVAL), 1);
+        const EGLint stencil = get(c, EGL_STENCIL_SIZE), depth = get(c, EGL_DEPTH_SIZE);
+        EXPECT_TRUE(stencil == 0 || (stencil == 8 && depth == 24));
+        kinds.insert(
+            {r, g, b, a, depth, stencil, get(c, EGL_PRECISION_SPANGLE), get(c, EGL_NATIVE_VISUAL_ID)});
+        if ((get(c, EGL_SURFACE_TYPE) & EGL_WINDOW_BIT) != 0) {
+            EXPECT_EQ(r, 5); // the panel's own format and no other
+            EXPECT_EQ(get(c, EGL_NATIVE_VISUAL_ID), static_cast<EGLint>(PixelFormat::rgb565_be));
+        }
+    }
+    EXPECT_EQ(kinds.size(), ids.size());
+    // What the programs and tools of the project rely on.
+    for (EGLint precision :
+         {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_FAST_SPANGLE}) {
+        EXPECT_FALSE(choose({EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_PRECISION_SPANGLE,
+                             precision, EGL_NONE})
+                         .empty());
+        EXPECT_FALSE(choose({EGL_SURFACE_TYPE,
+                             EGL_PBUFFER_BIT,
+                             EGL_RED_SIZE,
+                             8,
+                             EGL_GREEN_SIZE,
+                             8,
+                             EGL_BLUE_SIZE,
+                             8,
+                             EGL_ALPHA_SIZE,
+                             8,
+                             EGL_DEPTH_SIZE,
+                             24,
+                             EGL_STENCIL_SIZE,
+                             1,
+                             EGL_BUFFER_SIZE,
+                             32,
+                             EGL_RENDERABLE_TYPE,
+                             EGL_OPENGL_BIT,
+                             EGL_PRECISION_SPANGLE,
+                             precision,
+                             EGL_NONE})
+                         .empty());
+    }
+}
+
+TEST_F(Configs, FirstChoicesAreTheSmallestThatDo) {
+    const struct {
+        std::vector<EGLint> wishes;
+        EGLint red, alpha, depth, stencil;
+    } cases[] = {
+        {{EGL_NONE}, 5, 0, 0, 0},
+        {{EGL_DEPTH_SIZE, 1, EGL_NONE}, 5, 0, 16, 0},
+        {{EGL_DEPTH_SIZE, 17, EGL_NONE}, 5, 0, 24, 8},
+        {{EGL_STENCIL_SIZE, 1, EGL_NONE}, 5, 0, 24, 8},
+        {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE}, 5, 0, 0, 0},
+        // Colour bits that are asked for come first by size (3.4.1.2, rule 3).
+        {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RED_SIZE, 1, EGL_NONE}, 8, 0, 0, 0},
+        {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 1, EGL_NONE}, 8, 8, 0, 0},
+        {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_BUFFER_SIZE, 17, EGL_NONE}, 8, 0, 0, 0},
+        {{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_BUFFER_SIZE, 25, EGL_DEPTH_SIZE, 24, EGL_NONE}, 8, 8, 24, 8},
+        {{EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE}, 5, 0, 0, 0},
+    };
+    for (const auto& c : cases) {
+        const auto found = choose(c.wishes);
+        ASSERT_FALSE(found.empty()) << &c - cases;
+        EXPECT_EQ(get(found[0], EGL_RED_SIZE), c.red) << &c - cases;
+        EXPECT_EQ(get(found[0], EGL_ALPHA_SIZE), c.alpha) << &c - cases;
+        EXPECT_EQ(get(found[0], EGL_DEPTH_SIZE), c.depth) << &c - cases;
+        EXPECT_EQ(get(found[0], EGL_STENCIL_SIZE), c.stencil) << &c - cases;
+        EXPECT_EQ(get(found[0], EGL_PRECISION_SPANGLE), EGL_PRECISION_EXACT_SPANGLE);
+    }
+}
+
+TEST_F(Configs, NothingMatchesWhatDoesNotExist) {
+    for (const std::vector<EGLint>& wishes :
+         std::vector<std::vector<EGLint>>{{EGL_RED_SIZE, 9, EGL_NONE},
+                                          {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_ALPHA_SIZE, 8, EGL_NONE},
+                                          {EGL_SURFACE_TYPE, EGL_PIXMAP_BIT, EGL_NONE},
+                                          {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_NONE},
+                                          {EGL_SAMPLES, 1, EGL_NONE},
+                                          {EGL_LEVEL, 1, EGL_NONE},
+                                          {EGL_COLOR_BUFFER_TYPE, EGL_LUMINANCE_BUFFER, EGL_NONE},
+                                          {EGL_CONFIG_CAVEAT, EGL_SLOW_CONFIG, EGL_NONE},
+                                          {EGL_CONFIG_ID, 100000, EGL_NONE}})
+        EXPECT_TRUE(choose(wishes).empty()) << std::hex << wishes[0];
+}
+
+TEST_F(Configs, AConfigIdDecidesAlone) {
+    for (EGLConfig c : all()) {
+        const auto found = choose({EGL_CONFIG_ID, get(c, EGL_CONFIG_ID), EGL_RED_SIZE, 31, EGL_NONE});
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0], c);
+    }
+}
+
+/// Random wishes against a plain reading of the tables over what eglGetConfigAttrib says.
+TEST_F(Configs, RandomWishesMatchAndSort) {
+    std::mt19937 random(5);
+    const EGLint sizes[] = {EGL_RED_SIZE,   EGL_GREEN_SIZE,   EGL_BLUE_SIZE,  EGL_ALPHA_SIZE,
+                            EGL_DEPTH_SIZE, EGL_STENCIL_SIZE, EGL_BUFFER_SIZE};
+    const EGLint values[] = {0, 1, 5, 6, 8, 16, 24, 32, EGL_DONT_CARE};
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<EGLint> wishes = {EGL_SURFACE_TYPE,
+                                      (random() & 1) != 0 ? EGL_PBUFFER_BIT : EGL_WINDOW_BIT};
+        for (EGLint size : sizes)
+            if (random() % 4 == 0)
+                wishes.insert(wishes.end(), {size, values[random() % 9]});
+        if (random() % 3 == 0)
+            wishes.insert(wishes.end(), {EGL_PRECISION_SPANGLE,
+                                         EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(random() % 3)});
+        wishes.push_back(EGL_NONE);
+        std::vector<EGLConfig> wanted;
+        for (EGLConfig c : all()) {
+            bool good = true;
+            for (std::size_t i = 0; wishes[i] != EGL_NONE; i += 2) {
+                const EGLint has = get(c, wishes[i]), wish = wishes[i + 1];
+                if (wish == EGL_DONT_CARE)
+                    continue;
+                good = good && (wishes[i] == EGL_SURFACE_TYPE        ? (has & wish) == wish
+                                : wishes[i] == EGL_PRECISION_SPANGLE ? has == wish
+                                                                     : has >= wish);
+            }
+            if (good)
+                wanted.push_back(c);
+        }
+        const auto asked_bits = [&](EGLConfig c) {
+            EGLint bits = 0;
+            for (std::size_t i = 0; wishes[i] != EGL_NONE; i += 2)
+                if (std::find(sizes, sizes + 4, wishes[i]) != sizes + 4 && wishes[i + 1] > 0)
+                    bits += get(c, wishes[i]);
+            return bits;
+        };
+        const auto found = choose(wishes);
+        ASSERT_TRUE(std::is_permutation(found.begin(), found.end(), wanted.begin(), wanted.end())) << round;
+        for (std::size_t i = 1; i < found.size(); ++i) {
+            const auto key = [&](EGLConfig c) {
+                return std::vector<EGLint>{-asked_bits(c), get(c, EGL_BUFFER_SIZE), get(c, EGL_DEPTH_SIZE),
+                                           get(c, EGL_STENCIL_SIZE)};
+            };
+            ASSERT_LE(key(found[i - 1]), key(found[i])) << round;
+        }
+    }
+}
+
+TEST_F(Configs, Errors) {
+    EGLint n = 77, value = 77;
+    const auto refused = [&](EGLBoolean result, EGLint error) {
+        EXPECT_EQ(result, EGLBoolean{EGL_FALSE});
+        EXPECT_EQ(eglGetError(), error);
+        EXPECT_EQ(eglGetError(), EGL_SUCCESS);
+        EXPECT_EQ(n, 77);
+        EXPECT_EQ(value, 77);
+    };
+    const EGLint unknown[] = {0x1234, 1, EGL_NONE}, below[] = {EGL_RED_SIZE, -2, EGL_NONE},
+                 level[] = {EGL_LEVEL, EGL_DONT_CARE, EGL_NONE};
+    const EGLConfig good = all()[0];
+    refused(eglGetConfigs(display, nullptr, 0, nullptr), EGL_BAD_PARAMETER);
+    refused(eglChooseConfig(display, nullptr, nullptr, 0, nullptr), EGL_BAD_PARAMETER);
+    refused(eglChooseConfig(display, unknown, nullptr, 0, &n), EGL_BAD_ATTRIBUTE);
+    refused(eglChooseConfig(display, below, nullptr, 0, &n), EGL_BAD_ATTRIBUTE);
+    refused(eglChooseConfig(display, level, nullptr, 0, &n), EGL_BAD_ATTRIBUTE);
+    refused(eglGetConfigAttrib(display, good, 0x1234, &value), EGL_BAD_ATTRIBUTE);
+    refused(eglGetConfigAttrib(display, good, EGL_MATCH_NATIVE_PIXMAP, &value), EGL_BAD_ATTRIBUTE);
+    refused(eglGetConfigAttrib(display, good, EGL_RED_SIZE, nullptr), EGL_BAD_PARAMETER);
+    for (std::uintptr_t garbage : {std::uintptr_t{0}, std::uintptr_t{5000}, ~std::uintptr_t{0}})
+        refused(eglGetConfigAttrib(display, reinterpret_cast<EGLConfig>(garbage), EGL_RED_SIZE, &value),
+                EGL_BAD_CONFIG);
+    for (EGLDisplay garbage : {EGLDisplay{nullptr}, EGLDisplay{&n}}) {
+        refused(eglGetConfigs(garbage, nullptr, 0, &n), EGL_BAD_DISPLAY);
+        refused(eglChooseConfig(garbage, nullptr, nullptr, 0, &n), EGL_BAD_DISPLAY);
+        refused(eglGetConfigAttrib(garbage, good, EGL_RED_SIZE, &value), EGL_BAD_DISPLAY);
+    }
+}
+
+TEST_F(Configs, SmallArraysTakeWhatFits) {
+    EGLConfig out[3] = {nullptr, nullptr, &panel};
+    EGLint n = 0;
+    ASSERT_EQ(eglGetConfigs(display, out, 2, &n), EGLBoolean{EGL_TRUE});
+    EXPECT_EQ(n, 2);
+    EXPECT_EQ(out[2], &panel);
+    ASSERT_EQ(eglChooseConfig(display, nullptr, out, 1, &n), EGLBoolean{EGL_TRUE});
+    EXPECT_EQ(n, 1);
+    ASSERT_EQ(eglChooseConfig(display, nullptr, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
+    EXPECT_GT(n, 2); // how many there are
+}
+
+} // namespace
+} // namespace spangle::test

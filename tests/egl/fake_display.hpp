@@ -1,0 +1,57 @@
+// A display whose every step can be told to fail, and whose memory a test can look at.
+#pragma once
+
+#include <spangle/EGL/egl.h>
+#include <spangle/native.hpp>
+
+#include <vector>
+
+namespace spangle::test {
+
+class FakeDisplay final : public hal::Display {
+  public:
+    explicit FakeDisplay(PixelFormat format = PixelFormat::rgb565_be, std::int32_t width = 12,
+                         std::int32_t height = 9)
+        : pixels(static_cast<std::size_t>(width * height * format_info(format).bytes_per_pixel)),
+          rows(static_cast<std::size_t>(height)), format_(format), width_(width), height_(height) {
+        extents.rows = rows.data();
+        extents.height = height;
+    }
+
+    hal::DisplayInfo info() const override { return {"fake", width_, height_, format_}; }
+    hal::Result<void> init() override {
+        ++inits;
+        return fail_init ? hal::Error{hal::Fault::no_answer, "fake: the panel does not answer"}
+                         : hal::Result<void>{};
+    }
+    hal::Result<hal::Frame> acquire() override {
+        ++acquires;
+        if (fail_acquire)
+            return hal::Error{hal::Fault::gone, "fake: no buffer"};
+        return hal::Frame{pixels.data(), width_ * format_info(format_).bytes_per_pixel, presents == 0 ? 0 : 1,
+                          &extents};
+    }
+    hal::Result<void> present() override {
+        if (fail_present)
+            return hal::Error{hal::Fault::short_write, "fake: 3 of 7 bytes went out"};
+        ++presents;
+        shown = pixels;
+        shown_extents = rows;
+        for (RowSpan& row : rows)
+            row = {};
+        extents.cleared = false;
+        return {};
+    }
+
+    bool fail_init = false, fail_acquire = false, fail_present = false;
+    int inits = 0, acquires = 0, presents = 0;
+    std::vector<std::uint8_t> pixels, shown;
+    std::vector<RowSpan> rows, shown_extents;
+    RowExtents extents;
+
+  private:
+    PixelFormat format_;
+    std::int32_t width_, height_;
+};
+
+} // namespace spangle::test
