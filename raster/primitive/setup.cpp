@@ -404,8 +404,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
                              wraps.t ? u.shift : u.shift - less);
         return;
     }
-    at.exponent = u.shift - 32;
     at.shares_q = !u.homogeneous;
+    at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // mul30 below takes 30 bits off
     if (u.homogeneous) {
         at.s_dy = add_projective(at.s, u.s);
         at.t_dy = add_projective(at.t, u.t);
@@ -475,6 +475,7 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
         } else {
             for (int i = 0; i < 3; ++i)
                 fog[i] = mul30(fog[i], q_[i]);
+            span_.fog_exponent += 30;
             add_projective(span_.fog_q, fog);
         }
     }

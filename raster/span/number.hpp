@@ -32,11 +32,9 @@ struct Exact {
     SPANGLE_INLINE static L::U16 to8(T v) {
         return (v + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     }
-    /// k / 31, k / 63.
-    SPANGLE_INLINE static T from5(L::U16 k) { return (k * color_one + 15) / 31; }
-    SPANGLE_INLINE static T from6(L::U16 k) {
-        return static_cast<T>((numeric::mul_u32(k, color_one) + 31) / 63);
-    }
+    /// k / 31, k / 63 to a unit; 31 / 31 and 63 / 63 are one.
+    SPANGLE_INLINE static T from5(L::U16 k) { return k * (color_one / 31) + ((k * 231 + 512) >> 10); }
+    SPANGLE_INLINE static T from6(L::U16 k) { return k * (color_one / 63) + ((k * 195 + 512) >> 10); }
     /// A constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// An interpolated colour of a span.
