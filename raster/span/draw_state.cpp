@@ -86,9 +86,12 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
 
 AnyFunction chain_runner(Number number) {
     switch (number) {
-    case Number::raw565: return reinterpret_cast<AnyFunction>(&chain_span<Raw565<1>>);
-    case Number::balanced: return reinterpret_cast<AnyFunction>(&chain_span<Balanced<1>>);
-    default: return reinterpret_cast<AnyFunction>(&chain_span<Exact>);
+    case Number::raw565:
+        return reinterpret_cast<AnyFunction>(&chain_span<Raw565<1>>);
+    case Number::balanced:
+        return reinterpret_cast<AnyFunction>(&chain_span<Balanced<1>>);
+    default:
+        return reinterpret_cast<AnyFunction>(&chain_span<Exact>);
     }
 }
 

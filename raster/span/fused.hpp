@@ -60,15 +60,15 @@ template <class N, class List> SPANGLE_INLINE std::int32_t fused_wide(const Span
     return n;
 }
 
-/// Case has: template <int Lanes> using Number, List; static constexpr bool wide.
+/// Case has: template <int Lanes> using System, List; static constexpr bool wide.
 template <class Case, int Wide = host_lanes> [[gnu::noinline]] void fused(const Span<Fixed>& span) {
     std::int32_t i = 0;
     if constexpr (Wide == 8 && Case::wide) {
-        i = fused_wide<typename Case::template Number<8>, typename Case::template List<8>>(span);
+        i = fused_wide<typename Case::template System<8>, typename Case::template List<8>>(span);
         if (i == span.end - span.begin)
             return;
     }
-    fused_narrow<typename Case::template Number<1>, typename Case::template List<1>>(span, i);
+    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, i);
 }
 
 } // namespace spangle::raster

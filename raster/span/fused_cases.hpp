@@ -1,92 +1,110 @@
-// Lists worth a loop of their own, as types: the key they draw, and their stages for any number of lanes.
+// From a key to a loop of its own: the same stages as the chain's, with the modes known to the compiler.
 #pragma once
 
 #include "raster/span/fill.hpp"
 #include "raster/span/fused.hpp"
 #include "raster/span/key.hpp"
+#include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_raw.hpp"
+#include "raster/span/stage_store.hpp"
 #include "raster/span/stage_texture.hpp"
 
 namespace spangle::raster {
 
-/// The depth test of a fused list: 16 bits, written; `always` stands for none.
-template <class N, Compare Func> struct FusedDepth : Depth<N, DepthFormat::z16, Func, true> {
-    using Depth<N, DepthFormat::z16, Func, true>::Depth;
-};
-template <class N> struct FusedDepth<N, Compare::always> : StageBase {
-    SPANGLE_INLINE FusedDepth(const Span<Fixed>&, std::int32_t) {}
+/// In place of a stage that a key does without; I keeps the bases of a Seq distinct.
+template <class N, int I> struct None : StageBase {
+    SPANGLE_INLINE None(const Span<typename N::Policy>&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
 
-constexpr Key fused_key(Number number, Kind kind, PixelFormat format, Compare depth) {
-    Key key;
-    key.number = number;
-    key.kind = kind;
-    key.format = format;
-    if (depth != Compare::always) {
-        key.depth = depth;
-        key.depth_write = true;
-        key.depth_format = DepthFormat::z16;
-    }
-    return key;
+/// What fused lists can do. Everything else is the chain's.
+constexpr bool fusible(const Key& key) {
+    return key.number != Number::exact && !key.unit[1].on && !key.unit[0].general && !key.color_sum &&
+           !key.stencil && !key.masked && !key.count && key.alpha == Compare::always &&
+           key.kind != Kind::full &&
+           (!key.fog || (key.fog_mode == FogMode::linear && key.kind == Kind::affine)) &&
+           (!key.blend ||
+            (key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha)) &&
+           key.depth_format != DepthFormat::z24s8;
 }
 
-constexpr UnitKey fused_unit(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) {
-    UnitKey unit;
-    unit.on = true;
-    unit.texels = texels;
-    unit.base = base;
-    unit.filter = filter;
-    unit.env = env;
-    return unit;
-}
+template <Key K> class FusedCase {
+    static_assert(fusible(K));
+    static constexpr bool raw = K.number == Number::raw565;
+    static constexpr bool textured = K.unit[0].on;
+    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
 
-/// What all cases of one number system share.
-template <class Case, template <int> class NumberOf> struct FusedCase {
-    template <int Lanes> using Number = NumberOf<Lanes>;
-    static constexpr bool wide = true;
-    static void run(const Span<Fixed>& span) { fused<Case>(span); }
-};
+    template <int L> struct Stages {
+        using N = std::conditional_t<raw, Raw565<L>, Balanced<L>>;
+        static auto depth() {
+            if constexpr (tested)
+                return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
+            else
+                return std::type_identity<None<N, 0>>{};
+        }
+        static auto color() {
+            if constexpr (raw && textured)
+                return std::type_identity<None<N, 1>>{};
+            else if constexpr (raw && K.kind == Kind::flat)
+                return std::type_identity<FlatWord<L>>{};
+            else if constexpr (K.color)
+                return std::type_identity<Gouraud<N, K.color_alpha>>{};
+            else
+                return std::type_identity<White<N>>{};
+        }
+        static auto texture() {
+            if constexpr (textured)
+                return std::type_identity<Seq<
+                    N, Coord<N, 0, K.kind == Kind::textured>,
+                    TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>>>{};
+            else
+                return std::type_identity<None<N, 2>>{};
+        }
+        static auto fog() {
+            if constexpr (K.fog)
+                return std::type_identity<Seq<N, FogCoord<N, false>, FogLinear<N>>>{};
+            else
+                return std::type_identity<None<N, 3>>{};
+        }
+        static auto blend() {
+            if constexpr (K.blend)
+                return std::type_identity<BlendAlpha<N, K.format>>{};
+            else
+                return std::type_identity<None<N, 4>>{};
+        }
+        static auto store() {
+            if constexpr (raw)
+                return std::type_identity<StoreRaw<L, K.format>>{};
+            else if constexpr (K.dither)
+                return std::type_identity<StoreDithered<N, K.format>>{};
+            else
+                return std::type_identity<Store<N, K.format>>{};
+        }
+        using List = Seq<N, typename decltype(depth())::type, typename decltype(color())::type,
+                         typename decltype(texture())::type, typename decltype(fog())::type,
+                         typename decltype(blend())::type, typename decltype(store())::type>;
+    };
 
-template <PixelFormat Format> struct FlatFill : FusedCase<FlatFill<Format>, Raw565> {
-    static constexpr Key key = fused_key(Number::raw565, Kind::flat, Format, Compare::always);
-    template <int L> using List = Seq<Raw565<L>, FlatWord<L>, StoreRaw<L, Format>>;
+  public:
+    static constexpr Key key = K;
+    /// Fetching texels gains nothing from lanes, combining them does.
+    static constexpr bool wide = !(raw && textured) && is_565(K.format);
+    template <int L> using System = typename Stages<L>::N;
+    template <int L> using List = typename Stages<L>::List;
+
     static void run(const Span<Fixed>& span) {
-        const std::uint32_t word = span.flat_word;
-        fill16(span.color, StoreRaw<1, Format>::swaps ? Lanes<1>::swap_bytes(word) : word,
-               span.end - span.begin);
+        if constexpr (K.number == Number::raw565 && K.kind == Kind::flat && !tested) {
+            using Out = StoreRaw<1, K.format>;
+            const std::uint32_t word = span.flat_word;
+            fill16(span.color, Out::swaps ? Lanes<1>::swap_bytes(word) : word, span.end - span.begin);
+        } else {
+            fused<FusedCase>(span);
+        }
     }
-};
-
-template <PixelFormat Format, Compare Func> struct FlatDepth : FusedCase<FlatDepth<Format, Func>, Raw565> {
-    static constexpr Key key = fused_key(Number::raw565, Kind::flat, Format, Func);
-    template <int L>
-    using List = Seq<Raw565<L>, FusedDepth<Raw565<L>, Func>, FlatWord<L>, StoreRaw<L, Format>>;
-};
-
-template <PixelFormat Format, Compare Func> struct Smooth : FusedCase<Smooth<Format, Func>, Raw565> {
-    static constexpr Key key = fused_key(Number::raw565, Kind::affine, Format, Func);
-    template <int L>
-    using List = Seq<Raw565<L>, FusedDepth<Raw565<L>, Func>, Gouraud<Raw565<L>, false>, StoreRaw<L, Format>>;
-};
-
-/// REPLACE by the nearest texel of an RGB image: texture fetches gain nothing from lanes.
-template <PixelFormat Format, Compare Func, TexelFormat Texels, Kind K>
-struct Replaced : FusedCase<Replaced<Format, Func, Texels, K>, Raw565> {
-    static constexpr bool wide = false;
-    static constexpr Key key = [] {
-        Key k = fused_key(Number::raw565, K, Format, Func);
-        k.unit[0] = fused_unit(Texels, BaseFormat::rgb, Filter::nearest, TexEnv::replace);
-        k.color = false;
-        return k;
-    }();
-    template <int L>
-    using List = Seq<Raw565<L>, FusedDepth<Raw565<L>, Func>, Coord<Raw565<L>, 0, K == Kind::textured>,
-                     TextureFixed<Raw565<L>, 0, Texels, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
-                     StoreRaw<L, Format>>;
 };
 
 } // namespace spangle::raster

@@ -1,5 +1,5 @@
-// The table of fused spans: one line per key. A key that is not here draws with the chain, the same bytes at
-// most three times slower.
+// The table of fused spans: one line per key. A key that is not here draws with the chain: the same bytes,
+// slower.
 #include "raster/span/fused_table.hpp"
 
 #include "raster/span/fused_cases.hpp"
@@ -8,12 +8,53 @@ namespace spangle::raster {
 
 namespace {
 
-constexpr auto be = PixelFormat::rgb565_be;
-constexpr auto off = Compare::always;
-constexpr auto rgb565 = TexelFormat::rgb565;
-constexpr auto rgb888 = TexelFormat::rgb888;
+/// Words of the table: what a key says beyond its defaults.
+struct Say {
+    Key key;
+    constexpr Say(Number number, Kind kind) {
+        key.number = number;
+        key.kind = kind;
+    }
+    constexpr Say depth(Compare func) const {
+        Say s = *this;
+        s.key.depth = func;
+        s.key.depth_write = true;
+        s.key.depth_format = DepthFormat::z16;
+        return s;
+    }
+    constexpr Say texture(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) const {
+        Say s = *this;
+        s.key.unit[0] = {true, false, texels, base, filter, env};
+        s.key.color = env != TexEnv::replace;
+        return s;
+    }
+    constexpr Say alpha() const {
+        Say s = *this;
+        s.key.color_alpha = true;
+        return s;
+    }
+    constexpr Say blend() const {
+        Say s = *this;
+        s.key.blend = true;
+        s.key.blend_src = BlendFactor::src_alpha;
+        s.key.blend_dst = BlendFactor::one_minus_src_alpha;
+        return s;
+    }
+    constexpr Say fog() const {
+        Say s = *this;
+        s.key.fog = true;
+        s.key.fog_mode = FogMode::linear;
+        return s;
+    }
+    constexpr Say dither() const {
+        Say s = *this;
+        s.key.dither = true;
+        return s;
+    }
+};
 
-template <class Case> constexpr FusedSpan entry() {
+template <Say S> constexpr FusedSpan entry() {
+    using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
     return {Case::key, &Case::run, nullptr};
 #else
@@ -21,24 +62,63 @@ template <class Case> constexpr FusedSpan entry() {
 #endif
 }
 
+constexpr auto less = Compare::less, lequal = Compare::lequal;
+constexpr auto rgb = BaseFormat::rgb, rgba = BaseFormat::rgba;
+constexpr auto nearest = Filter::nearest, linear = Filter::linear;
+constexpr auto replace = TexEnv::replace, modulate = TexEnv::modulate;
+constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = TexelFormat::rgba8888;
+
+constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
+constexpr Say straight(Number::raw565, Kind::affine),
+    bent(Number::raw565, Kind::textured); // texels as they are
+constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured);
+
 constexpr FusedSpan table[] = {
-    // One colour; with depth: gears (S5), lines (S8).
-    entry<FlatFill<be>>(),
-    entry<FlatDepth<be, Compare::less>>(),
-    entry<FlatDepth<be, Compare::lequal>>(),
-    // Smooth shading without dither (S3, S5, S6).
-    entry<Smooth<be, off>>(),
-    entry<Smooth<be, Compare::less>>(),
-    entry<Smooth<be, Compare::lequal>>(),
-    // Nearest texels as they are (S4, S4r).
-    entry<Replaced<be, off, rgb565, Kind::affine>>(),
-    entry<Replaced<be, off, rgb565, Kind::textured>>(),
-    entry<Replaced<be, off, rgb888, Kind::affine>>(),
-    entry<Replaced<be, off, rgb888, Kind::textured>>(),
-    entry<Replaced<be, Compare::less, rgb565, Kind::affine>>(),
-    entry<Replaced<be, Compare::less, rgb565, Kind::textured>>(),
-    entry<Replaced<be, Compare::less, rgb888, Kind::affine>>(),
-    entry<Replaced<be, Compare::less, rgb888, Kind::textured>>(),
+    // One colour (S2); with depth: faces of gears (S5), lines (S8).
+    entry<flat>(),
+    entry<flat.depth(less)>(),
+    entry<flat.depth(lequal)>(),
+    // Smooth shading (S3, S5, S6).
+    entry<smooth>(),
+    entry<smooth.depth(less)>(),
+    entry<smooth.depth(lequal)>(),
+    entry<affine.dither()>(),
+    entry<affine.depth(less).dither()>(),
+    entry<affine.depth(lequal).dither()>(),
+    // Texels as they are (S4, S4r).
+    entry<straight.texture(t565, rgb, nearest, replace)>(),
+    entry<bent.texture(t565, rgb, nearest, replace)>(),
+    entry<straight.texture(t888, rgb, nearest, replace)>(),
+    entry<bent.texture(t888, rgb, nearest, replace)>(),
+    entry<straight.texture(t565, rgb, nearest, replace).depth(less)>(),
+    entry<bent.texture(t565, rgb, nearest, replace).depth(less)>(),
+    entry<straight.texture(t888, rgb, nearest, replace).depth(less)>(),
+    entry<bent.texture(t888, rgb, nearest, replace).depth(less)>(),
+    // The same filtered (S4b), and dithered.
+    entry<affine.texture(t888, rgb, linear, replace)>(),
+    entry<textured.texture(t888, rgb, linear, replace)>(),
+    entry<affine.texture(t888, rgb, linear, replace).dither()>(),
+    entry<textured.texture(t888, rgb, linear, replace).dither()>(),
+    entry<affine.texture(t888, rgb, nearest, replace).dither()>(),
+    entry<textured.texture(t888, rgb, nearest, replace).dither()>(),
+    // Sprites, text, gauges (S7, HUD).
+    entry<affine.texture(t8888, rgba, nearest, replace).blend()>(),
+    entry<affine.texture(t8888, rgba, nearest, replace).blend().dither()>(),
+    entry<affine.texture(t8888, rgba, nearest, modulate).alpha().blend()>(),
+    entry<affine.texture(t8888, rgba, nearest, modulate).alpha().blend().dither()>(),
+    entry<affine.alpha().blend()>(),
+    entry<affine.alpha().blend().dither()>(),
+    // Lit textures, with and without fog (S9).
+    entry<affine.texture(t888, rgb, nearest, modulate).depth(less)>(),
+    entry<textured.texture(t888, rgb, nearest, modulate).depth(less)>(),
+    entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<affine.texture(t888, rgb, nearest, modulate).depth(less).dither()>(),
+    entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    // Models: filtered, lit.
+    entry<affine.texture(t888, rgb, linear, modulate).depth(less)>(),
+    entry<textured.texture(t888, rgb, linear, modulate).depth(less)>(),
+    entry<affine.texture(t888, rgb, linear, modulate).depth(less).dither()>(),
+    entry<textured.texture(t888, rgb, linear, modulate).depth(less).dither()>(),
 };
 
 } // namespace

@@ -202,31 +202,50 @@ template <int Unit> class CoordRuns {
     int log2_;
 };
 
+/// With one lane the list calls begin(); with more, lanes of one group may lie in several runs, and the stage
+/// walks.
 template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
     static constexpr bool runs = N::lanes == 1;
     CoordRuns<Unit> run;
-    std::int32_t x, next;
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first)
-        : run(span, first), x(first), next(first) {}
+    std::int32_t x;
+    bool walked = false; ///< a group that died early did not come here
+    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first), x(first) {}
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
-        for (int lane = 0; lane < N::lanes; ++lane) {
-            if constexpr (N::lanes > 1) { // lanes of one group may lie in several runs
+        if constexpr (N::lanes == 1) {
+            p.coord[Unit].s[0] = run.s;
+            p.coord[Unit].t[0] = run.t;
+        } else {
+            std::int32_t next = run.begin(x);
+            for (int lane = 0; lane < N::lanes; ++lane) {
                 if (x == next)
                     next = run.begin(x);
+                p.coord[Unit].s[lane] = run.s;
+                p.coord[Unit].t[lane] = run.t;
+                run.step();
                 ++x;
             }
-            p.coord[Unit].s[lane] = run.s;
-            p.coord[Unit].t[lane] = run.t;
-            if constexpr (N::lanes > 1)
-                run.step();
+            walked = true;
         }
         return true;
     }
     SPANGLE_INLINE void step() {
-        if constexpr (N::lanes == 1)
+        if constexpr (N::lanes == 1) {
             run.step();
+        } else {
+            if (!walked)
+                skip();
+            walked = false;
+        }
+    }
+
+  private:
+    void skip() {
+        for (int lane = 0; lane < N::lanes; ++lane, ++x) {
+            run.begin(x);
+            run.step();
+        }
     }
 };
 

@@ -81,10 +81,12 @@ inline Triangle random_triangle(RandomVertices& source, int width, int height, K
         if (kind == Kind::flat)
             std::copy_n(t.v[0].color, 4, t.v[i].color);
     }
-    if (kind == Kind::textured) // colours vary too little for perspective, coordinates do not
+    if (kind == Kind::textured) { // colours vary too little for perspective, coordinates do not
+        const FixedVertex base = t.v[0];
         for (auto& v : t.v)
             for (int c = 0; c < 4; ++c)
-                v.color[c] = t.v[0].color[c] / 2 + source.below(1 << 10);
+                v.color[c] = base.color[c] / 2 + source.below(1 << 10);
+    }
     return t;
 }
 inline void draw(const DrawState& state, const Surface& surface, const Triangle& t) {

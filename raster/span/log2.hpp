@@ -1,0 +1,24 @@
+// Logarithms where 1/256 is enough: level of detail, lengths of runs.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::raster {
+
+/// log2(v) with 8 fraction bits, within 1/256; v = 0 counts as 1.
+inline std::int32_t log2_fraction8(std::uint64_t v) {
+    v = v == 0 ? 1 : v;
+    const int zeros = numeric::clz64(v);
+    const auto mantissa = static_cast<std::uint32_t>((v << zeros) >> 32); // [2^31, 2^32)
+    // log2(1 + x) = x + x (1 - x) (0.4227 - 0.1587 x), within 0.0009.
+    const std::uint32_t x = (mantissa << 1) >> 16; // 16 fraction bits
+    const std::uint32_t bulge = (x * (65536 - x)) >> 16;
+    const std::int32_t slope = 27700 - ((static_cast<std::int32_t>(x) * 10400) >> 16);
+    const std::int32_t fraction =
+        static_cast<std::int32_t>(x) + ((static_cast<std::int32_t>(bulge) * slope) >> 16);
+    return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
+}
+
+} // namespace spangle::raster
