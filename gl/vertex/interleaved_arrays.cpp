@@ -38,7 +38,7 @@ void set(ClientArray& array, GLint size, GLenum type, GLsizei stride, const void
     array.size = size;
     array.type = type;
     array.stride = stride;
-    array.pointer = reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(pointer) + at);
+    array.pointer = pointer != nullptr ? static_cast<const unsigned char*>(pointer) + at : nullptr;
 }
 
 } // namespace

@@ -1,0 +1,188 @@
+#include "tests/gl_api/command_stream.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "gl/context/arena.hpp"
+#include "gl/context/create.hpp"
+#include "gl/vertex/engine.hpp"
+#include "tests/gl_api/command_table.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr std::int32_t width = 64, height = 48;
+constexpr std::int64_t most_items = 64;          ///< of an array or a side of an image
+constexpr std::size_t client_bytes = 256 * 1024; ///< holds the largest image: (64 + 8)^2 groups of 16 bytes
+
+/// The stream; zeros when it has ended.
+class Bytes {
+  public:
+    Bytes(const std::uint8_t* data, std::size_t bytes) : at(data), end(data + bytes) {}
+    bool more() const { return at != end; }
+    std::uint8_t byte() { return at != end ? *at++ : std::uint8_t{0}; }
+    std::uint32_t word() {
+        std::uint32_t w = byte();
+        for (int i = 1; i < 4; ++i)
+            w |= static_cast<std::uint32_t>(byte()) << 8 * i;
+        return w;
+    }
+
+  private:
+    const std::uint8_t *at, *end;
+};
+
+class Run {
+  public:
+    Run(const std::uint8_t* data, std::size_t bytes) : in(data, bytes) {
+        for (std::size_t i = 0; i < client.size(); ++i) // indices of every type stay below 128
+            client[i] = i % 4 == 0 ? static_cast<std::uint8_t>(i * 37 / 4 % 128) : std::uint8_t{0};
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = static_cast<std::uint8_t>(i * i * 17 + i * 3);
+        arena.give(memory.get(), memory_bytes);
+        context = gl::create_context(
+            arena, {.tier = raster::Tier(in.byte() % 3), .engine = &gl::fixed_engine}, nullptr);
+        const bool deep = in.byte() % 2 != 0;
+        raster::Surface s;
+        s.format = static_cast<PixelFormat>(in.byte() % 4);
+        const std::int32_t pixel = format_info(s.format).bytes_per_pixel;
+        color.resize(static_cast<std::size_t>(width * height * pixel));
+        depth.reset(new std::uint32_t[deep ? width * height : width * height / 2]());
+        s.width = width;
+        s.height = height;
+        s.color = color.data() + (height - 1) * width * pixel; // top row first
+        s.color_stride = -width * pixel;
+        s.depth = reinterpret_cast<std::uint8_t*>(depth.get());
+        s.depth_stride = width * (deep ? 4 : 2);
+        s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
+        gl::make_current(context, s, in.byte() % 2 != 0);
+    }
+
+    void all() {
+        const auto table = commands();
+        while (in.more())
+            one(table[(in.byte() | static_cast<unsigned>(in.byte()) << 8) % table.size()]);
+    }
+
+    ~Run() {
+        gl::destroy_context(context);
+        if (arena.used() != 0 || !arena.consistent()) {
+            std::fprintf(stderr, "the arena is damaged or %zu bytes are left\n", arena.used());
+            std::abort();
+        }
+    }
+
+  private:
+    void one(const Command& c) {
+        const std::string_view family = c.family;
+        if (family == "CallList" || family == "CallLists") {
+            // Lists that call twice take exponential time, which is what was asked for; one call each is
+            // linear.
+            if (called_in == context->list.index && called_in != 0)
+                return;
+            called_in = context->list.index;
+        } else if (family == "NewList") {
+            called_in = 0;
+        }
+        Value values[12];
+        const Pname* pname = nullptr;
+        for (std::size_t i = 0; i < c.args.size(); ++i)
+            values[i] = argument(c, c.args[i], family, pname);
+        c.call(values);
+    }
+
+    Value argument(const Command& c, const Arg& arg, std::string_view family, const Pname*& pname) {
+        const std::uint8_t how = in.byte();
+        Value v{};
+        switch (arg.kind) {
+        case Kind::in:
+        case Kind::out:
+            if (how % 16 != 0)
+                v.pointer = family == "DrawElements" || family == "DrawRangeElements" ? client.data()
+                            : arg.kind == Kind::out                                   ? result.data()
+                                                    : numbers.data() + how % 8 * 8; // aligned for every type
+            break;
+        case Kind::enum_:
+            if (!arg.accepted.empty() && how % 8 != 0)
+                v.integer = arg.accepted[how % arg.accepted.size()];
+            else
+                v.integer = how % 16 == 0 ? in.word() : in.word() % 0x9000;
+            break;
+        case Kind::pname:
+            pname = how % 16 != 0 ? &c.pnames[how % c.pnames.size()] : nullptr;
+            v.integer = pname != nullptr ? pname->name : in.word() % 0x9000;
+            break;
+        case Kind::real:
+        case Kind::pvalue:
+            v.number = number(c, how);
+            if (arg.kind == Kind::pvalue && pname != nullptr && pname->kind == 'i' && how % 4 != 0)
+                v.number = static_cast<double>(pname->good);
+            if (family == "PixelStore") // rows that client memory holds
+                v.number = how % 11 - 2.0;
+            break;
+        case Kind::sizei:
+            v.integer = free_size(family) && how % 16 == 0 ? static_cast<std::int32_t>(in.word())
+                                                           : how % (most_items + 3) - 2;
+            break;
+        case Kind::int_:
+            v.integer = how % 8 == 0 && family != "ArrayElement" && family != "DrawArrays"
+                            ? static_cast<std::int32_t>(in.word())
+                            : how % 68 - 3;
+            break;
+        case Kind::boolean:
+            v.integer = how % 2;
+            break;
+        default:
+            v.integer = how % 4 == 0 ? in.word() : how % 32;
+        }
+        return v;
+    }
+
+    /// Sizes that no client memory depends on.
+    static bool free_size(std::string_view family) {
+        return family == "Viewport" || family == "Scissor" || family == "GenLists" || family == "DeleteLists";
+    }
+
+    double number(const Command& c, std::uint8_t how) {
+        const std::string_view name = c.name;
+        const bool integers =
+            name.find("xOES") != name.npos || name.back() == 'i' || name.back() == 's' || name.back() == 'b';
+        if (how % 16 == 0 && !integers) {
+            const std::uint32_t bits = in.word();
+            float f;
+            std::memcpy(&f, &bits, sizeof f);
+            return f;
+        }
+        if (integers) // what every integer type can hold
+            return how % 2 == 0 ? how % 100
+                   : name.find("ub") != name.npos || name.find("us") != name.npos ||
+                           name.find("ui") != name.npos
+                       ? 5
+                       : -(how % 100);
+        return how % 4 == 0 ? how * 0.25 - 32 : (how - 128) / 64.0;
+    }
+
+    Bytes in;
+    static constexpr std::size_t memory_bytes = 256 * 1024;
+    std::unique_ptr<std::uint64_t[]> memory{new std::uint64_t[memory_bytes / 8]};
+    gl::Arena arena;
+    gl::Context* context = nullptr;
+    GLuint called_in = 0; ///< the list being compiled that has had its call
+    std::vector<std::uint8_t> color;
+    std::unique_ptr<std::uint32_t[]> depth;
+    std::vector<std::uint8_t> client = std::vector<std::uint8_t>(4096),
+                              numbers = std::vector<std::uint8_t>(client_bytes),
+                              result = std::vector<std::uint8_t>(client_bytes);
+};
+
+} // namespace
+
+void run_command_stream(const std::uint8_t* data, std::size_t bytes) {
+    Run(data, bytes).all();
+}
+
+} // namespace spangle::test

@@ -1,0 +1,26 @@
+// Random command streams on the real pipeline: nothing breaks (run it under ASan and UBSan for the whole
+// meaning).
+#include "tests/gl_api/command_stream.hpp"
+
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+TEST(CommandStream, RandomStreams) {
+    const char* const wanted = std::getenv("SPANGLE_STREAMS");
+    const int streams = wanted != nullptr ? std::atoi(wanted) : 1500;
+    for (int i = 0; i < streams; ++i) {
+        std::mt19937 random(static_cast<unsigned>(i));
+        std::vector<std::uint8_t> data(600 + random() % 3000);
+        for (std::uint8_t& byte : data)
+            byte = static_cast<std::uint8_t>(random() >> 9);
+        SCOPED_TRACE(i);
+        spangle::test::run_command_stream(data.data(), data.size());
+    }
+}
+
+} // namespace
