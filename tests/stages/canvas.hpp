@@ -135,7 +135,8 @@ template <class V> void cover(const FragmentState& f, Canvas& canvas, const Poin
 struct Difference {
     int largest = 0, pixels = 0;
 };
-inline Difference difference(Canvas& a, Canvas& b) {
+/// Components that differ by at most `ignored` steps count as equal pixels.
+inline Difference difference(Canvas& a, Canvas& b, int ignored = 0) {
     Difference d;
     for (std::int32_t y = 0; y < a.height; ++y)
         for (std::int32_t x = 0; x < a.width; ++x) {
@@ -143,7 +144,7 @@ inline Difference difference(Canvas& a, Canvas& b) {
             for (int i = 0; i < 4; ++i)
                 here = std::max(here, std::abs(a.at(x, y).c[i].k - b.at(x, y).c[i].k));
             d.largest = std::max(d.largest, here);
-            d.pixels += here != 0;
+            d.pixels += here > ignored;
         }
     return d;
 }
