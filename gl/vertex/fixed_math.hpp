@@ -117,12 +117,15 @@ struct FixedMath {
         const bool top = (r >> 31) != 0;                         // only for a power of two
         out.w_mantissa = top ? r : r << 1;
         out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
-        const std::int64_t x = quotient(c.m[0], r, zeros, 28),
-                           y = quotient(c.m[1], r, zeros, 28); // |x|, |y| <= 4
+        // A vertex that clipping made between extreme neighbours (|x| > 2^30 w) lies on its plane but for the
+        // rounding of 30-bit mantissas, which the division would blow up: held to the guard band.
+        constexpr std::int64_t band = std::int64_t{4} << 28, one = std::int64_t{1} << 30;
+        const std::int64_t x = numeric::clamp<std::int64_t>(quotient(c.m[0], r, zeros, 28), -band, band),
+                           y = numeric::clamp<std::int64_t>(quotient(c.m[1], r, zeros, 28), -band, band);
         constexpr std::int64_t half = std::int64_t{1} << 27;
         out.x = limit(t.center_x + ((x * t.half_width + half) >> 28));
         out.y = limit(t.center_y + ((y * t.half_height + half) >> 28));
-        const std::int64_t z = quotient(c.m[2], r, zeros, 30);
+        const std::int64_t z = numeric::clamp<std::int64_t>(quotient(c.m[2], r, zeros, 30), -one, one);
         const std::int64_t depth = t.depth_middle + ((z * t.depth_half + (std::int64_t{1} << 29)) >> 30);
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
