@@ -93,7 +93,9 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
 }
 
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
-    if (ctx == EGL_NO_CONTEXT) {
+    if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
+        if (find_display(dpy) == nullptr && thread().error == EGL_BAD_DISPLAY)
+            return EGL_FALSE;
         if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
             return fail(EGL_BAD_MATCH);
         release_current();

@@ -117,6 +117,9 @@ TEST_F(Contexts, MakeCurrentErrors) {
         EXPECT_EQ(eglGetCurrentContext(), c); // as it was
         EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), surface);
     }
+    EXPECT_EQ(eglMakeCurrent(nullptr, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), no);
+    EXPECT_EQ(eglGetError(), EGL_BAD_DISPLAY);
+    EXPECT_EQ(eglGetCurrentContext(), c);
     std::thread([&] {
         EXPECT_EQ(eglMakeCurrent(display, second, second, c), no); // current elsewhere
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
