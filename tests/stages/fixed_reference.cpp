@@ -64,7 +64,7 @@ struct Background {
 
 /// Draws the tilted quad by both policies; depth must agree to the bit, colours as stated.
 void expect_same(const FragmentState& state, const Canvas& blank, int steps, double identical,
-                 const char* what, const Point* points = nullptr) {
+                 const char* what, int ignored = 0) {
     Canvas fixed = blank, reference = blank;
     Point p[4];
     tilted(blank, p);
