@@ -1,0 +1,283 @@
+// A fixed-point scalar for programs without floating point: S15.16, the bits of GLfixed. Integer arithmetic
+// throughout; results round to nearest and saturate at the ends of the range. spangle/glm.hpp makes it a
+// component type of GLM.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace spangle {
+
+/// value = bits / 65536, range [-32768, 32768). Uninitialised by default, like the built-in types (GLM's
+/// unions need it).
+struct fixed {
+    std::int32_t bits;
+
+    static constexpr int fraction_bits = 16;
+    static constexpr std::int32_t one_bits = 1 << fraction_bits;
+
+    fixed() = default;
+    template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
+    constexpr fixed(I v)
+        : bits(std::cmp_greater(v, 32767) ? INT32_MAX
+               : std::cmp_less(v, -32768) ? INT32_MIN
+                                          : static_cast<std::int32_t>(v) * one_bits) {}
+    /// Nearest; NaN becomes 0. Constants are converted by the compiler.
+    template <class F, std::enable_if_t<std::is_floating_point_v<F>, long> = 0>
+    constexpr fixed(F v) : bits(from_real(v)) {}
+
+    static constexpr fixed from_bits(std::int32_t b) {
+        fixed r{0};
+        r.bits = b;
+        return r;
+    }
+    static constexpr std::int32_t saturate(std::int64_t v) {
+        return static_cast<std::int32_t>(v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : v);
+    }
+    /// A sum of products, 32 fraction bits, as a fixed.
+    static constexpr fixed from_product(std::int64_t v) {
+        return from_bits(saturate((v >> 16) + ((v >> 15) & 1)));
+    }
+
+    /// Towards zero, as from the built-in types.
+    template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
+    explicit constexpr operator I() const {
+        return static_cast<I>(bits / one_bits);
+    }
+    explicit constexpr operator float() const { return static_cast<float>(bits) / 65536.0f; }
+    explicit constexpr operator double() const { return static_cast<double>(bits) / 65536.0; }
+
+    friend constexpr fixed operator+(fixed a, fixed b) {
+        return from_bits(saturate(std::int64_t{a.bits} + b.bits));
+    }
+    friend constexpr fixed operator-(fixed a, fixed b) {
+        return from_bits(saturate(std::int64_t{a.bits} - b.bits));
+    }
+    friend constexpr fixed operator*(fixed a, fixed b) { return from_product(std::int64_t{a.bits} * b.bits); }
+    /// By 0: the largest value with the sign of a, and 0 / 0 = 0.
+    friend constexpr fixed operator/(fixed a, fixed b) {
+        return from_bits(quotient(std::int64_t{a.bits} * one_bits, b.bits));
+    }
+    friend constexpr fixed operator-(fixed a) { return from_bits(saturate(-std::int64_t{a.bits})); }
+    friend constexpr fixed operator+(fixed a) { return a; }
+    constexpr fixed& operator+=(fixed b) { return *this = *this + b; }
+    constexpr fixed& operator-=(fixed b) { return *this = *this - b; }
+    constexpr fixed& operator*=(fixed b) { return *this = *this * b; }
+    constexpr fixed& operator/=(fixed b) { return *this = *this / b; }
+    constexpr fixed& operator++() { return *this += fixed{1}; }
+    constexpr fixed& operator--() { return *this -= fixed{1}; }
+
+    friend constexpr bool operator==(fixed a, fixed b) { return a.bits == b.bits; }
+    friend constexpr bool operator!=(fixed a, fixed b) { return a.bits != b.bits; }
+    friend constexpr bool operator<(fixed a, fixed b) { return a.bits < b.bits; }
+    friend constexpr bool operator>(fixed a, fixed b) { return a.bits > b.bits; }
+    friend constexpr bool operator<=(fixed a, fixed b) { return a.bits <= b.bits; }
+    friend constexpr bool operator>=(fixed a, fixed b) { return a.bits >= b.bits; }
+
+    /// n / d, nearest, saturated; |n| < 2^62.
+    static constexpr std::int32_t quotient(std::int64_t n, std::int64_t d) {
+        if (d == 0)
+            return n == 0 ? 0 : n < 0 ? INT32_MIN : INT32_MAX;
+        const std::int64_t half = (d < 0 ? -d : d) / 2;
+        return saturate((n < 0 ? n - half : n + half) / d);
+    }
+
+  private:
+    template <class F> static constexpr std::int32_t from_real(F v) {
+        if (!(v == v))
+            return 0;
+        if (v >= F(32768))
+            return INT32_MAX;
+        if (v <= F(-32768))
+            return INT32_MIN;
+        const F scaled = v * F(65536);
+        return static_cast<std::int32_t>(scaled < 0 ? static_cast<std::int64_t>(scaled - F(0.5))
+                                                    : static_cast<std::int64_t>(scaled + F(0.5)));
+    }
+};
+
+static_assert(std::is_trivially_default_constructible_v<fixed> && sizeof(fixed) == 4);
+
+namespace fixed_detail {
+
+/// Largest x with x * x <= v.
+constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
+    std::uint32_t root = 0;
+    for (std::uint32_t bit = 0x80000000u; bit != 0; bit >>= 1)
+        if (std::uint64_t{root | bit} * (root | bit) <= v)
+            root |= bit;
+    return root;
+}
+
+inline constexpr std::int64_t pi_q30 = 3373259426;          // pi * 2^30
+inline constexpr std::int64_t two_pi_q44 = 110534964875444; // 2 pi * 2^44
+inline constexpr int cordic_steps = 30;
+inline constexpr std::int64_t cordic_gain_q30 = 652032874; // product of cos(atan(2^-i))
+
+/// atan(2^-i) in Q.30, by its series: every power of 2^-i is a shift.
+struct Arctangents {
+    std::int64_t at[cordic_steps];
+    constexpr Arctangents() : at{} {
+        at[0] = pi_q30 / 4;
+        for (int i = 1; i < cordic_steps; ++i) {
+            std::int64_t sum = 0;
+            for (int k = 0; i * (2 * k + 1) < 60; ++k) {
+                const std::int64_t term = (std::int64_t{1} << (60 - i * (2 * k + 1))) / (2 * k + 1);
+                sum += k % 2 == 0 ? term : -term;
+            }
+            at[i] = (sum + (1 << 29)) >> 30;
+        }
+    }
+};
+inline constexpr Arctangents arctangents;
+
+struct Point {
+    std::int64_t x, y; ///< Q.30
+};
+
+/// (cos, sin) of radians with 16 fraction bits; within 2^-26.
+constexpr Point circle(std::int32_t radians) {
+    std::int64_t turned = (std::int64_t{radians} << 28) % two_pi_q44;
+    if (turned < 0)
+        turned += two_pi_q44;
+    std::int64_t a = (turned + (1 << 13)) >> 14; // [0, 2 pi] in Q.30
+    int quarters = 0;
+    while (a > pi_q30 / 4 && quarters < 4)
+        a -= pi_q30 / 2, ++quarters;
+    Point p{cordic_gain_q30, 0};
+    for (int i = 0; i < cordic_steps; ++i) {
+        const bool up = a >= 0;
+        const std::int64_t x = p.x >> i, y = p.y >> i;
+        p = up ? Point{p.x - y, p.y + x} : Point{p.x + y, p.y - x};
+        a += up ? -arctangents.at[i] : arctangents.at[i];
+    }
+    switch (quarters & 3) {
+    case 1:
+        return {-p.y, p.x};
+    case 2:
+        return {-p.x, -p.y};
+    case 3:
+        return {p.y, -p.x};
+    default:
+        return p;
+    }
+}
+
+/// Angle of (x, y) in Q.30, (-pi, pi]; |x|, |y| <= 2^60.
+constexpr std::int64_t angle(std::int64_t y, std::int64_t x) {
+    if (x == 0 && y == 0)
+        return 0;
+    std::int64_t a = 0;
+    if (x < 0) { // half a turn back into the right half plane
+        a = y < 0 ? -pi_q30 : pi_q30;
+        x = -x, y = -y;
+    }
+    while (x < (std::int64_t{1} << 58) && y < (std::int64_t{1} << 58) && y > -(std::int64_t{1} << 58))
+        x *= 2, y *= 2;
+    for (int i = 0; i < cordic_steps; ++i) {
+        const bool up = y < 0;
+        const std::int64_t dx = x >> i, dy = y >> i;
+        x += up ? -dy : dy;
+        y += up ? dx : -dx;
+        a += up ? -arctangents.at[i] : arctangents.at[i];
+    }
+    return a;
+}
+
+constexpr fixed from_q30(std::int64_t v) {
+    return fixed::from_bits(fixed::saturate((v + (1 << 13)) >> 14));
+}
+
+} // namespace fixed_detail
+
+constexpr fixed abs(fixed v) {
+    return v.bits < 0 ? -v : v;
+}
+constexpr fixed floor(fixed v) {
+    return fixed::from_bits(static_cast<std::int32_t>(static_cast<std::uint32_t>(v.bits) & 0xFFFF0000u));
+}
+constexpr fixed ceil(fixed v) {
+    return -floor(-v);
+}
+constexpr fixed trunc(fixed v) {
+    return v.bits < 0 ? ceil(v) : floor(v);
+}
+constexpr fixed round(fixed v) {
+    return v.bits < 0 ? -floor(-v + fixed::from_bits(1 << 15)) : floor(v + fixed::from_bits(1 << 15));
+}
+constexpr fixed fmod(fixed a, fixed b) {
+    return fixed::from_bits(b.bits == 0 || b.bits == -1 ? 0 : a.bits % b.bits);
+}
+
+/// 0 for negative values.
+constexpr fixed sqrt(fixed v) {
+    if (v.bits <= 0)
+        return fixed::from_bits(0);
+    const std::uint32_t root =
+        fixed_detail::integer_sqrt(static_cast<std::uint64_t>(v.bits) << 18); // one bit to round with
+    return fixed::from_bits(static_cast<std::int32_t>((root + 1) >> 1));
+}
+/// The largest value for v <= 0.
+constexpr fixed inversesqrt(fixed v) {
+    if (v.bits <= 0)
+        return fixed::from_bits(INT32_MAX);
+    const std::uint32_t root = fixed_detail::integer_sqrt(static_cast<std::uint64_t>(v.bits) << 32); // Q.24
+    return fixed::from_bits(fixed::quotient(std::int64_t{1} << 40, root));
+}
+
+constexpr fixed sin(fixed v) {
+    return fixed_detail::from_q30(fixed_detail::circle(v.bits).y);
+}
+constexpr fixed cos(fixed v) {
+    return fixed_detail::from_q30(fixed_detail::circle(v.bits).x);
+}
+constexpr fixed tan(fixed v) {
+    const fixed_detail::Point p = fixed_detail::circle(v.bits);
+    return fixed::from_bits(fixed::quotient(p.y * fixed::one_bits, p.x));
+}
+constexpr fixed atan2(fixed y, fixed x) {
+    return fixed_detail::from_q30(fixed_detail::angle(y.bits, x.bits));
+}
+constexpr fixed atan(fixed v) {
+    return atan2(v, fixed{1});
+}
+constexpr fixed atan(fixed y, fixed x) {
+    return atan2(y, x);
+}
+namespace fixed_detail {
+/// Arc cosine in Q.30, the argument clamped to [-1, 1].
+constexpr std::int64_t arc_cosine(fixed v) {
+    constexpr std::int64_t one = fixed::one_bits;
+    const std::int64_t x = v.bits > one ? one : v.bits < -one ? -one : v.bits;
+    const auto square = static_cast<std::uint64_t>(one * one - x * x); // sin^2, Q.32
+    return angle(integer_sqrt(square << 28), x << 14);                 // both Q.30
+}
+} // namespace fixed_detail
+
+constexpr fixed acos(fixed v) {
+    return fixed_detail::from_q30(fixed_detail::arc_cosine(v));
+}
+constexpr fixed asin(fixed v) {
+    return fixed_detail::from_q30(fixed_detail::pi_q30 / 2 - fixed_detail::arc_cosine(v));
+}
+
+} // namespace spangle
+
+/// GLM asks these; is_iec559 is how it asks whether a type may stand where it wants floating point.
+template <> struct std::numeric_limits<spangle::fixed> {
+    static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false,
+                          is_iec559 = true;
+    static constexpr bool has_infinity = false, has_quiet_NaN = false, has_signaling_NaN = false,
+                          is_bounded = true, is_modulo = false;
+    static constexpr int digits = 31, digits10 = 4, max_digits10 = 10, radix = 2;
+    static constexpr spangle::fixed min() { return spangle::fixed::from_bits(1); }
+    static constexpr spangle::fixed max() { return spangle::fixed::from_bits(INT32_MAX); }
+    static constexpr spangle::fixed lowest() { return spangle::fixed::from_bits(INT32_MIN); }
+    static constexpr spangle::fixed epsilon() { return spangle::fixed::from_bits(1); }
+    static constexpr spangle::fixed round_error() { return spangle::fixed::from_bits(1 << 15); }
+    static constexpr spangle::fixed infinity() { return max(); }
+    static constexpr spangle::fixed quiet_NaN() { return spangle::fixed::from_bits(0); }
+    static constexpr spangle::fixed denorm_min() { return min(); }
+};
