@@ -29,17 +29,17 @@ using fquat = glm::qua<fixed, glm::defaultp>;
 
 namespace fixed_detail {
 
-/// a . b with 32 fraction bits. Components are halved where four products could pass 2^63.
+/// a . b with 30 fraction bits: four products of 2^60.
 template <glm::length_t L, glm::qualifier Q>
 constexpr std::int64_t sum_of_products(const glm::vec<L, fixed, Q>& a, const glm::vec<L, fixed, Q>& b) {
     std::int64_t sum = 0;
     for (glm::length_t i = 0; i < L; ++i)
-        sum += (std::int64_t{a[i].bits} * b[i].bits) >> 1;
-    return sum; // 31 fraction bits: |sum| <= 4 * 2^61
+        sum += (std::int64_t{a[i].bits} * b[i].bits) >> 2;
+    return sum;
 }
 
 constexpr fixed from_sum(std::int64_t sum) {
-    return fixed::from_bits(fixed::saturate((sum >> 15) + ((sum >> 14) & 1)));
+    return fixed::from_bits(fixed::saturate((sum >> 14) + ((sum >> 13) & 1)));
 }
 
 } // namespace fixed_detail
@@ -98,8 +98,8 @@ template <qualifier Q, bool Aligned> struct compute_cross<spangle::fixed, Q, Ali
     using V = vec<3, spangle::fixed, Q>;
     GLM_FUNC_QUALIFIER static V call(V const& a, V const& b) {
         const auto minor = [](spangle::fixed p, spangle::fixed q, spangle::fixed r, spangle::fixed s) {
-            return spangle::fixed_detail::from_sum(((std::int64_t{p.bits} * q.bits) >> 1) -
-                                                   ((std::int64_t{r.bits} * s.bits) >> 1));
+            return spangle::fixed_detail::from_sum(((std::int64_t{p.bits} * q.bits) >> 2) -
+                                                   ((std::int64_t{r.bits} * s.bits) >> 2));
         };
         return V(minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x));
     }
@@ -110,8 +110,10 @@ template <qualifier Q, bool Aligned> struct compute_cross<spangle::fixed, Q, Ali
 template <length_t L, qualifier Q, bool Aligned> struct compute_length<L, spangle::fixed, Q, Aligned> {
     GLM_FUNC_QUALIFIER static spangle::fixed call(vec<L, spangle::fixed, Q> const& v) {
         const auto sum = static_cast<std::uint64_t>(spangle::fixed_detail::sum_of_products(v, v));
-        const std::uint64_t root = spangle::fixed_detail::integer_sqrt(sum << 1);
-        return spangle::fixed::from_bits(spangle::fixed::saturate(static_cast<std::int64_t>(root)));
+        if (sum >> 60 != 0)
+            return spangle::fixed::from_bits(INT32_MAX);
+        return spangle::fixed::from_bits(
+            static_cast<std::int32_t>(spangle::fixed_detail::integer_sqrt(sum << 2)));
     }
 };
 
