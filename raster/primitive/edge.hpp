@@ -38,8 +38,8 @@ struct Edge {
     std::int32_t denominator;
 
     /// From (x0, y0) up to (x1, y1), y1 > y0, at row `row` >= first_center(y0).
-    void start(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
-               bool small);
+    static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
+                   bool small);
 
     /// One row up: 32 bits, exact.
     void step() {
@@ -52,39 +52,41 @@ struct Edge {
     }
 };
 
-inline void Edge::start(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
-                        bool small) {
+inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
+                     bool small) {
     const std::int32_t dx = x1 - x0, dy = y1 - y0;
     const std::int32_t above =
         row * subpixel_one + subpixel_one / 2 - y0; // from the vertex up to the row's centre
     const std::int32_t inside =
         (x0 & (subpixel_one - 1)) - subpixel_one / 2; // from the centre of the vertex's column
-    denominator = dy * subpixel_one;
+    Edge e;
+    e.denominator = dy * subpixel_one;
     // column = vertex's column + ceil(numerator / denominator); the floor of -numerator keeps one kind of
     // division.
     std::int32_t down, rest;
     if (small) {
         const std::int32_t numerator = -(above * dx + inside * dy);
-        down = numerator / denominator;
-        rest = numerator - down * denominator;
+        down = numerator / e.denominator;
+        rest = numerator - down * e.denominator;
         if (rest < 0)
-            --down, rest += denominator;
-        whole = dx / dy;
-        part = dx - whole * dy;
-        if (part < 0)
-            --whole, part += dy;
+            --down, rest += e.denominator;
+        e.whole = dx / dy;
+        e.part = dx - e.whole * dy;
+        if (e.part < 0)
+            --e.whole, e.part += dy;
     } else {
         const std::int64_t numerator = -(std::int64_t{above} * dx + std::int64_t{inside} * dy);
-        const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator));
+        const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator));
         const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
         down = static_cast<std::int32_t>(q.quotient);
         rest = static_cast<std::int32_t>(q.remainder);
-        whole = static_cast<std::int32_t>(slope.quotient);
-        part = static_cast<std::int32_t>(slope.remainder);
+        e.whole = static_cast<std::int32_t>(slope.quotient);
+        e.part = static_cast<std::int32_t>(slope.remainder);
     }
-    x = (x0 >> subpixel_bits) - down;
-    remainder = -rest;
-    part *= subpixel_one;
+    e.x = (x0 >> subpixel_bits) - down;
+    e.remainder = -rest;
+    e.part *= subpixel_one;
+    return e;
 }
 
 /// The rows of a triangle that hold a centre, upwards, from row_begin to row_end - 1. Vertices come sorted by
@@ -104,10 +106,11 @@ class TriangleRows {
             end_ = row_;
             return;
         }
-        across_.start(xs[0], ys[0], xs[2], ys[2], row_, small);
+        const Edge across = Edge::at(xs[0], ys[0], xs[2], ys[2], row_, small);
+        set(!middle_left, across);
         const std::int32_t middle = first_center(ys[1]);
         if (row_ < middle) {
-            side_.start(xs[0], ys[0], xs[1], ys[1], row_, small);
+            set(middle_left, Edge::at(xs[0], ys[0], xs[1], ys[1], row_, small));
             stop_ = middle < end_ ? middle : end_;
         }
     }
@@ -117,24 +120,32 @@ class TriangleRows {
             if (row_ == stop_) {
                 if (row_ == end_)
                     return false;
-                side_.start(xs_[1], ys_[1], xs_[2], ys_[2], row_, small_);
+                set(middle_left_, Edge::at(xs_[1], ys_[1], xs_[2], ys_[2], row_, small_));
                 stop_ = end_;
             }
-            left = middle_left_ ? side_.x : across_.x;
-            right = middle_left_ ? across_.x : side_.x;
+            left = left_.x;
+            right = right_.x;
             y = row_++;
-            across_.step();
-            side_.step();
+            left_.step();
+            right_.step();
             if (left < right)
                 return true;
         }
     }
 
   private:
+    /// Copies, not a reference to one of the two: both stay in registers.
+    void set(bool left, const Edge& e) {
+        if (left)
+            left_ = e;
+        else
+            right_ = e;
+    }
+
     const std::int32_t *xs_, *ys_;
     bool middle_left_, small_;
     std::int32_t row_, stop_, end_;
-    Edge across_, side_;
+    Edge left_{}, right_{};
 };
 
 } // namespace spangle::raster

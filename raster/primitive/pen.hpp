@@ -15,8 +15,9 @@ template <class P> class Pen {
 
     Pen(const DrawState& state, const Surface& target)
         : target_(target), clip_(state.fragment.scissor), bytes_(format_info(target.format).bytes_per_pixel),
-          depth_bytes_(target.depth_format == DepthFormat::z16 ? 2 : 4) {
+          depth_shift_(target.depth_format == DepthFormat::z16 ? 1 : 2) {
         span.state = &state;
+        span.depth = nullptr;
     }
 
     std::int32_t row_begin() const { return clip_.y; }
@@ -37,20 +38,22 @@ template <class P> class Pen {
     SPANGLE_INLINE void draw(Setup<P>& setup, std::int32_t y, std::int32_t left, std::int32_t right) {
         setup.move_to(left, y);
         const std::int32_t clip_end = clip_.x + clip_.w;
+        const std::int32_t first = left < clip_.x ? clip_.x : left,
+                           last = right < clip_end ? right : clip_end;
         span.length = right - left;
-        span.begin = left < clip_.x ? clip_.x - left : 0;
-        span.end = right < clip_end ? span.length : clip_end - left;
-        const std::int32_t x = left + span.begin;
-        span.color = target_.color_row(y) + static_cast<std::ptrdiff_t>(x) * bytes_;
-        span.depth = target_.depth == nullptr
-                         ? nullptr
-                         : target_.depth_row(y) + static_cast<std::ptrdiff_t>(x) * depth_bytes_;
-        touch(target_, y, x, left + span.end);
+        span.begin = first - left;
+        span.end = last - left;
+        span.color =
+            target_.color + std::ptrdiff_t{y} * target_.color_stride + std::ptrdiff_t{first} * bytes_;
+        if (target_.depth != nullptr)
+            span.depth = target_.depth + std::ptrdiff_t{y} * target_.depth_stride +
+                         (std::ptrdiff_t{first} << depth_shift_);
+        touch(target_, y, first, last);
         if (Counters* const counters = span.state->counters; counters != nullptr) {
-            counters->fragments += static_cast<std::uint32_t>(span.end - span.begin);
+            counters->fragments += static_cast<std::uint32_t>(last - first);
 #ifndef SPANGLE_FIRMWARE
             if (counters->observer != nullptr && counters->observer->span != nullptr)
-                counters->observer->span(*counters->observer, y, x, left + span.end);
+                counters->observer->span(*counters->observer, y, first, last);
 #endif
         }
         const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
@@ -60,7 +63,8 @@ template <class P> class Pen {
   private:
     const Surface& target_;
     Rect clip_;
-    std::int32_t bytes_, depth_bytes_;
+    std::int32_t bytes_;
+    int depth_shift_;
 };
 
 } // namespace spangle::raster

@@ -193,13 +193,14 @@ void Setup<Fixed>::add_depth() {
 }
 
 void Setup<Fixed>::add_color(int component, bool secondary) {
-    std::int32_t c[3];
-    for (int i = 0; i < 3; ++i)
-        c[i] = static_cast<std::int32_t>(secondary ? v_[i]->secondary[component] : v_[i]->color[component]);
+    const auto of = [&](int i) {
+        return static_cast<std::int32_t>(secondary ? v_[i]->secondary[component] : v_[i]->color[component]);
+    };
+    const std::int32_t c[3] = {of(0), of(1), of(2)};
     if (span_.kind == Kind::full) {
-        for (int i = 0; i < 3; ++i)
-            c[i] = mul30(c[i] << 2, q_[i]);
-        add_projective(secondary ? span_.secondary_q[component] : span_.color_q[component], c);
+        const std::int32_t over_w[3] = {mul30(c[0] << 2, q_[0]), mul30(c[1] << 2, q_[1]),
+                                        mul30(c[2] << 2, q_[2])};
+        add_projective(secondary ? span_.secondary_q[component] : span_.color_q[component], over_w);
         return;
     }
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
@@ -210,14 +211,16 @@ void Setup<Fixed>::add_color(int component, bool secondary) {
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
 bool Setup<Fixed>::weights() {
-    int highest = v_[0]->w_exponent;
-    for (int i = 1; i < 3; ++i)
-        highest = v_[i]->w_exponent > highest ? v_[i]->w_exponent : highest;
-    for (int i = 0; i < 3; ++i) {
-        const int down = 2 + highest - v_[i]->w_exponent;
+    const int e0 = v_[0]->w_exponent, e1 = v_[1]->w_exponent, e2 = v_[2]->w_exponent;
+    const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
+    const auto scaled = [&](int i, int e) {
+        const int down = 2 + highest - e;
         const std::uint32_t q = down < 32 ? v_[i]->w_mantissa >> down : 0;
-        q_[i] = static_cast<std::int32_t>(q != 0 ? q : 1);
-    }
+        return static_cast<std::int32_t>(q != 0 ? q : 1);
+    };
+    q_[0] = scaled(0, e0);
+    q_[1] = scaled(1, e1);
+    q_[2] = scaled(2, e2);
     q_range_ = range_of(q_[0], q_[1], q_[2]);
     const std::int32_t least = q_[0] < q_[1] ? q_[0] : q_[1];
     q_least_ = static_cast<std::uint32_t>(least < q_[2] ? least : q_[2]);
@@ -330,6 +333,8 @@ bool Setup<Fixed>::colors_affine() const {
     const std::uint64_t four = state_.tier == Tier::exact                   ? color_one >> 17
                                : format_info(state_.format).green_bits == 8 ? 1u << color_fraction_bits
                                                                             : 4u << color_fraction_bits;
+    if (bounded(color_one, four)) // whatever the colours are
+        return true;
     const auto within = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         return bounded(range_of(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
                                 static_cast<std::int32_t>(c)),
@@ -434,10 +439,12 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
     const Vertex &a = *v_[0], &b = *v_[1], &c = *v_[2];
     bool same_color = true;
     if (!state_.fragment.flat) {
+        std::uint32_t differ = 0;
         for (int i = 0; needs.rgb && i < (needs.alpha ? 4 : 3); ++i)
-            same_color = same_color && a.color[i] == b.color[i] && a.color[i] == c.color[i];
+            differ |= (a.color[i] ^ b.color[i]) | (a.color[i] ^ c.color[i]);
         for (int i = 0; needs.secondary && i < 3; ++i)
-            same_color = same_color && a.secondary[i] == b.secondary[i] && a.secondary[i] == c.secondary[i];
+            differ |= (a.secondary[i] ^ b.secondary[i]) | (a.secondary[i] ^ c.secondary[i]);
+        same_color = differ == 0;
     }
     const bool weighted = state_.fragment.perspective && (textured || needs.fog || !same_color);
     const bool same_w = !weighted || weights();
