@@ -8,38 +8,117 @@ namespace spangle::raster {
 
 namespace {
 
-/// Sixteen bytes of a row, repeated; every pixel size here divides them but rgb888's three.
+/// The bytes of a row: a sequence of `period` bytes, repeated so often that any four words of it (twelve,
+/// where pixels have three bytes) can be read from any of its first four bytes on.
 struct Pattern {
-    std::uint8_t byte[48] = {}; ///< three times sixteen, so that three-byte pixels repeat too
-    std::int32_t period = 16;   ///< 16 or 48
+    std::uint8_t byte[64] = {};
+    std::int32_t period = 16; ///< 16 or 48
 };
-
-using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
 
 void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
     for (std::int32_t i = 0; i < n; ++i)
         to[i] = from[i];
 }
 
+#if defined(__SSE2__) || defined(__aarch64__)
+
+// Stores of sixteen bytes, at any address.
+using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
+
 /// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
+    Vector v[3];
+    const std::int32_t step = pattern.period == 16 ? 0 : 16;
+    for (int i = 0; i < 3; ++i)
+        v[i] = *reinterpret_cast<const Vector*>(pattern.byte + i * step);
     std::int32_t left = bytes;
-    if (pattern.period == 16) {
-        const Vector v = *reinterpret_cast<const Vector*>(pattern.byte);
-        for (; left >= 64; left -= 64, to += 64) {
-            Vector* const at = reinterpret_cast<Vector*>(to); // not auto: deduction drops the alignment
-            at[0] = v;
-            at[1] = v;
-            at[2] = v;
-            at[3] = v;
-        }
-        for (; left >= 16; left -= 16, to += 16)
-            *reinterpret_cast<Vector*>(to) = v;
-    } else {
-        for (; left >= 48; left -= 48, to += 48)
-            copy_bytes(to, pattern.byte, 48);
+    for (; left >= 96; left -= 96, to += 96) {
+        Vector* const at = reinterpret_cast<Vector*>(to); // not auto: deduction drops the alignment
+        at[0] = v[0];
+        at[1] = v[1];
+        at[2] = v[2];
+        at[3] = v[0];
+        at[4] = v[1];
+        at[5] = v[2];
     }
+    for (; left >= pattern.period; left -= pattern.period, to += pattern.period)
+        for (std::int32_t i = 0; i < pattern.period; i += 16)
+            *reinterpret_cast<Vector*>(to + i) = v[i / 16];
     copy_bytes(to, pattern.byte, left);
+}
+
+#else
+
+using Word [[gnu::may_alias]] = std::uint32_t;
+
+/// Stores w[0..3] again and again, 64 bytes each time; `to` is 4-aligned, blocks > 0.
+Word* store_blocks(Word* to, const std::uint32_t* w, std::int32_t blocks) {
+    Word* const end = to + 16 * blocks;
+#if defined(__arm__)
+    // Compilers do not make one STM of four stores; it is a third of the instructions.
+    register std::uint32_t a asm("r2") = w[0];
+    register std::uint32_t b asm("r3") = w[1];
+    register std::uint32_t c asm("r4") = w[2];
+    register std::uint32_t d asm("r5") = w[3];
+    do {
+        asm volatile("stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}\n\t"
+                     "stmia %0!, {%1, %2, %3, %4}\n\tstmia %0!, {%1, %2, %3, %4}"
+                     : "+l"(to)
+                     : "l"(a), "l"(b), "l"(c), "l"(d)
+                     : "memory");
+    } while (to != end);
+#else
+    do {
+        for (int i = 0; i < 16; ++i)
+            to[i] = w[i & 3];
+        to += 16;
+    } while (to != end);
+#endif
+    return to;
+}
+
+/// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
+void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
+    std::int32_t head = static_cast<std::int32_t>(-reinterpret_cast<std::uintptr_t>(to) & 3);
+    head = head < bytes ? head : bytes;
+    copy_bytes(to, pattern.byte, head);
+    bytes -= head;
+    std::uint32_t w[12];
+    __builtin_memcpy(w, pattern.byte + head, sizeof w);
+    Word* at = reinterpret_cast<Word*>(to + head);
+    if (pattern.period == 16 && bytes >= 64) {
+        at = store_blocks(at, w, bytes / 64);
+        bytes &= 63;
+    }
+    const std::int32_t period = pattern.period / 4;
+    std::int32_t i = 0;
+    for (; bytes >= 4; bytes -= 4) {
+        *at++ = w[i];
+        i = i + 1 == period ? 0 : i + 1;
+    }
+    copy_bytes(reinterpret_cast<std::uint8_t*>(at), pattern.byte + head + 4 * i, bytes);
+}
+
+#endif
+
+/// `rows` rows of the same bytes: one piece where they touch.
+void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern& pattern,
+               std::int32_t bytes) {
+    if (stride == bytes || stride == -bytes) {
+        if (bytes % pattern.period == 0) {
+            fill(stride < 0 ? first + static_cast<std::intptr_t>(rows - 1) * stride : first, pattern,
+                 rows * bytes);
+            return;
+        }
+    }
+    for (std::int32_t y = 0; y < rows; ++y)
+        fill(first + static_cast<std::intptr_t>(y) * stride, pattern, bytes);
+}
+
+/// Makes the pattern as long as `fill` wants it.
+void repeat(Pattern& p) {
+    for (std::int32_t i = p.period; i < 64; ++i)
+        p.byte[i] = p.byte[i - p.period];
 }
 
 std::uint32_t component(std::uint32_t c, unsigned bits, bool dither, std::uint32_t threshold) {
@@ -89,6 +168,7 @@ Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std
         const Pixel pixel = pack(s.format, r.color, r.dither, dither_threshold(row, x + i));
         copy_bytes(p.byte + i * bytes, pixel.byte, bytes);
     }
+    repeat(p);
     return p;
 }
 
@@ -111,16 +191,20 @@ void clear_color(const Surface& s, const ClearRequest& r) {
     const bool all = writes_all(s.format, r.channels),
                dithers = r.dither && format_info(s.format).red_bits < 8;
     const Pixel mask = mask_of(s.format, r.channels);
+    std::uint8_t* const first = s.color_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * bytes;
+    if (all && !dithers) {
+        fill_rows(first, s.color_stride, r.area.h, row_pattern(s, r, r.area.x, r.area.y), row_bytes);
+        return;
+    }
     Pattern pattern[4];
-    for (std::int32_t i = 0; i < (dithers ? 4 : 1); ++i)
+    for (std::int32_t i = 0; i < 4; ++i)
         pattern[i] = row_pattern(s, r, r.area.x, r.area.y + i);
     for (std::int32_t y = 0; y < r.area.h; ++y) {
-        std::uint8_t* const at = s.color_row(r.area.y + y) + static_cast<std::intptr_t>(r.area.x) * bytes;
-        const Pattern& p = pattern[dithers ? y & 3 : 0];
+        std::uint8_t* const at = first + static_cast<std::intptr_t>(y) * s.color_stride;
         if (all)
-            fill(at, p, row_bytes);
+            fill(at, pattern[y & 3], row_bytes);
         else
-            fill_masked(at, p, mask, bytes, row_bytes);
+            fill_masked(at, pattern[y & 3], mask, bytes, row_bytes);
     }
 }
 
@@ -129,8 +213,9 @@ void clear_z16(const Surface& s, const ClearRequest& r) {
     Pattern p;
     for (int i = 0; i < 16; i += 2)
         __builtin_memcpy(p.byte + i, &code, sizeof code);
-    for (std::int32_t y = 0; y < r.area.h; ++y)
-        fill(s.depth_row(r.area.y + y) + static_cast<std::intptr_t>(r.area.x) * 2, p, r.area.w * 2);
+    repeat(p);
+    fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 2, s.depth_stride, r.area.h, p,
+              r.area.w * 2);
 }
 
 void clear_z24s8(const Surface& s, const ClearRequest& r) {
@@ -139,12 +224,14 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
     Pattern p;
     for (int i = 0; i < 16; i += 4)
         __builtin_memcpy(p.byte + i, &word, sizeof word);
+    repeat(p);
+    if (mask == 0xFFFFFFFFu) {
+        fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 4, s.depth_stride, r.area.h,
+                  p, r.area.w * 4);
+        return;
+    }
     for (std::int32_t y = 0; y < r.area.h; ++y) {
         std::uint8_t* at = s.depth_row(r.area.y + y) + static_cast<std::intptr_t>(r.area.x) * 4;
-        if (mask == 0xFFFFFFFFu) {
-            fill(at, p, r.area.w * 4);
-            continue;
-        }
         for (std::int32_t x = 0; x < r.area.w; ++x, at += 4) {
             std::uint32_t old;
             __builtin_memcpy(&old, at, sizeof old);
@@ -154,18 +241,24 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
     }
 }
 
-/// Equal for equal pictures of a full clear: the colour as stored where nothing is dithered, else as given.
+/// Equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never dithered: the pixel
+/// itself. Of 16 bits: each component summed over the sixteen thresholds, which grows with every pixel that
+/// changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
-    std::uint32_t hash = r.dither && format_info(s.format).red_bits < 8 ? 1u : 0u;
-    if (hash == 0) {
-        const Pixel pixel = pack(s.format, r.color, false, 0);
-        for (const std::uint8_t byte : pixel.byte)
-            hash = (hash ^ byte) * 0x01000193u;
-        return hash;
+    const FormatInfo info = format_info(s.format);
+    if (info.red_bits == 8) {
+        const Pixel p = pack(s.format, r.color, false, 0);
+        const std::uint32_t alpha = info.alpha_bits != 0 ? p.byte[3] : 0u;
+        return std::uint32_t{p.byte[0]} | std::uint32_t{p.byte[1]} << 8 | std::uint32_t{p.byte[2]} << 16 |
+               alpha << 24;
     }
-    for (const std::uint32_t c : r.color)
-        hash = (hash ^ c) * 0x9E3779B1u ^ (hash >> 15);
-    return hash;
+    std::uint32_t red = 0, green = 0, blue = 0;
+    for (std::uint32_t threshold = 1; threshold < 32; threshold += 2) {
+        red += component(r.color[0], 5, r.dither, threshold);
+        green += component(r.color[1], 6, r.dither, threshold);
+        blue += component(r.color[2], 5, r.dither, threshold);
+    }
+    return red | green << 9 | blue << 19;
 }
 
 void record(const Surface& s, const ClearRequest& r) {
