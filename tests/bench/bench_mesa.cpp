@@ -22,7 +22,8 @@ void run(benchmark::State& state, const spangle::scenes::Scene* scene, int width
     glDisable(GL_DITHER);
     scene->setup(width, height);
     int frame = 0;
-    for (; frame < 4; ++frame) scene->draw(frame); // compiles its shaders
+    for (; frame < 4; ++frame)
+        scene->draw(frame); // compiles its shaders
     glFinish();
     for (auto _ : state) {
         scene->draw(frame++);
@@ -36,8 +37,10 @@ void run(benchmark::State& state, const spangle::scenes::Scene* scene, int width
 int main(int argc, char** argv) {
     for (const spangle::scenes::Scene& scene : spangle::scenes::all())
         for (const auto& [width, height] : {std::pair{320, 240}, std::pair{800, 480}}) {
-            const std::string name = std::string(scene.id) + "/" + std::to_string(width) + "x" + std::to_string(height);
-            benchmark::RegisterBenchmark(name.c_str(), run, &scene, width, height)->Unit(benchmark::kMicrosecond);
+            const std::string name =
+                std::string(scene.id) + "/" + std::to_string(width) + "x" + std::to_string(height);
+            benchmark::RegisterBenchmark(name.c_str(), run, &scene, width, height)
+                ->Unit(benchmark::kMicrosecond);
         }
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -1,0 +1,225 @@
+// spangle: draws scenes and models on simulated boards and says what it cost.
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "boards/boards.hpp"
+#include "boards/scenes/scene.hpp"
+#include "host_sim/cli/run.hpp"
+#include "host_sim/cli/session.hpp"
+
+namespace {
+
+using namespace spangle;
+using cli::Precision;
+
+constexpr int bad_input = 2;
+
+/// One line on standard error, exit status 2.
+int refuse(const std::string& why) {
+    fmt::print(stderr, "spangle: {}\n", why);
+    return bad_input;
+}
+
+const std::map<std::string, Precision> precisions = {{"exact", Precision::exact},
+                                                     {"balanced", Precision::balanced},
+                                                     {"fast", Precision::fast},
+                                                     {"double", Precision::reference}};
+
+/// "320x240", both sides 1 to 2048.
+std::string read_size(const std::string& text, int& width, int& height) {
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
+        width > 2048 || height > 2048)
+        return "--size takes WIDTHxHEIGHT, each 1 to 2048, not '" + text + "'";
+    return "";
+}
+
+/// A picture file can be written there: asked before anything is drawn.
+std::string check_writable(const std::string& path) {
+    if (path.empty())
+        return "";
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        return "cannot write '" + path + "': there is no folder " + folder.string();
+    const std::filesystem::path probe = path + ".part";
+    std::FILE* const file = std::fopen(probe.c_str(), "wb");
+    if (file == nullptr)
+        return "cannot write '" + path + "': " + std::strerror(errno);
+    std::fclose(file);
+    std::filesystem::remove(probe, ignored);
+    return "";
+}
+
+std::string difference_path(const std::string& shot) {
+    const std::filesystem::path p =
+        shot.empty() ? std::filesystem::path("difference.png") : std::filesystem::path(shot);
+    return shot.empty() ? p.string() : (p.parent_path() / (p.stem().string() + "-difference.png")).string();
+}
+
+int run_command(cli::RunOptions options, const std::string& size, const std::string& dither) {
+    if (options.scene.empty() == options.model.empty())
+        return refuse("run takes a scene or --model FILE; `spangle scenes` lists the scenes");
+    if (!size.empty())
+        if (const std::string problem = read_size(size, options.width, options.height); !problem.empty())
+            return refuse(problem);
+    options.dither = dither == "on";
+    for (const std::string& path :
+         {options.shot, options.compare ? difference_path(options.shot) : std::string()})
+        if (const std::string problem = check_writable(path); !problem.empty())
+            return refuse(problem);
+    const cli::RunResult result = cli::run(options);
+    if (!result.error.empty())
+        return refuse(result.error);
+    if (!options.shot.empty())
+        if (const std::string problem = sim::write_png(result.picture, options.shot); !problem.empty())
+            return refuse(problem);
+    if (options.compare)
+        if (const std::string problem = sim::write_png(result.difference, difference_path(options.shot));
+            !problem.empty())
+            return refuse(problem);
+    fmt::print(stderr, "{}{}", result.notes, result.violations);
+    if (options.json)
+        fmt::print("{}", cli::to_json(result.report));
+    else if (options.stats || options.compare || options.shot.empty())
+        fmt::print("{}", cli::to_table(result.report));
+    if (!options.json && !options.shot.empty())
+        fmt::print("picture: {}\n", options.shot);
+    if (!options.json && options.compare)
+        fmt::print("difference: {}\n", difference_path(options.shot));
+    return 0;
+}
+
+int list_scenes() {
+    for (const scenes::Scene& scene : scenes::all())
+        fmt::print("{:<6}{}\n", scene.id, scene.title);
+    return 0;
+}
+
+int list_boards() {
+    for (const hal::Board* board : boards::all)
+        fmt::print("{:<18}{}\n", board->name, board->summary);
+    return 0;
+}
+
+/// Mean time of a frame; the scene is warm.
+double microseconds_per_frame(const scenes::Scene& scene, Precision precision) {
+    cli::Session session;
+    if (!session.open_picture(320, 240, precision).empty())
+        return 0.0;
+    scene.setup(session.width(), session.height());
+    using Clock = std::chrono::steady_clock;
+    for (int f = 0; f < 3; ++f)
+        scene.draw(f);
+    const auto start = Clock::now();
+    int frames = 0;
+    for (; Clock::now() - start < std::chrono::milliseconds(150); ++frames)
+        scene.draw(frames);
+    return std::chrono::duration<double, std::micro>(Clock::now() - start).count() / frames;
+}
+
+int bench() {
+    fmt::print("Frames of 320x240 off screen, dithered, in this run; `./dev bench` holds them against Mesa "
+               "and counts instructions.\n");
+    fmt::print("{:<6}{:>14}{:>22}{:>18}\n", "scene", "exact us", "balanced, x faster", "fast, x faster");
+    for (const scenes::Scene& scene : scenes::all()) {
+        const double exact = microseconds_per_frame(scene, Precision::exact);
+        fmt::print("{:<6}{:>14.1f}{:>22.2f}{:>18.2f}\n", scene.id, exact,
+                   exact / microseconds_per_frame(scene, Precision::balanced),
+                   exact / microseconds_per_frame(scene, Precision::fast));
+    }
+    return 0;
+}
+
+/// The gears, the torus with everything on, and a model nobody here made, on one board.
+int demo(const std::string& folder) {
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (problem)
+        return refuse("cannot make folder '" + folder + "': " + problem.message());
+    struct Item {
+        const char *scene, *model, *file;
+    };
+    const Item items[] = {{"S5", "", "gears.png"},
+                          {"S9", "", "torus.png"},
+                          {"", "/usr/share/assimp/models/MD2/faerie.md2", "model.png"}};
+    for (const Item& item : items) {
+        cli::RunOptions options;
+        options.scene = item.scene;
+        options.model = item.model;
+        options.frames = 20;
+        options.compare = true;
+        const cli::RunResult result = cli::run(options);
+        if (!result.error.empty())
+            return refuse(result.error);
+        const std::string path = folder + "/" + item.file;
+        if (const std::string failed = sim::write_png(result.picture, path); !failed.empty())
+            return refuse(failed);
+        fmt::print("{}{}  picture     {}\n\n", result.violations, cli::to_table(result.report), path);
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "spangle 0.1.0");
+    app.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("spangle: ") + error.what() + "; see spangle --help\n";
+    });
+
+    app.add_subcommand("scenes", "list the scenes");
+    app.add_subcommand("boards", "list the simulated boards");
+    app.add_subcommand("bench", "time every scene in each precision");
+    std::string folder = "out";
+    CLI::App* const demo_command =
+        app.add_subcommand("demo", "gears, a torus and a model on the ILI9341, with pictures and figures");
+    demo_command->add_option("--out", folder, "folder for the pictures")->capture_default_str();
+
+    cli::RunOptions options;
+    std::string size, dither = "on";
+    CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
+    run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
+    run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
+    run->add_option("--board", options.board, "the simulated board")->capture_default_str();
+    run->add_option("--frames", options.frames, "how many frames")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board");
+    run->add_option("--precision", options.precision, "exact, balanced, fast, or double: the reference")
+        ->transform(CLI::CheckedTransformer(precisions))
+        ->default_str("exact");
+    run->add_option("--dither", dither, "GL_DITHER")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
+    run->add_option("--shot", options.shot, "write the last frame as PNG");
+    run->add_flag("--compare", options.compare,
+                  "draw with the double reference too: error figures and a difference picture");
+    run->add_flag("--stats", options.stats, "print the figures");
+    run->add_option("--vcd", options.vcd, "record the bus for GTKWave or PulseView");
+    run->add_flag("--window", options.window, "show the glass, its memory and the bus counters");
+    run->add_flag("--json", options.json, "print the figures as one JSON object");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : bad_input;
+    }
+    if (app.got_subcommand("scenes"))
+        return list_scenes();
+    if (app.got_subcommand("boards"))
+        return list_boards();
+    if (app.got_subcommand("bench"))
+        return bench();
+    if (app.got_subcommand("demo"))
+        return demo(folder);
+    return run_command(options, size, dither);
+}

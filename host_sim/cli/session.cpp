@@ -1,0 +1,120 @@
+#include "host_sim/cli/session.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <spangle/GL/gl.h>
+#include <spangle/message.hpp>
+#include <spangle/native.hpp>
+
+#include "gl/pixel/fragment_setup.hpp"
+
+namespace spangle::cli {
+
+namespace {
+
+/// The last sentence the library said, for error messages.
+std::string& last_message() {
+    static std::string text;
+    return text;
+}
+
+std::string egl_problem(const char* call) {
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04X", static_cast<unsigned>(eglGetError()));
+    return std::string(call) + " failed (" + code + ")" +
+           (last_message().empty() ? "" : ": " + last_message());
+}
+
+EGLint token_of(Precision precision) {
+    constexpr EGLint tokens[] = {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE,
+                                 EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_DOUBLE_SPANGLE};
+    return tokens[static_cast<unsigned>(precision)];
+}
+
+} // namespace
+
+Session::~Session() {
+    if (display_ == EGL_NO_DISPLAY)
+        return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT)
+        eglDestroyContext(display_, context_);
+    if (surface_ != EGL_NO_SURFACE)
+        eglDestroySurface(display_, surface_);
+}
+
+EGLConfig Session::choose(Precision precision, bool window) const {
+    const EGLint wish[] = {EGL_SURFACE_TYPE,
+                           window ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
+                           EGL_DEPTH_SIZE,
+                           16,
+                           EGL_PRECISION_SPANGLE,
+                           token_of(precision),
+                           EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    eglChooseConfig(display_, wish, &config, 1, &count);
+    return count > 0 ? config : nullptr;
+}
+
+std::string Session::open(EGLConfig config, const EGLint* picture) {
+    if (config == nullptr)
+        return "this build has no such precision";
+    surface_ = picture == nullptr ? eglCreateWindowSurface(display_, config, 0, nullptr)
+                                  : eglCreatePbufferSurface(display_, config, picture);
+    if (surface_ == EGL_NO_SURFACE)
+        return egl_problem(picture == nullptr ? "eglCreateWindowSurface" : "eglCreatePbufferSurface");
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
+    if (context_ == EGL_NO_CONTEXT)
+        return egl_problem("eglCreateContext");
+    if (!make_current())
+        return egl_problem("eglMakeCurrent");
+    eglQuerySurface(display_, surface_, EGL_WIDTH, &width_);
+    eglQuerySurface(display_, surface_, EGL_HEIGHT, &height_);
+    return "";
+}
+
+std::string Session::open_board(sim::SimBoard& board, Precision precision) {
+    on_message([](unsigned, const char* text) { last_message() = text; });
+    display_ = eglGetDisplay(native(board.display()));
+    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
+        return egl_problem("eglInitialize");
+    return open(choose(precision, true), nullptr);
+}
+
+std::string Session::open_picture(int width, int height, Precision precision) {
+    on_message([](unsigned, const char* text) { last_message() = text; });
+    display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
+        return egl_problem("eglInitialize");
+    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    return open(choose(precision, false), size);
+}
+
+bool Session::make_current() const {
+    return eglMakeCurrent(display_, surface_, surface_, context_) != EGL_FALSE;
+}
+
+bool Session::swap() {
+    if (eglSwapBuffers(display_, surface_) != EGL_FALSE)
+        return true;
+    error_ = egl_problem("eglSwapBuffers");
+    return false;
+}
+
+sim::Image Session::read() const {
+    sim::Image image(width_, height_);
+    std::vector<std::uint8_t> rows(image.rgba.size());
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+    const std::size_t row = static_cast<std::size_t>(width_) * 4;
+    for (int y = 0; y < height_; ++y)
+        std::copy_n(&rows[static_cast<std::size_t>(height_ - 1 - y) * row], row, image.at(0, y));
+    return image;
+}
+
+void Session::observe(raster::Counters* counters) {
+    gl::observe(*gl::current_context(), counters, false);
+}
+
+} // namespace spangle::cli

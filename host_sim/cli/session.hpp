@@ -1,0 +1,49 @@
+// An EGL session of the command line: one context on a simulated board's window or on an off-screen picture.
+#pragma once
+
+#include <string>
+
+#include <spangle/EGL/egl.h>
+#include <spangle/sim/board.hpp>
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/cli/options.hpp"
+#include "raster/span/draw_state.hpp"
+
+namespace spangle::cli {
+
+class Session {
+  public:
+    Session() = default;
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Empty, or why it could not be opened.
+    std::string open_board(sim::SimBoard& board, Precision precision);
+    std::string open_picture(int width, int height, Precision precision);
+
+    bool make_current() const;
+    /// Presents; false with `error()` when the transfer failed.
+    bool swap();
+    const std::string& error() const { return error_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// What is in the drawing buffer now.
+    sim::Image read() const;
+    /// Counts what is drawn from here on.
+    void observe(raster::Counters* counters);
+
+  private:
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLSurface surface_ = EGL_NO_SURFACE;
+    EGLContext context_ = EGL_NO_CONTEXT;
+    int width_ = 0, height_ = 0;
+    std::string error_;
+
+    std::string open(EGLConfig config, const EGLint* picture);
+    EGLConfig choose(Precision precision, bool window) const;
+};
+
+} // namespace spangle::cli

@@ -1,0 +1,64 @@
+#include "host_sim/cli/window.hpp"
+
+#include <algorithm>
+
+#include <SDL2/SDL.h>
+#include <fmt/format.h>
+
+namespace spangle::cli {
+
+Window::~Window() {
+    if (window_ != nullptr)
+        SDL_DestroyWindow(window_);
+}
+
+void Window::open(const std::string& title, int width, int height) {
+    title_ = title;
+    scale_ = width <= 400 ? 2 : 1;
+    SDL_SetMainReady();
+    if (SDL_Init(SDL_INIT_VIDEO) == 0)
+        window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
+                                   width * scale_ * 2, height * scale_, 0);
+    if (window_ == nullptr)
+        fmt::print(stderr, "spangle: no window ({}); going on without\n", SDL_GetError());
+}
+
+namespace {
+
+/// Draws a picture into a rectangle of the window, each pixel `scale` wide.
+void blit(const sim::Image& image, SDL_Surface* to, int x, int room_width, int room_height) {
+    if (image.width == 0)
+        return;
+    SDL_Surface* const from =
+        SDL_CreateRGBSurfaceWithFormatFrom(const_cast<std::uint8_t*>(image.rgba.data()), image.width,
+                                           image.height, 32, image.width * 4, SDL_PIXELFORMAT_RGBA32);
+    if (from == nullptr)
+        return;
+    const int scale_1000 = std::min(room_width * 1000 / image.width, room_height * 1000 / image.height);
+    SDL_Rect area{x, 0, image.width * scale_1000 / 1000, image.height * scale_1000 / 1000};
+    SDL_SetSurfaceBlendMode(from, SDL_BLENDMODE_NONE);
+    SDL_BlitScaled(from, nullptr, to, &area);
+    SDL_FreeSurface(from);
+}
+
+} // namespace
+
+void Window::show(const sim::Image& glass, const sim::Image& memory, const sim::BoardCounters& counters) {
+    SDL_Event event;
+    while (SDL_PollEvent(&event) != 0)
+        if (event.type == SDL_QUIT)
+            closed_ = true;
+    SDL_Surface* const screen = SDL_GetWindowSurface(window_);
+    if (screen == nullptr)
+        return;
+    SDL_FillRect(screen, nullptr, 0);
+    blit(glass, screen, 0, screen->w / 2, screen->h);
+    blit(memory, screen, screen->w / 2, screen->w / 2, screen->h);
+    SDL_SetWindowTitle(window_, fmt::format("{}: glass | controller memory | {} bytes, {} commands", title_,
+                                            counters.bytes, counters.commands)
+                                    .c_str());
+    SDL_UpdateWindowSurface(window_);
+    SDL_Delay(16);
+}
+
+} // namespace spangle::cli

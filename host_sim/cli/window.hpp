@@ -1,0 +1,34 @@
+// A window for people: the glass, the controller's memory, the bus counters. Without a screen it says so once
+// and the run goes on.
+#pragma once
+
+#include <string>
+
+#include <spangle/sim/board.hpp>
+#include <spangle/sim/image.hpp>
+
+struct SDL_Window;
+
+namespace spangle::cli {
+
+class Window {
+  public:
+    Window() = default;
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void open(const std::string& title, int width, int height);
+    bool is_open() const { return window_ != nullptr; }
+    /// The user closed it.
+    bool closed() const { return closed_; }
+    void show(const sim::Image& glass, const sim::Image& memory, const sim::BoardCounters& counters);
+
+  private:
+    SDL_Window* window_ = nullptr;
+    bool closed_ = false;
+    std::string title_;
+    int scale_ = 2;
+};
+
+} // namespace spangle::cli

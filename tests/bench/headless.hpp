@@ -1,0 +1,37 @@
+// A context on an RGB565 picture with 16-bit depth, for the benchmarks.
+#pragma once
+
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+
+namespace spangle::bench {
+
+struct Headless {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLSurface surface = EGL_NO_SURFACE;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    /// `precision`: an EGL_PRECISION_..._SPANGLE token. False when anything fails.
+    bool open(int width, int height, EGLint precision) {
+        display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+        if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
+            return false;
+        const EGLint wish[] = {EGL_SURFACE_TYPE,      EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 16,
+                               EGL_PRECISION_SPANGLE, precision,       EGL_NONE};
+        const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (eglChooseConfig(display, wish, &config, 1, &count) == EGL_FALSE || count == 0)
+            return false;
+        surface = eglCreatePbufferSurface(display, config, size);
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+        return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
+    }
+
+    void close() {
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglTerminate(display);
+    }
+};
+
+} // namespace spangle::bench

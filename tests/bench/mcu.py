@@ -1,0 +1,80 @@
+"""Builds the scenes as firmware for MPS2 boards and counts their instructions in QEMU."""
+import concurrent.futures
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
+          "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud"}
+BOARDS = {"m4": ("mps2-an386", "cortex-m4"), "m3": ("mps2-an385", "cortex-m3")}
+INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal")]
+FLAGS = ["-std=c++20", "-mthumb", "-mfloat-abi=soft", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+         "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *INCLUDES]
+CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "hal/bus", "hal/panel", "hal/display",
+        "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
+HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
+
+
+def available():
+    return shutil.which("arm-none-eabi-g++") and shutil.which("qemu-system-arm")
+
+
+def sources():
+    for room in CORE:
+        for path in sorted((ROOT / room).glob("*.cpp")):
+            if not path.name.endswith("_reference.cpp"):
+                yield room, path
+
+
+def compile_one(cpu, optimize, source, target, defines=()):
+    subprocess.run(["arm-none-eabi-g++", *FLAGS, f"-mcpu={cpu}", optimize, *defines, "-c", str(source), "-o", str(target)], check=True)
+    return target
+
+
+def build_library(cpu, folder):
+    """Objects of the core and the scenes, compiled once for a CPU."""
+    jobs = [(cpu, "-O2" if room in HOT else "-Os", path) for room, path in sources()]
+    jobs += [(cpu, "-O2", path) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
+    jobs += [(cpu, "-Os", ROOT / "boards/mps2/startup.cpp")]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda j: compile_one(j[0], j[1], j[2], folder / (str(j[2].relative_to(ROOT)).replace("/", "_") + ".o")), jobs))
+
+
+def link(cpu, objects, scene, precision, folder):
+    main = compile_one(cpu, "-Os", ROOT / "tests/bench/mcu_main.cpp", folder / f"{scene}_{precision}.o",
+                       [f"-DBENCH_SCENE={SCENES[scene]}", f"-DBENCH_PRECISION=EGL_PRECISION_{precision.upper()}_SPANGLE"])
+    image = folder / f"{scene}_{precision}.elf"
+    subprocess.run(["arm-none-eabi-g++", f"-mcpu={cpu}", "-mthumb", "-mfloat-abi=soft", "-nostartfiles", "-nostdlib", "-Wl,--gc-sections",
+                    "-T", str(ROOT / "boards/mps2/mps2.ld"), str(main), *map(str, objects), "-lc", "-lgcc", "-o", str(image)], check=True)
+    return image
+
+
+def run(machine, image):
+    """[(instructions, hash)] of the frames."""
+    done = subprocess.run(["timeout", "120", "qemu-system-arm", "-M", machine, "-icount", "shift=0", "-display", "none", "-monitor", "none",
+                           "-serial", "null", "-semihosting-config", "enable=on,target=native", "-kernel", str(image)],
+                          capture_output=True, text=True)
+    lines = (done.stdout + done.stderr).split("\n")
+    frames = [(int(line.split()[1]), line.split()[2]) for line in lines if len(line.split()) == 3 and line.split()[0] in SCENES]
+    if done.returncode != 0 or len(frames) != 3:
+        raise RuntimeError(f"{image.name} on {machine}: exit {done.returncode}\n{done.stdout}{done.stderr}")
+    return frames
+
+
+def measure(board, scenes, precisions):
+    """{(scene, precision): (mean instructions, hash of frame 2, text bytes)}"""
+    machine, cpu = BOARDS[board]
+    out = {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        objects = build_library(cpu, folder)
+        for scene in scenes:
+            for precision in precisions:
+                image = link(cpu, objects, scene, precision, folder)
+                frames = run(machine, image)
+                size = subprocess.run(["arm-none-eabi-size", str(image)], capture_output=True, text=True, check=True).stdout
+                out[scene, precision] = (sum(n for n, _ in frames) // len(frames), frames[0][1], int(size.splitlines()[1].split()[0]))
+    return out
