@@ -1,32 +1,31 @@
 // ReadPixels (GL 1.3, 4.3.2). Pixels outside the surface are undefined; here their memory stays as it is.
+#include <bit>
+
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/group.hpp"
+#include "raster/surface/pixel.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
-/// A component of 0 to 8 bits of a colour buffer; a missing one reads as 1 (alpha without an alpha plane).
-Component stored(std::uint32_t code, unsigned bits) {
-    return bits == 0 ? Component{1, 1} : Component{code, static_cast<std::uint8_t>(bits)};
+/// k / max, max = 2^bits - 1.
+Component fraction(std::uint32_t k, std::uint32_t max) {
+    return {k, static_cast<std::uint8_t>(std::bit_width(max))};
 }
 
-Pixel fetch_color(PixelFormat format, const std::uint8_t* at) {
-    if (format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le) {
-        const unsigned high = at[format == PixelFormat::rgb565_be ? 0 : 1];
-        const unsigned low = at[format == PixelFormat::rgb565_be ? 1 : 0];
-        return {
-            {stored(high >> 3, 5), stored((high & 7) << 3 | low >> 5, 6), stored(low & 31, 5), stored(0, 0)}};
-    }
-    const bool alpha = format == PixelFormat::rgba8888;
-    return {{stored(at[0], 8), stored(at[1], 8), stored(at[2], 8), alpha ? stored(at[3], 8) : stored(0, 0)}};
+Pixel fetch_color(const raster::Surface& surface, std::int32_t x, std::int32_t y) {
+    const raster::StoredColor stored = raster::read_color(surface, x, y);
+    Pixel pixel;
+    for (int i = 0; i < 4; ++i)
+        pixel.value[i] = fraction(stored.c[i].k, stored.c[i].max);
+    return pixel;
 }
 
-Component fetch_depth(DepthFormat format, const std::uint8_t* at) {
-    if (format == DepthFormat::z16)
-        return {load_element(at, 2, false), 16};
-    return {load_element(at, 4, false) >> 8, 24};
+Pixel fetch_depth(const raster::Surface& surface, std::int32_t x, std::int32_t y) {
+    const raster::StoredDepth stored = raster::read_depth(surface, x, y);
+    return {{fraction(stored.k, stored.max)}};
 }
 
 enum class Source { color, depth, stencil };
@@ -44,30 +43,20 @@ void put_bit(unsigned char* row, std::size_t bit, bool lsb_first, std::uint32_t 
     row[bit / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[bit / 8] | mask : row[bit / 8] & ~mask);
 }
 
-void read_color_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* to) {
-    const unsigned bytes = format_info(r.surface.format).bytes_per_pixel;
-    const std::uint8_t* from = r.surface.color_row(y) + static_cast<std::size_t>(x) * bytes;
-    for (std::int32_t i = 0; i < count; ++i, from += bytes, to += r.layout.group_bytes())
-        pack_pixel(r.layout, r.swap_bytes, fetch_color(r.surface.format, from), to);
-}
-
-void read_depth_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* to) {
-    const unsigned bytes = r.surface.depth_format == DepthFormat::z16 ? 2 : 4;
-    const std::uint8_t* from = r.surface.depth_row(y) + static_cast<std::size_t>(x) * bytes;
-    for (std::int32_t i = 0; i < count; ++i, from += bytes, to += r.layout.group_bytes())
-        pack_pixel(r.layout, r.swap_bytes, {{fetch_depth(r.surface.depth_format, from)}}, to);
-}
-
-/// `to` is the first byte of a row; `group` the first group to write, skipped bits included.
-void read_stencil_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* to,
-                      std::size_t group) {
-    const std::uint8_t* from = r.surface.depth_row(y) + static_cast<std::size_t>(x) * 4;
-    for (std::int32_t i = 0; i < count; ++i, from += 4, ++group) {
-        const std::uint32_t index = load_element(from, 4, false) & 0xFF;
-        if (r.layout.kind == ElementKind::bitmap)
-            put_bit(to, group, r.lsb_first, index);
+/// Columns [x, x + count) of a line; `row` is its first byte, `group` the first group to write, skipped bits
+/// included.
+void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
+              std::size_t group) {
+    const std::uint32_t bytes = r.layout.group_bytes();
+    for (const std::int32_t end = x + count; x < end; ++x, ++group) {
+        if (r.source == Source::color)
+            pack_pixel(r.layout, r.swap_bytes, fetch_color(r.surface, x, y), row + group * bytes);
+        else if (r.source == Source::depth)
+            pack_pixel(r.layout, r.swap_bytes, fetch_depth(r.surface, x, y), row + group * bytes);
+        else if (r.layout.kind == ElementKind::bitmap)
+            put_bit(row, group, r.lsb_first, raster::read_stencil(r.surface, x, y));
         else
-            pack_index(r.layout, r.swap_bytes, index, to + group * r.layout.group_bytes());
+            pack_index(r.layout, r.swap_bytes, raster::read_stencil(r.surface, x, y), row + group * bytes);
     }
 }
 
@@ -91,12 +80,7 @@ void read(const Read& r, const PixelStore& pack, GLint x, GLint y, GLsizei width
     for (std::int32_t line = lines.begin; line < lines.end; ++line) {
         unsigned char* row =
             pixels + rows.skip + static_cast<std::size_t>(std::int64_t{line} - y) * rows.stride;
-        if (r.source == Source::stencil)
-            read_stencil_row(r, columns.begin, line, count, row, first + rows.skip_bits);
-        else if (r.source == Source::depth)
-            read_depth_row(r, columns.begin, line, count, row + first * r.layout.group_bytes());
-        else
-            read_color_row(r, columns.begin, line, count, row + first * r.layout.group_bytes());
+        read_row(r, columns.begin, line, count, row, first + rows.skip_bits);
     }
 }
 
