@@ -92,6 +92,8 @@ class Run {
         const Pname* pname = nullptr;
         for (std::size_t i = 0; i < c.args.size(); ++i)
             values[i] = argument(c, c.args[i], family, pname);
+        if (family == "CallLists" && called_in != 0 && values[0].integer > 1)
+            values[0].integer = 1;
         c.call(values);
     }
 
