@@ -8,26 +8,35 @@ namespace spangle::raster {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
+/// s in the low and t in the high half of one word: one addition steps both, and compilers leave it in one
+/// register. What a step carries from s to t is below 2^-31 of a repeat, and the same wherever a walk starts.
+SPANGLE_INLINE constexpr std::uint64_t pack_st(std::uint32_t s, std::uint32_t t) {
+    return std::uint64_t{t} << 32 | s;
+}
+SPANGLE_INLINE constexpr std::uint64_t pack_step(std::uint32_t ds, std::uint32_t dt) {
+    return (std::uint64_t{dt} << 32) +
+           static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(ds)});
+}
+
 /// Affine over the primitive.
 template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
-    std::uint32_t s, t, ds, dt;
+    std::uint64_t st, step_st;
     SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
-        : s(span.s[Unit].at(x)), t(span.t[Unit].at(x)), ds(span.s[Unit].dx), dt(span.t[Unit].dx) {}
+        : step_st(pack_step(span.s[Unit].dx, span.t[Unit].dx)) {
+        st = pack_st(span.s[Unit].value, span.t[Unit].value) +
+             static_cast<std::uint64_t>(std::int64_t{x}) * step_st;
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
-        std::uint32_t at_s = s, at_t = t;
+        std::uint64_t at = st;
         for (int lane = 0; lane < N::lanes; ++lane) {
-            p.coord[Unit].s[lane] = at_s;
-            p.coord[Unit].t[lane] = at_t;
-            at_s += ds;
-            at_t += dt;
+            p.coord[Unit].s[lane] = static_cast<std::uint32_t>(at);
+            p.coord[Unit].t[lane] = static_cast<std::uint32_t>(at >> 32);
+            at += step_st;
         }
         return true;
     }
-    SPANGLE_INLINE void step() {
-        s += static_cast<std::uint32_t>(N::lanes) * ds;
-        t += static_cast<std::uint32_t>(N::lanes) * dt;
-    }
+    SPANGLE_INLINE void step() { st += static_cast<std::uint64_t>(N::lanes) * step_st; }
 };
 
 namespace detail {
@@ -104,14 +113,16 @@ template <int Unit> struct Coord<Exact, Unit, true> : StageBase {
 /// does not change along the row, the row is one run.
 template <int Unit> class CoordRuns {
   public:
-    std::uint32_t s, t, ds, dt;
+    std::uint64_t st, step_st; ///< pack_st
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x) : span_(span), next_(x), log2_(-1) {}
 
-    /// Makes s, t, ds, dt valid at pixel x; returns the end of its run.
-    [[gnu::noinline]] std::int32_t begin(std::int32_t x) {
-        if (x < next_)
-            return next_;
+    /// Makes st and its step valid at pixel x; returns the end of its run.
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
+    SPANGLE_INLINE void step() { st += step_st; }
+
+  private:
+    [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
         const bool first = log2_ < 0;
         if (first)
             log2_ = choose_log2();
@@ -121,6 +132,7 @@ template <int Unit> class CoordRuns {
         last_ = Sample(span_, to);
         next_ = from + length;
         const auto& unit = span_.unit[Unit];
+        std::uint32_t s, t, ds, dt;
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
             v = detail::to_coord(v0, wraps, base);
@@ -129,19 +141,14 @@ template <int Unit> class CoordRuns {
                       : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
                             static_cast<std::int32_t>(v);
             dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : slope(d, to - from);
-            v += static_cast<std::uint32_t>(x - from) * dv;
         };
         along(start.s, last_.s, span_.state->wraps[Unit].s, unit.s_base, s, ds);
         along(start.t, last_.t, span_.state->wraps[Unit].t, unit.t_base, t, dt);
+        step_st = pack_step(ds, dt);
+        st = pack_st(s, t) + static_cast<std::uint64_t>(std::int64_t{x - from}) * step_st;
         return next_;
     }
 
-    SPANGLE_INLINE void step() {
-        s += ds;
-        t += dt;
-    }
-
-  private:
     static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
 
     struct Sample {
@@ -214,15 +221,15 @@ template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         if constexpr (N::lanes == 1) {
-            p.coord[Unit].s[0] = run.s;
-            p.coord[Unit].t[0] = run.t;
+            p.coord[Unit].s[0] = static_cast<std::uint32_t>(run.st);
+            p.coord[Unit].t[0] = static_cast<std::uint32_t>(run.st >> 32);
         } else {
             std::int32_t next = run.begin(x);
             for (int lane = 0; lane < N::lanes; ++lane) {
                 if (x == next)
                     next = run.begin(x);
-                p.coord[Unit].s[lane] = run.s;
-                p.coord[Unit].t[lane] = run.t;
+                p.coord[Unit].s[lane] = static_cast<std::uint32_t>(run.st);
+                p.coord[Unit].t[lane] = static_cast<std::uint32_t>(run.st >> 32);
                 run.step();
                 ++x;
             }

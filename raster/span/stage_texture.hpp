@@ -80,6 +80,9 @@ template <class N> struct TextureFunction {
     static std::int32_t nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
         if (wrap == Wrap::repeat)
             return repeat_index(s, log2_size);
+        if (s ==
+            1u << clamped_coord_bits) // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER
+            return size - 1;
         const std::int32_t i = clamped_index(static_cast<std::int32_t>(s), log2_size);
         return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
     }
