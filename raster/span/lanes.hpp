@@ -48,6 +48,7 @@ template <> struct Lanes<1> {
         std::memcpy(__builtin_assume_aligned(p, 2), &word, 2);
     }
     /// One element per lane.
+    SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
     SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
@@ -134,6 +135,14 @@ template <> struct Lanes<8> {
         return v;
     }
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { std::memcpy(p, &v, 16); }
+    SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
+        return {Words{v[0], v[2], v[4], v[6]}, Words{v[1], v[3], v[5], v[7]}};
+    }
+    /// Byte `n` of every lane.
+    SPANGLE_INLINE static U16 byte(const U32& v, int n) {
+        const auto down = static_cast<std::uint32_t>(8 * n);
+        return std::bit_cast<U16>(((v.even >> down) & 0xFFu) | (((v.odd >> down) & 0xFFu) << 16));
+    }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
         return U16{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
     }

@@ -145,6 +145,16 @@ struct TextureFixed : StageBase {
             Color s;
             if constexpr (N::lanes == 1) {
                 s = fetch<N>(p.coord[Unit].s[0], p.coord[Unit].t[0]);
+            } else if constexpr (F == Filter::nearest &&
+                                 (Texels == TexelFormat::rgb888 || Texels == TexelFormat::rgba8888)) {
+                std::uint32_t word[N::lanes];
+                for (int i = 0; i < N::lanes; ++i)
+                    word[i] = texel_word<Texels>(nearest(p.coord[Unit].s[i], p.coord[Unit].t[i]));
+                const typename N::L::U32 words = N::L::gather(word);
+                s.r = N::from8(N::L::byte(words, 0));
+                s.g = N::from8(N::L::byte(words, 1));
+                s.b = N::from8(N::L::byte(words, 2));
+                s.a = has_alpha ? N::from8(N::L::byte(words, 3)) : N::from_units(color_one);
             } else {
                 std::uint16_t r[N::lanes], g[N::lanes], b[N::lanes], a[N::lanes];
                 for (int i = 0; i < N::lanes; ++i) {
@@ -154,7 +164,8 @@ struct TextureFixed : StageBase {
                     b[i] = static_cast<std::uint16_t>(c.b);
                     a[i] = static_cast<std::uint16_t>(c.a);
                 }
-                s = {N::L::gather(r), N::L::gather(g), N::L::gather(b), N::L::gather(a)};
+                s = {N::L::gather(r), N::L::gather(g), N::L::gather(b),
+                     has_alpha ? N::L::gather(a) : N::from_units(color_one)};
             }
             if constexpr (Env == TexEnv::blend)
                 apply_env<N>(Env, Base, p.color, s, constant);
@@ -169,16 +180,21 @@ struct TextureFixed : StageBase {
         return texels + static_cast<std::uint32_t>(j) * stride +
                static_cast<std::uint32_t>(i) * texel_bytes(Texels);
     }
+    static constexpr bool has_alpha =
+        Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
+    SPANGLE_INLINE const std::uint8_t* nearest(std::uint32_t s, std::uint32_t t) const {
+        return at(repeat_index(s, log2_width), repeat_index(t, log2_height));
+    }
     template <class M> SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
         if constexpr (F == Filter::nearest) {
-            return read_texel<M, Texels>(at(repeat_index(s, log2_width), repeat_index(t, log2_height)));
+            return read_texel<M, Texels>(nearest(s, t));
         } else {
             const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
             const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
                                j1 = (j.i + 1) & ((1 << log2_height) - 1);
-            return bilinear<M>(read_texel<M, Texels>(at(i.i, j.i)), read_texel<M, Texels>(at(i1, j.i)),
-                               read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)),
-                               i.weight, j.weight);
+            return bilinear<M, has_alpha>(
+                read_texel<M, Texels>(at(i.i, j.i)), read_texel<M, Texels>(at(i1, j.i)),
+                read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)), i.weight, j.weight);
         }
     }
     SPANGLE_INLINE typename N::T raw(const typename N::Coord& c) const {

@@ -98,8 +98,19 @@ SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t s
     return i < low ? low : i > high ? high : i;
 }
 
+/// The bytes of an 8-bit texel in one word, R lowest; for lanes.
+template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
+    static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
+    std::uint32_t word = 0;
+    std::memcpy(&word, at, Format == TexelFormat::rgba8888 ? 4 : 2);
+    if constexpr (Format == TexelFormat::rgb888)
+        word |= std::uint32_t{at[2]} << 16;
+    return word;
+}
+
 /// Four texels by 8-bit weights a (along s) and b (along t): exact products, one rounding down.
-template <class N>
+/// Without Alpha, alpha is one (and would come out as one).
+template <class N, bool Alpha = true>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
                                           const typename N::Color& c01, const typename N::Color& c11,
                                           std::uint32_t a, std::uint32_t b) {
@@ -107,7 +118,7 @@ SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const ty
     return {N::weighted(c00.r, w00, c10.r, w10, c01.r, w01, c11.r, w11),
             N::weighted(c00.g, w00, c10.g, w10, c01.g, w01, c11.g, w11),
             N::weighted(c00.b, w00, c10.b, w10, c01.b, w01, c11.b, w11),
-            N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11)};
+            Alpha ? N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11) : N::from_units(color_one)};
 }
 
 } // namespace spangle::raster
