@@ -1,0 +1,389 @@
+// Texturing, fog, stencil and blending against values computed here from the formulas of GL 1.3.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/stages/canvas.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+using Rgba4 = std::array<double, 4>;
+
+/// One fragment's colour on an RGBA8888 surface, 255ths.
+template <class V> std::array<int, 4> fragment(const FragmentState& f, Canvas& c, const Point& p) {
+    cover<V>(f, c, p);
+    const StoredColor got = c.at(1, 1);
+    return {got.c[0].k, got.c[1].k, got.c[2].k, got.c[3].k};
+}
+
+void expect_color(const FragmentState& f, const Point& p, const Rgba4& want, double tolerance,
+                  const std::string& what, std::uint32_t under = 0) {
+    for (const Tier tier : {Tier::exact, Tier::balanced}) {
+        Canvas c(PixelFormat::rgba8888, 4, 4);
+        for (std::size_t i = 0; i < c.color.size(); ++i)
+            c.color[i] = static_cast<std::uint8_t>(under >> (8 * (i & 3)));
+        FragmentState state = f;
+        state.tier = state.fog_tier = tier;
+        const auto got = fragment<FixedVertex>(state, c, p);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(got[i], 255 * want[i], tolerance + (tier == Tier::balanced ? 0.05 : 0))
+                << what << " component " << i << " tier " << int(tier);
+    }
+}
+
+/// gl-commands 17.11: N = 4 texels along s, border colour, no texture border.
+TEST(Specification, WrapAndFilterVectors) {
+    const std::uint8_t texel[4] = {10, 60, 130, 240};
+    constexpr double b = 200; // border colour
+    struct Row {
+        double s;
+        Wrap wrap;
+        int nearest; // texel index, 4 = border
+        int i0, i1;  // of the linear sum
+        double weight0;
+    };
+    constexpr Wrap R = Wrap::repeat, C = Wrap::clamp, E = Wrap::clamp_to_edge, B = Wrap::clamp_to_border;
+    const Row rows[] = {{-0.25, R, 3, 2, 3, .5}, {-0.25, C, 0, 4, 0, .5},   {-0.25, E, 0, 0, 0, 1},
+                        {-0.25, B, 4, 4, 4, 1},  {0.0, R, 0, 3, 0, .5},     {0.0, C, 0, 4, 0, .5},
+                        {0.0, E, 0, 0, 0, 1},    {0.0, B, 0, 4, 0, .5},     {0.125, R, 0, 0, 0, 1},
+                        {0.125, C, 0, 0, 0, 1},  {0.125, E, 0, 0, 0, 1},    {0.125, B, 0, 0, 0, 1},
+                        {0.25, R, 1, 0, 1, .5},  {0.25, C, 1, 0, 1, .5},    {0.25, E, 1, 0, 1, .5},
+                        {0.25, B, 1, 0, 1, .5},  {0.9375, R, 3, 3, 0, .75}, {0.9375, C, 3, 3, 4, .75},
+                        {0.9375, E, 3, 3, 3, 1}, {0.9375, B, 3, 3, 4, .75}, {1.0, R, 0, 3, 0, .5},
+                        {1.0, C, 3, 3, 4, .5},   {1.0, E, 3, 3, 3, 1},      {1.0, B, 3, 3, 4, .5},
+                        {1.25, R, 1, 0, 1, .5},  {1.25, C, 3, 3, 4, .5},    {1.25, E, 3, 3, 3, 1},
+                        {1.25, B, 4, 4, 4, 1}};
+    const auto value = [&](int i) { return i == 4 ? b : texel[i]; };
+    for (const Row& row : rows)
+        for (const bool along_t : {false, true})
+            for (const Filter filter : {Filter::nearest, Filter::linear}) {
+                Texture t;
+                t.level[0] = {texel, static_cast<std::uint16_t>(along_t ? 1 : 4),
+                              static_cast<std::uint16_t>(along_t ? 4 : 1), along_t ? 1u : 4u};
+                t.level_count = 1;
+                t.format = TexelFormat::i8;
+                t.base = BaseFormat::intensity;
+                t.wrap_s = along_t ? R : row.wrap;
+                t.wrap_t = along_t ? row.wrap : R;
+                t.mag = t.min = filter;
+                std::memset(t.border_color, 200, 4);
+                Canvas c;
+                FragmentState f = plain_state(c);
+                f.scissor = {0, 0, 4, 4};
+                f.unit[0].texture = &t;
+                f.unit[0].env = TexEnv::replace;
+                Point p;
+                (along_t ? p.t : p.s) = row.s;
+                const double want = filter == Filter::nearest
+                                        ? value(row.nearest)
+                                        : value(row.i0) * row.weight0 + value(row.i1) * (1 - row.weight0);
+                for (const int w : {1, 3}) {
+                    p.w = w;
+                    expect_color(f, p, {want / 255, want / 255, want / 255, want / 255}, 0.51,
+                                 "s " + std::to_string(row.s) + " wrap " + std::to_string(int(row.wrap)) +
+                                     " filter " + std::to_string(int(filter)));
+                }
+            }
+}
+
+/// Border texels of the image are sampled where a wrap mode reaches them.
+TEST(Specification, BorderTexels) {
+    const std::uint8_t image[3 * 3] = {1, 2, 3, 4, 50, 6, 7, 8, 9};
+    Texture t;
+    t.level[0] = {image + 4, 1, 1, 3};
+    t.level_count = 1;
+    t.format = TexelFormat::i8;
+    t.base = BaseFormat::intensity;
+    t.border_texels = 1;
+    t.wrap_s = t.wrap_t = Wrap::clamp_to_border;
+    t.mag = t.min = Filter::nearest;
+    Canvas c;
+    FragmentState f = plain_state(c);
+    f.scissor = {0, 0, 4, 4};
+    f.unit[0].texture = &t;
+    f.unit[0].env = TexEnv::replace;
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+            Point p;
+            p.s = i + 0.5;
+            p.t = j + 0.5;
+            const double want = image[4 + 3 * j + i] / 255.0;
+            expect_color(f, p, {want, want, want, want}, 0.51, std::to_string(i) + "," + std::to_string(j));
+        }
+}
+
+/// Tables 3.21 and 3.22 of GL 1.3: base format, source colour, function.
+TEST(Specification, EnvironmentTable) {
+    const std::uint8_t bytes[4] = {90, 170, 30, 110};
+    const Rgba4 cf = {0.8, 0.3, 0.55, 0.7}, cc = {0.2, 0.9, 0.4, 0.6};
+    struct Base {
+        TexelFormat format;
+        BaseFormat base;
+        Rgba4 source; // (Cs, As)
+        bool color, alpha;
+    };
+    const double k[4] = {90 / 255., 170 / 255., 30 / 255., 110 / 255.};
+    const Base bases[] = {
+        {TexelFormat::a8, BaseFormat::alpha, {0, 0, 0, k[0]}, false, true},
+        {TexelFormat::l8, BaseFormat::luminance, {k[0], k[0], k[0], 1}, true, false},
+        {TexelFormat::la88, BaseFormat::luminance_alpha, {k[0], k[0], k[0], k[1]}, true, true},
+        {TexelFormat::i8, BaseFormat::intensity, {k[0], k[0], k[0], k[0]}, true, true},
+        {TexelFormat::rgb888, BaseFormat::rgb, {k[0], k[1], k[2], 1}, true, false},
+        {TexelFormat::rgba8888, BaseFormat::rgba, {k[0], k[1], k[2], k[3]}, true, true}};
+    for (const Base& base : bases)
+        for (int env = 0; env < 5; ++env) {
+            const auto mode = static_cast<TexEnv>(env);
+            if (mode == TexEnv::decal && base.base != BaseFormat::rgb && base.base != BaseFormat::rgba)
+                continue; // undefined
+            Rgba4 want = cf;
+            const double as = base.source[3];
+            for (std::size_t i = 0; i < 3 && base.color; ++i) {
+                const double s = base.source[i];
+                want[i] = mode == TexEnv::replace    ? s
+                          : mode == TexEnv::modulate ? cf[i] * s
+                          : mode == TexEnv::decal
+                              ? (base.base == BaseFormat::rgba ? cf[i] * (1 - as) + s * as : s)
+                          : mode == TexEnv::blend ? cf[i] * (1 - s) + cc[i] * s
+                                                  : std::fmin(cf[i] + s, 1);
+            }
+            if (base.alpha && mode != TexEnv::decal) {
+                const bool intensity = base.base == BaseFormat::intensity;
+                want[3] = mode == TexEnv::replace              ? as
+                          : mode == TexEnv::blend && intensity ? cf[3] * (1 - as) + cc[3] * as
+                          : mode == TexEnv::add && intensity   ? std::fmin(cf[3] + as, 1)
+                                                               : cf[3] * as;
+            }
+            for (const Filter filter : {Filter::nearest, Filter::linear})
+                for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge}) {
+                    Texture t;
+                    t.level[0] = {bytes, 1, 1, 4};
+                    t.level_count = 1;
+                    t.format = base.format;
+                    t.base = base.base;
+                    t.mag = t.min = filter;
+                    t.wrap_s = t.wrap_t = wrap;
+                    Canvas c;
+                    FragmentState f = plain_state(c);
+                    f.scissor = {0, 0, 4, 4};
+                    f.unit[0].texture = &t;
+                    f.unit[0].env = mode;
+                    for (std::size_t i = 0; i < 4; ++i)
+                        f.unit[0].env_color[i] = static_cast<std::uint32_t>(std::lround(cc[i] * color_one));
+                    Point p;
+                    std::copy(cf.begin(), cf.end(), p.color);
+                    p.s = p.t = 0.5;
+                    expect_color(f, p, want, 0.52,
+                                 "base " + std::to_string(int(base.base)) + " env " + std::to_string(env));
+                }
+        }
+}
+
+/// A 565 texel k means k/31, k/63.
+TEST(Specification, Texels565) {
+    for (std::uint32_t k = 0; k < 64; ++k) {
+        const std::uint16_t word = static_cast<std::uint16_t>((k / 2) << 11 | k << 5 | (31 - k / 2));
+        Texture t;
+        t.level[0] = {reinterpret_cast<const std::uint8_t*>(&word), 1, 1, 2};
+        t.level_count = 1;
+        t.format = TexelFormat::rgb565;
+        t.mag = t.min = Filter::nearest;
+        Canvas c;
+        FragmentState f = plain_state(c);
+        f.scissor = {0, 0, 4, 4};
+        f.unit[0].texture = &t;
+        expect_color(f, Point{}, {(k / 2) / 31.0, k / 63.0, (31 - k / 2) / 31.0, 1}, 0.51, std::to_string(k));
+    }
+}
+
+/// gl-commands 17.8 and the formulas of 3.10.
+TEST(Specification, FogFactors) {
+    for (int mode = 0; mode < 3; ++mode)
+        for (const double density : {0.25, 1.0, 1.7})
+            for (const double z : {0.0, 0.25, 0.5, 1.0, 2.0, 7.0}) {
+                const double start = 0.125, end = 2 * density;
+                const double f = mode == 0   ? std::exp(-density * z)
+                                 : mode == 1 ? std::exp(-density * z * density * z)
+                                             : std::fmin(std::fmax((end - z) / (end - start), 0), 1);
+                Canvas c;
+                FragmentState state = plain_state(c);
+                state.scissor = {0, 0, 4, 4};
+                state.fog = true;
+                state.fog_mode = static_cast<FogMode>(mode);
+                state.fog_density = std::bit_cast<std::uint32_t>(static_cast<float>(density));
+                state.fog_start = std::bit_cast<std::uint32_t>(static_cast<float>(start));
+                state.fog_end = std::bit_cast<std::uint32_t>(static_cast<float>(end));
+                state.fog_color[0] = color_one;
+                state.fog_color[1] = color_one / 4;
+                Point p;
+                p.color[0] = 0, p.color[1] = 0.75, p.color[2] = 1, p.color[3] = 0.4;
+                p.fog = z;
+                expect_color(state, p, {1 - f, f * 0.75 + (1 - f) * 0.25, f, 0.4}, 0.52,
+                             "mode " + std::to_string(mode) + " d " + std::to_string(density) + " z " +
+                                 std::to_string(z));
+            }
+}
+
+/// GL 1.3, table 4.1 and 4.2: every pair of factors over a lattice of colours.
+TEST(Specification, BlendFactors) {
+    const auto factor = [](BlendFactor f, const Rgba4& s, const Rgba4& d, std::size_t i) -> double {
+        switch (f) {
+        case BlendFactor::zero:
+            return 0;
+        case BlendFactor::one:
+            return 1;
+        case BlendFactor::src_color:
+            return s[i];
+        case BlendFactor::one_minus_src_color:
+            return 1 - s[i];
+        case BlendFactor::src_alpha:
+            return s[3];
+        case BlendFactor::one_minus_src_alpha:
+            return 1 - s[3];
+        case BlendFactor::dst_alpha:
+            return d[3];
+        case BlendFactor::one_minus_dst_alpha:
+            return 1 - d[3];
+        case BlendFactor::dst_color:
+            return d[i];
+        case BlendFactor::one_minus_dst_color:
+            return 1 - d[i];
+        case BlendFactor::src_alpha_saturate:
+            return i == 3 ? 1 : std::fmin(s[3], 1 - d[3]);
+        }
+        return 0;
+    };
+    constexpr int level[] = {0, 1, 77, 128, 254, 255};
+    for (int src = 0; src < 11; ++src)
+        for (int dst = 0; dst < 10; ++dst)
+            for (int n = 0; n < 24; ++n) {
+                const int s8[4] = {level[n % 6], level[(n * 5 + 2) % 6], level[(n + 3) % 6],
+                                   level[(n / 4) % 6]};
+                const int d8[4] = {level[(n * 7 + 1) % 6], level[n % 5], level[(n + 4) % 6],
+                                   level[(n * 5 / 3) % 6]};
+                Rgba4 s, d, want;
+                Point p;
+                std::uint32_t under = 0;
+                for (std::size_t i = 0; i < 4; ++i) {
+                    s[i] = p.color[i] = s8[i] / 255.0;
+                    d[i] = d8[i] / 255.0;
+                    under |= static_cast<std::uint32_t>(d8[i]) << (8 * i);
+                }
+                for (std::size_t i = 0; i < 4; ++i)
+                    want[i] = std::fmin(1, s[i] * factor(static_cast<BlendFactor>(src), s, d, i) +
+                                               d[i] * factor(static_cast<BlendFactor>(dst), s, d, i));
+                Canvas c;
+                FragmentState f = plain_state(c);
+                f.scissor = {0, 0, 4, 4};
+                f.blend = true;
+                f.blend_src = static_cast<BlendFactor>(src);
+                f.blend_dst = static_cast<BlendFactor>(dst);
+                expect_color(f, p, want, 0.51, "src " + std::to_string(src) + " dst " + std::to_string(dst),
+                             under);
+            }
+}
+
+/// 17.9 and 4.1.5: all functions, all operations, all three outcomes.
+TEST(Specification, StencilOutcomes) {
+    const auto passes = [](Compare f, int a, int b) {
+        switch (f) {
+        case Compare::never:
+            return false;
+        case Compare::less:
+            return a < b;
+        case Compare::equal:
+            return a == b;
+        case Compare::lequal:
+            return a <= b;
+        case Compare::greater:
+            return a > b;
+        case Compare::notequal:
+            return a != b;
+        case Compare::gequal:
+            return a >= b;
+        case Compare::always:
+            return true;
+        }
+        return false;
+    };
+    const auto operate = [](StencilOp op, int v, int ref) {
+        switch (op) {
+        case StencilOp::keep:
+            return v;
+        case StencilOp::zero:
+            return 0;
+        case StencilOp::replace:
+            return ref;
+        case StencilOp::incr:
+            return v < 255 ? v + 1 : 255;
+        case StencilOp::decr:
+            return v > 0 ? v - 1 : 0;
+        case StencilOp::invert:
+            return v ^ 255;
+        case StencilOp::incr_wrap:
+            return (v + 1) & 255;
+        case StencilOp::decr_wrap:
+            return (v - 1) & 255;
+        }
+        return v;
+    };
+    for (int func = 0; func < 8; ++func)
+        for (int op = 0; op < 8; ++op)
+            for (const int stored : {0, 1, 0x12, 0x0F, 254, 255})
+                for (const int ref : {0, 1, 0x12, 255})
+                    for (const int mask : {0xFF, 0x0F})
+                        for (const bool depth_passes : {false, true}) {
+                            Canvas c(PixelFormat::rgb565_be, 4, 4);
+                            for (std::size_t i = 0; i < c.depth.size(); i += 4) {
+                                const std::uint32_t word = 0x80000000u | static_cast<std::uint32_t>(stored);
+                                std::memcpy(&c.depth[i], &word, 4);
+                            }
+                            FragmentState f = plain_state(c);
+                            f.depth_test = true;
+                            f.stencil_test = true;
+                            const int write = op & 1 ? 0xF0 : 0xFF;
+                            const auto at = [&](int n) { return static_cast<StencilOp>((op + n) & 7); };
+                            f.stencil = {static_cast<Compare>(func),
+                                         static_cast<std::uint8_t>(ref),
+                                         static_cast<std::uint8_t>(mask),
+                                         static_cast<std::uint8_t>(write),
+                                         at(0),
+                                         at(1),
+                                         at(2)};
+                            Point p;
+                            p.z = depth_passes ? 0.25 : 0.75;
+                            cover<FixedVertex>(f, c, p);
+                            const bool stencil_passes =
+                                passes(static_cast<Compare>(func), ref & mask, stored & mask);
+                            const int made = operate(!stencil_passes ? at(0)
+                                                     : depth_passes  ? at(2)
+                                                                     : at(1),
+                                                     stored, ref);
+                            ASSERT_EQ(read_stencil(c.surface(), 2, 1), (made & write) | (stored & ~write));
+                            const bool drawn = stencil_passes && depth_passes;
+                            ASSERT_EQ(c.at(2, 1).c[0].k, drawn ? 31 : 0);
+                            ASSERT_EQ(read_depth(c.surface(), 2, 1).k, drawn ? 0x400000u : 0x800000u);
+                        }
+}
+
+/// 4.1.4: alpha rounds to 8 bits, then OP.
+TEST(Specification, AlphaTest) {
+    for (int func = 0; func < 8; ++func)
+        for (int alpha = 118; alpha < 123; ++alpha)
+            for (const double fraction : {-0.49, 0.0, 0.49}) {
+                Canvas c(PixelFormat::rgb565_be, 4, 4);
+                FragmentState f = plain_state(c);
+                f.alpha_test = true;
+                f.alpha_func = static_cast<Compare>(func);
+                f.alpha_ref = 120;
+                Point p;
+                p.color[3] = (alpha + fraction) / 255;
+                cover<FixedVertex>(f, c, p);
+                const int outcome = alpha < 120 ? 1 : alpha == 120 ? 2 : 4; // bits of LESS, EQUAL, GREATER
+                EXPECT_EQ(c.at(1, 1).c[0].k != 0, (func & outcome) != 0) << func << ' ' << alpha;
+            }
+}
+
+} // namespace
+} // namespace spangle::raster::test
