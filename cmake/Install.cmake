@@ -13,6 +13,8 @@ foreach(room raster/format raster hal gl host_sim)
         install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room}/include/spangle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     endif()
 endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/boards/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/spangle/boards
+        FILES_MATCHING PATTERN "*.hpp" PATTERN scenes EXCLUDE PATTERN mps2 EXCLUDE)
 install(EXPORT SpangleTargets NAMESPACE Spangle:: DESTINATION ${package})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/SpangleConfig.cmake.in ${PROJECT_BINARY_DIR}/SpangleConfig.cmake
                               INSTALL_DESTINATION ${package})

@@ -31,8 +31,8 @@ struct Vectors {
     std::uint32_t* stack;
     Handler handler[15];
 };
-extern const Vectors vectors __attribute__((section(".vectors"), used));
-const Vectors vectors = {&stack_top,
+extern const Vectors vectors;
+__attribute__((section(".vectors"), used)) const Vectors vectors = {&stack_top,
                          {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler,
                           fault_handler, nullptr, nullptr, nullptr, nullptr, fault_handler, fault_handler,
                           nullptr, fault_handler, fault_handler}};

@@ -8,7 +8,7 @@
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/reciprocal.hpp"
-#include "raster/primitive/vertex.hpp"
+#include "raster/span/vertex.hpp"
 
 namespace spangle::gl {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
-#include "raster/primitive/vertex.hpp"
+#include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
 

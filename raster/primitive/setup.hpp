@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "raster/primitive/vertex.hpp"
+#include "raster/span/vertex.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/span.hpp"
 

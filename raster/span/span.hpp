@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "raster/primitive/vertex.hpp"
+#include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
 

@@ -11,7 +11,7 @@ SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", 
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud"}
 BOARDS = {"m4": ("mps2-an386", "cortex-m4"), "m3": ("mps2-an385", "cortex-m3")}
 INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal")]
-FLAGS = ["-std=c++20", "-mthumb", "-mfloat-abi=soft", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+FLAGS = ["-std=c++20", "-mthumb", "-mfloat-abi=soft", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-tree-loop-distribute-patterns",
          "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *INCLUDES]
 CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "hal/bus", "hal/panel", "hal/display",
         "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
@@ -38,7 +38,8 @@ def build_library(cpu, folder):
     """Objects of the core and the scenes, compiled once for a CPU."""
     jobs = [(cpu, "-O2" if room in HOT else "-Os", path) for room, path in sources()]
     jobs += [(cpu, "-O2", path) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
-    jobs += [(cpu, "-Os", ROOT / "boards/mps2/startup.cpp")]
+    # GCC must not turn the loops of memory.cpp into calls of themselves.
+    jobs += [(cpu, "-Os", path) for path in sorted((ROOT / "boards/mps2").glob("*.cpp"))]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(lambda j: compile_one(j[0], j[1], j[2], folder / (str(j[2].relative_to(ROOT)).replace("/", "_") + ".o")), jobs))
 
@@ -48,7 +49,7 @@ def link(cpu, objects, scene, precision, folder):
                        [f"-DBENCH_SCENE={SCENES[scene]}", f"-DBENCH_PRECISION=EGL_PRECISION_{precision.upper()}_SPANGLE"])
     image = folder / f"{scene}_{precision}.elf"
     subprocess.run(["arm-none-eabi-g++", f"-mcpu={cpu}", "-mthumb", "-mfloat-abi=soft", "-nostartfiles", "-nostdlib", "-Wl,--gc-sections",
-                    "-T", str(ROOT / "boards/mps2/mps2.ld"), str(main), *map(str, objects), "-lc", "-lgcc", "-o", str(image)], check=True)
+                    "-T", str(ROOT / "boards/mps2/mps2.ld"), str(main), *map(str, objects), "-lgcc", "-o", str(image)], check=True)
     return image
 
 

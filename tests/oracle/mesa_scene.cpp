@@ -1,7 +1,8 @@
-// Draws one frame of a scene with Mesa and writes it as a PAM file: the oracle. A program of its own, because Mesa
-// defines the same gl* names as Spangle.
+// Draws one frame of a scene with Mesa and writes it as a PAM file: the oracle. A program of its own, because
+// Mesa defines the same gl* names as Spangle.
 //
-// usage: mesa_scene SCENE WIDTH HEIGHT FRAME FILE.pam        (GALLIUM_DRIVER=softpipe|llvmpipe chooses the rasterizer)
+// usage: mesa_scene SCENE WIDTH HEIGHT FRAME FILE.pam        (GALLIUM_DRIVER=softpipe|llvmpipe chooses the
+// rasterizer)
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -23,7 +24,8 @@ int main(int argc, char** argv) {
     }
     const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
     std::vector<unsigned char> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    if (context == nullptr || OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == 0) {
+    if (context == nullptr ||
+        OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == 0) {
         std::fprintf(stderr, "mesa_scene: OSMesa gives no context\n");
         return 1;
     }
@@ -40,7 +42,8 @@ int main(int argc, char** argv) {
         std::perror(argv[5]);
         return 1;
     }
-    std::fprintf(out, "P7\nWIDTH %d\nHEIGHT %d\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n", width, height);
+    std::fprintf(out, "P7\nWIDTH %d\nHEIGHT %d\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n", width,
+                 height);
     for (int y = height; y-- > 0;)
         std::fwrite(&pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) * 4], 4,
                     static_cast<std::size_t>(width), out);
