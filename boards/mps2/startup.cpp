@@ -32,8 +32,8 @@ struct Vectors {
     Handler handler[15];
 };
 extern const Vectors vectors;
-__attribute__((section(".vectors"), used)) const Vectors vectors = {&stack_top,
-                         {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler,
-                          fault_handler, nullptr, nullptr, nullptr, nullptr, fault_handler, fault_handler,
-                          nullptr, fault_handler, fault_handler}};
+__attribute__((section(".vectors"), used)) const Vectors vectors = {
+    &stack_top,
+    {reset_handler, fault_handler, fault_handler, fault_handler, fault_handler, fault_handler, nullptr,
+     nullptr, nullptr, nullptr, fault_handler, fault_handler, nullptr, fault_handler, fault_handler}};
 }

@@ -5,8 +5,8 @@
 
 namespace spangle::gl {
 
-/// The texture bound to the 2D target of a unit, ready to sample, or null when it is incomplete: the unit then behaves as
-/// if it were disabled. Valid until a texture changes.
+/// The texture bound to the 2D target of a unit, ready to sample, or null when it is incomplete: the unit
+/// then behaves as if it were disabled. Valid until a texture changes.
 const raster::Texture* complete_texture(const Context& context, int unit);
 
 } // namespace spangle::gl

@@ -357,8 +357,8 @@ template <class M, class L> class Pipeline {
                 continue;
             int m = 0;
             for (int i = 0; i < n; ++i) {
-                // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent at
-                // the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
+                // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
+                // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
                 if (used == clip_vertices || m + 2 > clip_vertices)
                     return 0;
                 Vertex& here = *work[0][i];

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "raster/span/vertex.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/vertex.hpp"
 #include "raster/surface/surface.hpp"
 
 namespace spangle::raster {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "raster/span/vertex.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/span.hpp"
+#include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
 

@@ -13,8 +13,7 @@ constexpr std::uint32_t color_to_8(std::uint32_t c) {
 }
 
 /// GL_DITHER off: the top bits of the 8-bit value (GL 1.3, 4.1.8 truncates; 2.13.9 asks for the top m bits).
-template <unsigned Bits>
-constexpr std::uint32_t truncated(std::uint32_t c) {
+template <unsigned Bits> constexpr std::uint32_t truncated(std::uint32_t c) {
     return color_to_8(c) >> (8 - Bits);
 }
 
@@ -29,10 +28,10 @@ constexpr std::uint32_t dither_threshold(std::uint32_t row, std::int32_t x) {
     return (row >> (8 * (static_cast<std::uint32_t>(x) & 3))) & 0xFF;
 }
 
-/// Colour units to steps of a component of `Bits` bits, 23 fraction bits: c (2^Bits - 1), never rounded below an exact
-/// step. The factor is rounded up by less than 1, so the result is at most 2^-4 of its last bit too large.
-template <unsigned Bits>
-constexpr std::uint32_t color_to_steps(std::uint32_t c) {
+/// Colour units to steps of a component of `Bits` bits, 23 fraction bits: c (2^Bits - 1), never rounded below
+/// an exact step. The factor is rounded up by less than 1, so the result is at most 2^-4 of its last bit too
+/// large.
+template <unsigned Bits> constexpr std::uint32_t color_to_steps(std::uint32_t c) {
     static_assert(Bits == 5 || Bits == 6);
     // (2^Bits - 1) / 255 * 2^(32 + 23 - 20), halved for six bits so that it stays below 2^32.
     constexpr std::uint64_t scaled = ((1ull << Bits) - 1) << (Bits == 5 ? 35 : 34);
@@ -41,14 +40,12 @@ constexpr std::uint32_t color_to_steps(std::uint32_t c) {
 }
 
 /// GL_DITHER on: floor(c (2^Bits - 1) + t). Exact steps stay, because t is at least 1/32 and at most 31/32.
-template <unsigned Bits>
-constexpr std::uint32_t dithered(std::uint32_t c, std::uint32_t threshold) {
+template <unsigned Bits> constexpr std::uint32_t dithered(std::uint32_t c, std::uint32_t threshold) {
     return (color_to_steps<Bits>(c) + (threshold << 18)) >> 23;
 }
 
 /// Components of eight bits hold the rounded value itself: there is nothing left to dither.
-template <>
-constexpr std::uint32_t dithered<8>(std::uint32_t c, std::uint32_t) {
+template <> constexpr std::uint32_t dithered<8>(std::uint32_t c, std::uint32_t) {
     return color_to_8(c);
 }
 

@@ -7,8 +7,8 @@
 
 namespace spangle::raster {
 
-/// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top row
-/// first has a negative stride. Planes may be null when their format says none.
+/// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
+/// row first has a negative stride. Planes may be null when their format says none.
 struct Surface {
     std::uint8_t* color = nullptr;
     std::uint8_t* depth = nullptr;
@@ -21,16 +21,23 @@ struct Surface {
     PixelFormat format = PixelFormat::rgb565_be;
     DepthFormat depth_format = DepthFormat::none;
 
-    std::uint8_t* color_row(std::int32_t y) const { return color + static_cast<std::intptr_t>(y) * color_stride; }
-    std::uint8_t* depth_row(std::int32_t y) const { return depth + static_cast<std::intptr_t>(y) * depth_stride; }
+    std::uint8_t* color_row(std::int32_t y) const {
+        return color + static_cast<std::intptr_t>(y) * color_stride;
+    }
+    std::uint8_t* depth_row(std::int32_t y) const {
+        return depth + static_cast<std::intptr_t>(y) * depth_stride;
+    }
 };
 
 /// Widens the touched interval of GL row y to hold columns [begin, end).
 inline void touch(const Surface& s, std::int32_t y, std::int32_t begin, std::int32_t end) {
-    if (s.touched == nullptr) return;
+    if (s.touched == nullptr)
+        return;
     RowSpan& row = s.touched[static_cast<std::intptr_t>(y) * s.touched_step];
-    if (begin < row.begin) row.begin = static_cast<std::int16_t>(begin);
-    if (end > row.end) row.end = static_cast<std::int16_t>(end);
+    if (begin < row.begin)
+        row.begin = static_cast<std::int16_t>(begin);
+    if (end > row.end)
+        row.end = static_cast<std::int16_t>(end);
 }
 
 } // namespace spangle::raster

@@ -12,11 +12,13 @@ int main() {
     const EGLDisplay display = eglGetDisplay(spangle::native(board.display()));
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, nullptr, &config, 1, &count) || count == 0)
+    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, nullptr, &config, 1, &count) ||
+        count == 0)
         return 1;
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-    if (!eglMakeCurrent(display, window, window, context)) return 1;
+    if (!eglMakeCurrent(display, window, window, context))
+        return 1;
     glBegin(GL_TRIANGLES);
     glColor3f(1.0f, 0.0f, 0.0f);
     glVertex2f(-0.8f, -0.8f);
@@ -25,7 +27,8 @@ int main() {
     glColor3f(0.0f, 0.0f, 1.0f);
     glVertex2f(0.0f, 0.8f);
     glEnd();
-    if (!eglSwapBuffers(display, window)) return 1;
+    if (!eglSwapBuffers(display, window))
+        return 1;
     const spangle::sim::Image glass = board.glass();
     const unsigned char* const middle = glass.at(120, 120);
     std::printf("middle of the glass: %d %d %d, hash %s\n%s", middle[0], middle[1], middle[2],

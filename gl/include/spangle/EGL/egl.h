@@ -1,5 +1,5 @@
-/* EGL 1.4 as Spangle has it: the door between a rendering context and a display. Types as in Khronos' headers with
- * EGL_NO_X11. C89 and C++ compatible. */
+/* EGL 1.4 as Spangle has it: the door between a rendering context and a display. Types as in Khronos' headers
+ * with EGL_NO_X11. C89 and C++ compatible. */
 #ifndef SPANGLE_EGL_EGL_H
 #define SPANGLE_EGL_EGL_H
 
@@ -146,8 +146,9 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 /* EGL_EXT_buffer_age */
 #define EGL_BUFFER_AGE_EXT 0x313D
 
-/* EGL_SPANGLE_precision: the accuracy tier of a config. Contexts made with it draw in that tier where no hint says
- * otherwise. DOUBLE and SHADOW are the reference picture and its comparison; they exist on hosts only. */
+/* EGL_SPANGLE_precision: the accuracy tier of a config. Contexts made with it draw in that tier where no hint
+ * says otherwise. DOUBLE and SHADOW are the reference picture and its comparison; they exist on hosts only.
+ */
 #define EGL_PRECISION_SPANGLE 0x3F00
 #define EGL_PRECISION_EXACT_SPANGLE 0x3F01
 #define EGL_PRECISION_BALANCED_SPANGLE 0x3F02
@@ -160,26 +161,32 @@ EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);
 EGLAPI EGLBoolean EGLAPIENTRY eglTerminate(EGLDisplay dpy);
 EGLAPI const char* EGLAPIENTRY eglQueryString(EGLDisplay dpy, EGLint name);
-EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size, EGLint* num_config);
+EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
+                                            EGLint* num_config);
 EGLAPI EGLBoolean EGLAPIENTRY eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs,
                                               EGLint config_size, EGLint* num_config);
-EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute, EGLint* value);
-EGLAPI EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
-                                                     const EGLint* attrib_list);
-EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list);
+EGLAPI EGLBoolean EGLAPIENTRY eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute,
+                                                 EGLint* value);
+EGLAPI EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config,
+                                                     EGLNativeWindowType win, const EGLint* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
+                                                      const EGLint* attrib_list);
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
-EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute, EGLint* value);
+EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
+                                              EGLint* value);
 EGLAPI EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api);
 EGLAPI EGLenum EGLAPIENTRY eglQueryAPI(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint interval);
 EGLAPI EGLContext EGLAPIENTRY eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                                                const EGLint* attrib_list);
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroyContext(EGLDisplay dpy, EGLContext ctx);
-EGLAPI EGLBoolean EGLAPIENTRY eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx);
+EGLAPI EGLBoolean EGLAPIENTRY eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read,
+                                             EGLContext ctx);
 EGLAPI EGLContext EGLAPIENTRY eglGetCurrentContext(void);
 EGLAPI EGLSurface EGLAPIENTRY eglGetCurrentSurface(EGLint readdraw);
 EGLAPI EGLDisplay EGLAPIENTRY eglGetCurrentDisplay(void);
-EGLAPI EGLBoolean EGLAPIENTRY eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value);
+EGLAPI EGLBoolean EGLAPIENTRY eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute,
+                                              EGLint* value);
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitGL(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitClient(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitNative(EGLint engine);

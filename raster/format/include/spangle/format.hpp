@@ -1,5 +1,5 @@
-// What a pixel, a rectangle and a set of touched rows are. Shapes only, no behaviour: the rasterizer, the HAL and
-// the simulator agree on these and on nothing else.
+// What a pixel, a rectangle and a set of touched rows are. Shapes only, no behaviour: the rasterizer, the HAL
+// and the simulator agree on these and on nothing else.
 #pragma once
 
 #include <cstdint>
@@ -44,9 +44,10 @@ struct RowSpan {
     friend constexpr bool operator==(const RowSpan&, const RowSpan&) = default;
 };
 
-/// Columns touched in each row of a surface since its last present, in memory order (row 0 is the first row in
-/// memory). The rasterizer widens them, the display reads and resets them. `rows` has `height` elements.
-/// A full clear (no scissor, all channels) empties the rows and sets `cleared`: the rows then tell what was drawn since.
+/// Columns touched in each row of a surface since its last present, in memory order (row 0 is the first row
+/// in memory). The rasterizer widens them, the display reads and resets them. `rows` has `height` elements.
+/// A full clear (no scissor, all channels) empties the rows and sets `cleared`: the rows then tell what was
+/// drawn since.
 struct RowExtents {
     RowSpan* rows = nullptr;
     std::int32_t height = 0;
