@@ -3,7 +3,11 @@
 #include "tests/gl_api/command_stream.hpp"
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -21,6 +25,18 @@ TEST(CommandStream, RandomStreams) {
         SCOPED_TRACE(i);
         spangle::test::run_command_stream(data.data(), data.size());
     }
+}
+
+TEST(CommandStream, Corpus) {
+    int files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(SPANGLE_SOURCE_DIR "/tests/fuzz/corpus/gl_commands")) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        spangle::test::run_command_stream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+        ++files;
+    }
+    EXPECT_GT(files, 0);
 }
 
 } // namespace
