@@ -1,0 +1,37 @@
+// Set-up of the shadow policy: both set-ups, side by side. Hosts only.
+#pragma once
+
+#include "raster/primitive/setup_double.hpp"
+#include "raster/span/shadow.hpp"
+
+namespace spangle::raster {
+
+template <> class Setup<Shadow> {
+  public:
+    using Vertex = ShadowVertex;
+
+    Setup(Span<Shadow>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
+          std::int64_t area2)
+        : fixed_(span, a.fixed, b.fixed, c.fixed, provoking.fixed, area2),
+          twin_(with_state(span), a.twin, b.twin, c.twin, provoking.twin, area2) {}
+    Setup(Span<Shadow>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
+          std::int32_t begin, std::int32_t end)
+        : fixed_(span, a.fixed, b.fixed, provoking.fixed, along_x, begin, end),
+          twin_(with_state(span), a.twin, b.twin, provoking.twin, along_x, begin, end) {}
+    Setup(Span<Shadow>& span, const Vertex& v) : fixed_(span, v.fixed), twin_(with_state(span), v.twin) {}
+
+    void move_to(std::int32_t x, std::int32_t y) {
+        fixed_.move_to(x, y);
+        twin_.move_to(x, y);
+    }
+
+  private:
+    static Span<Double>& with_state(Span<Shadow>& span) {
+        span.twin.state = span.state;
+        return span.twin;
+    }
+    Setup<Fixed> fixed_;
+    Setup<Double> twin_;
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,211 @@
+#include "raster/span/shadow.hpp"
+
+#include "raster/span/stage_reference.hpp"
+
+#include "raster/span/assemble.hpp"
+
+namespace spangle::raster {
+
+namespace {
+
+thread_local ShadowReport* current_report = nullptr;
+
+/// One fragment, twice.
+template <class N> class Fragment {
+  public:
+    Fragment(const Span<Fixed>& fixed, const Span<Double>& twin, std::int32_t x, ShadowReport& report)
+        : fixed_(fixed), twin_(twin), x_(x), report_(report) {
+        f_.i = d_.i = x - fixed.begin;
+        f_.live = d_.live = true;
+    }
+
+    void compare_all() {
+        const DrawState& state = *fixed_.state;
+        if (state.needs.z)
+            depth(state);
+        if constexpr (!is_raw<N>) {
+            primary(state);
+            unit<0>(state, ShadowStage::coord0, ShadowStage::lod0, ShadowStage::texture0);
+            unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
+            rest(state);
+        } else if (state.needs.unit[0]) {
+            coord<0>(state, ShadowStage::coord0);
+        }
+    }
+
+  private:
+    const Span<Fixed>& fixed_;
+    const Span<Double>& twin_;
+    std::int32_t x_;
+    ShadowReport& report_;
+    Px<N> f_;
+    Px<Reference> d_;
+
+    template <class FixedStage, class DoubleStage> void run() {
+        FixedStage fixed(fixed_, x_);
+        if constexpr (FixedStage::runs)
+            fixed.begin(x_);
+        fixed(f_);
+        DoubleStage twin(twin_, x_);
+        twin(d_);
+    }
+    template <template <class> class Stage> void run() { run<Stage<N>, Stage<Reference>>(); }
+
+    void colors(ShadowStage stage) {
+        const auto one = [&](auto fixed, double exact) {
+            report_[stage].add(static_cast<double>(fixed) / static_cast<double>(N::one), exact);
+        };
+        one(f_.color.r, d_.color.r);
+        one(f_.color.g, d_.color.g);
+        one(f_.color.b, d_.color.b);
+        one(f_.color.a, d_.color.a);
+    }
+
+    void depth(const DrawState& state) {
+        const int bits = state.depth_format == DepthFormat::z16 ? 16 : 24;
+        const double code = DepthValue<Exact>(fixed_, x_).z >> (32 - bits);
+        report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.z.at(x_)));
+    }
+
+    void primary(const DrawState& state) {
+        if (!state.needs.rgb)
+            return run<White<N>, White<Reference>>();
+        const bool alpha = state.needs.alpha;
+        if (fixed_.kind == Kind::full)
+            alpha ? run<GouraudQ<N, true>, GouraudQ<Reference, true>>()
+                  : run<GouraudQ<N, false>, GouraudQ<Reference, false>>();
+        else
+            alpha ? run<Gouraud<N, true>, Gouraud<Reference, true>>()
+                  : run<Gouraud<N, false>, Gouraud<Reference, false>>();
+        colors(ShadowStage::primary);
+    }
+
+    template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
+        if (fixed_.kind >= Kind::textured)
+            run<Coord<N, Unit, true>, Coord<Reference, Unit, true>>();
+        else
+            run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
+        const auto axis = [&](std::uint32_t fixed, double exact, bool wraps, int log2_size) {
+            const double size = 1 << log2_size;
+            const double repeats = wraps ? fixed * 0x1p-32 : static_cast<std::int32_t>(fixed) * 0x1p-28;
+            double difference = repeats - exact;
+            if (wraps)
+                difference -= std::floor(difference + 0.5);
+            report_[stage].add_difference(difference * size, exact * size);
+        };
+        axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s, state.log2_width[Unit]);
+        axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t, state.log2_height[Unit]);
+    }
+
+    template <int Unit>
+    void unit(const DrawState& state, ShadowStage coord_stage, ShadowStage lod, ShadowStage texture_stage) {
+        if (!state.needs.unit[Unit])
+            return;
+        coord<Unit>(state, coord_stage);
+        const Texture& texture = *state.fragment.unit[Unit].texture;
+        if (texture.mip != MipFilter::none || texture.mag != texture.min) {
+            run<Lod<N, Unit>, Lod<Reference, Unit>>();
+            report_[lod].add(f_.lod[Unit][0] / 256.0, d_.lod[Unit][0] / 256.0);
+            run<Texture2D<N, Unit, true>, Texture2D<Reference, Unit, true>>();
+        } else {
+            run<Texture2D<N, Unit, false>, Texture2D<Reference, Unit, false>>();
+        }
+        colors(texture_stage);
+    }
+
+    void rest(const DrawState& state) {
+        if (state.needs.secondary) {
+            if (fixed_.kind == Kind::full)
+                run<ColorSum<N, true>, ColorSum<Reference, true>>();
+            else
+                run<ColorSum<N, false>, ColorSum<Reference, false>>();
+            colors(ShadowStage::color_sum);
+        }
+        if (state.needs.fog) {
+            if (fixed_.kind >= Kind::textured)
+                run<FogCoord<N, true>, FogCoord<Reference, true>>();
+            else
+                run<FogCoord<N, false>, FogCoord<Reference, false>>();
+            report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, f_.fog) * 0x1p-24,
+                                                 reference_fog(state.fragment, d_.fog));
+            run<Fog>();
+            colors(ShadowStage::fog);
+        }
+        if (!state.fragment.blend)
+            return;
+        switch (state.format) {
+        case PixelFormat::rgb565_be:
+            blend<PixelFormat::rgb565_be>();
+            break;
+        case PixelFormat::rgb565_le:
+            blend<PixelFormat::rgb565_le>();
+            break;
+        case PixelFormat::rgb888:
+            blend<PixelFormat::rgb888>();
+            break;
+        case PixelFormat::rgba8888:
+            blend<PixelFormat::rgba8888>();
+            break;
+        }
+        colors(ShadowStage::blend);
+    }
+    template <PixelFormat Format> void blend() { run<Blend<N, Format>, Blend<Reference, Format>>(); }
+};
+
+/// Compares before anything is drawn: the destination of blending is still the old one.
+template <class N> void shadow_span(const Span<Shadow>& span) {
+    if (ShadowReport* const report = current_report; report != nullptr && span.kind != Kind::flat) {
+        Span<Double> twin = span.twin;
+        twin.color = span.color;
+        twin.depth = span.depth;
+        twin.begin = span.begin;
+        twin.end = span.end;
+        twin.length = span.length;
+        for (std::int32_t x = span.begin; x < span.end; ++x)
+            Fragment<N>(span, twin, x, *report).compare_all();
+    }
+    chain_span<N>(span);
+}
+
+AnyFunction shadow_runner(Number number) {
+    switch (number) {
+    case Number::raw565:
+        return reinterpret_cast<AnyFunction>(&shadow_span<Raw565<1>>);
+    case Number::balanced:
+        return reinterpret_cast<AnyFunction>(&shadow_span<Balanced<1>>);
+    default:
+        return reinterpret_cast<AnyFunction>(&shadow_span<Exact>);
+    }
+}
+
+} // namespace
+
+const char* name_of(ShadowStage stage) {
+    constexpr const char* names[shadow_stages] = {"depth",     "primary",    "coord 0", "lod 0",
+                                                  "texture 0", "coord 1",    "lod 1",   "texture 1",
+                                                  "color sum", "fog factor", "fog",     "blend"};
+    return names[static_cast<unsigned>(stage)];
+}
+
+void ShadowRecord::add_difference(double difference, double exact) {
+    least = count == 0 || exact < least ? exact : least;
+    greatest = count == 0 || exact > greatest ? exact : greatest;
+    worst = std::fabs(difference) > worst ? std::fabs(difference) : worst;
+    ++count;
+}
+
+ShadowReport* report_shadow(ShadowReport* report) {
+    ShadowReport* const old = current_report;
+    current_report = report;
+    return old;
+}
+
+template <> DrawState compile<ShadowVertex>(const FragmentState& state, const Surface& target) {
+    DrawState draw = compile<FixedVertex>(state, target);
+    for (int i = 0; i < kind_count; ++i)
+        if (draw.variant[i].run != nullptr)
+            draw.variant[i].run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);
+    return draw;
+}
+
+} // namespace spangle::raster
