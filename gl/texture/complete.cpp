@@ -37,7 +37,8 @@ int usable_levels(const TextureObject& texture) {
     if (texture.base_level > texture.max_level)
         return 0;
     // p = max(n, m) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
-    const int chain = std::bit_width(inner(base.width, base) | inner(base.height, base)); // max(n, m) + 1
+    const int chain =
+        static_cast<int>(std::bit_width(inner(base.width, base) | inner(base.height, base))); // max(n, m) + 1
     const int wanted = texture.max_level - texture.base_level;
     const int count = wanted < chain - 1 ? wanted + 1 : chain;
     for (int step = 1; step < count; ++step) {
