@@ -180,6 +180,48 @@ TEST(Specification, EnvironmentTable) {
         }
 }
 
+/// 3.8.9: lambda <= c magnifies; c = 1/2 when LINEAR magnifies and NEAREST_MIPMAP_* minifies, else 0.
+TEST(Specification, SwitchOver) {
+    std::uint8_t texels[16 * 16 + 8 * 8];
+    for (std::size_t i = 0; i < sizeof texels; ++i)
+        texels[i] = static_cast<std::uint8_t>(i * 71 + i / 16 * 13);
+    for (const double lambda : {-0.2, 0.2, 0.45, 0.55, 0.9})
+        for (const Filter min : {Filter::nearest, Filter::linear})
+            for (const Filter mag : {Filter::nearest, Filter::linear})
+                for (const MipFilter mip : {MipFilter::none, MipFilter::nearest}) {
+                    Texture t;
+                    t.level[0] = {texels, 16, 16, 16};
+                    t.level[1] = {texels + 256, 8, 8, 8};
+                    t.level_count = 2;
+                    t.format = TexelFormat::l8;
+                    t.base = BaseFormat::luminance;
+                    t.mag = mag;
+                    t.min = min;
+                    t.mip = mip;
+                    const auto picture = [&](const Texture& texture) {
+                        Canvas c(PixelFormat::rgba8888, 32, 32);
+                        FragmentState f = plain_state(c);
+                        f.unit[0].texture = &texture;
+                        Point p[4];
+                        const double end = 32 * std::exp2(lambda) / 16;
+                        p[1].x = p[2].x = p[2].y = p[3].y = 32;
+                        p[1].s = p[2].s = p[2].t = p[3].t = end;
+                        quad<FixedVertex>(f, c, p);
+                        return c.color;
+                    };
+                    const bool late =
+                        mag == Filter::linear && min == Filter::nearest && mip != MipFilter::none;
+                    const bool magnified = lambda <= (late ? 0.5 : 0.0);
+                    Texture plain = t;
+                    plain.mip = MipFilter::none;
+                    plain.mag = plain.min = magnified ? mag : min;
+                    if (!magnified && mip == MipFilter::nearest && lambda > 0.5)
+                        plain.level[0] = t.level[1];
+                    EXPECT_EQ(picture(t), picture(plain))
+                        << lambda << " min " << int(min) << " mag " << int(mag) << " mip " << int(mip);
+                }
+}
+
 /// A 565 texel k means k/31, k/63.
 TEST(Specification, Texels565) {
     for (std::uint32_t k = 0; k < 64; ++k) {
