@@ -159,6 +159,44 @@ TEST(Interpolation, DepthNeverWrapsInSlivers) {
     }
 }
 
+double worst_code;
+void measure_depth24(const Span<Fixed>& span) {
+    for (std::int32_t x = span.begin; x < span.end; ++x) {
+        const Barycentric at(current, span.x + x, span.y);
+        const double z = at(current.v[0].z, current.v[1].z, current.v[2].z) / depth_one;
+        worst_code = std::max(worst_code, std::abs(span.z.at(x) / 256. - .5 - z * 16777215));
+    }
+}
+
+/// 24 bits leave half a code for the error of a steep plane: without a margin the ends of the range wrap.
+TEST(Interpolation, SteepPlanesOfTwentyFourBitsStayInTheRange) {
+    Canvas canvas(width, height, PixelFormat::rgb565_be, DepthFormat::z24s8);
+    FragmentState state;
+    state.scissor = {0, 0, width, height};
+    state.depth_test = true;
+    DrawState draw_state = compile<FixedVertex>(state, canvas.surface);
+    for (auto& variant : draw_state.variant)
+        variant.run = reinterpret_cast<AnyFunction>(&measure_depth24);
+    RandomVertices source(12);
+    worst_code = 0;
+    for (int i = 0; i < 60000; ++i) {
+        current = random_triangle(source, width, height, Kind::affine);
+        auto& v = current.v;
+        v[2].x = v[1].x + static_cast<std::int32_t>(source.below(120)) - 60;
+        v[2].y = v[1].y + static_cast<std::int32_t>(source.below(120)) - 60;
+        v[0].z = i % 2 == 0 ? 0 : depth_one;
+        v[1].z = v[2].z = i % 2 == 0 ? depth_one : 0;
+        const double area =
+            std::abs(static_cast<double>(signed_area(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y)));
+        const double box =
+            (std::max({v[0].x, v[1].x, v[2].x}) - std::min({v[0].x, v[1].x, v[2].x})) *
+            static_cast<double>(std::max({v[0].y, v[1].y, v[2].y}) - std::min({v[0].y, v[1].y, v[2].y}));
+        if (box < 1000 * area)
+            draw(draw_state, canvas.surface, current);
+    }
+    EXPECT_LT(worst_code, 4096); // a wrap is 2^24
+}
+
 struct Setting {
     Tier tier;
     Kind kind;
