@@ -264,10 +264,9 @@ void FixedLighting::light(const Context& context, const Input& vertex, int side,
 }
 
 void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out) {
-    const auto component = [&](int i) {
-        return FixedMath::mix(numeric::component(a.normal, i), numeric::component(b.normal, i), t);
-    };
-    out.normal = numeric::to_block(component(0), component(1), component(2));
+    for (int c = 0; c < 3; ++c)
+        out.normal[c] = numeric::to_real(
+            FixedMath::mix(numeric::to_block(a.normal[c]), numeric::to_block(b.normal[c]), t));
     out.eye = FixedMath::mix(a.eye, b.eye, t);
 }
 

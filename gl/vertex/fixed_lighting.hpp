@@ -15,8 +15,8 @@ class FixedLighting {
   public:
     /// Kept with a vertex until somebody needs its colour.
     struct Input {
-        numeric::Block3 normal; ///< as given, in object space
-        numeric::Block4 eye;    ///< position; only while needs_eye()
+        Real normal[3];      ///< as given, in object space
+        numeric::Block4 eye; ///< position; only while needs_eye()
     };
 
     void derive(const Context& context);
@@ -34,8 +34,8 @@ class FixedLighting {
     }
     void take(const Context& context, Input& out) const {
         const Real(&n)[3] = context.current.normal;
-        if (on_)
-            out.normal = numeric::to_block(n[0], n[1], n[2]);
+        for (int c = 0; c < 3; ++c)
+            out.normal[c] = n[c];
     }
 
     /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back.

@@ -14,7 +14,6 @@ namespace spangle::gl {
 
 struct FixedMath {
     using Window = raster::FixedVertex;
-    using Object = numeric::Block4;
     using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
     using Eye = numeric::Block4;
     using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
@@ -48,9 +47,9 @@ struct FixedMath {
         out.depth_half = (f - n) / 2;
     }
 
-    static Object load(const Real (&v)[4]) { return numeric::to_block(v[0], v[1], v[2], v[3]); }
-    static Clip to_clip(const Transforms& t, const Object& v) { return numeric::transform(t.to_clip, v); }
-    static Eye to_eye(const Transforms& t, const Object& v) { return numeric::transform(t.to_eye, v); }
+    /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones keep their bits.
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
+    static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 
@@ -145,7 +144,7 @@ struct FixedMath {
             out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
             return;
         }
-        const numeric::Block4 v = numeric::transform(t.texture, load(stq));
+        const numeric::Block4 v = numeric::transform(t.texture, stq);
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
         out.tex[unit].q_is_one = 0;
     }

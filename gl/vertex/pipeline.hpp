@@ -81,8 +81,7 @@ template <class M, class L> class Pipeline {
     }
 
     void process(Context& context, const Real (&position)[4], Vertex& v) {
-        const typename M::Object object = M::load(position);
-        v.clip = M::to_clip(transforms_, object);
+        v.clip = M::to_clip(transforms_, position);
         v.projected = false;
         classify(v);
         const CurrentState& current = context.current;
@@ -90,7 +89,7 @@ template <class M, class L> class Pipeline {
             if (context.texture.unit[u].texture_2d)
                 M::set_texture(transforms_, current.tex_coord[u], u, v.window);
         if (needs_eye_) {
-            const typename M::Eye eye = M::to_eye(transforms_, object);
+            const typename M::Eye eye = M::to_eye(transforms_, position);
             if (context.fog.fog)
                 M::set_fog(eye, v.window);
             lighting_.take(context, eye, v.light);
