@@ -47,7 +47,8 @@ struct FixedMath {
         out.depth_half = (f - n) / 2;
     }
 
-    /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones keep their bits.
+    /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
+    /// keep their bits.
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
 

@@ -1,0 +1,152 @@
+// The lighting equation in double, term by term as GL 1.3, 2.13.1 prints it. Hosts only.
+#pragma once
+
+#include <cmath>
+
+#include "gl/context/context.hpp"
+#include "gl/vertex/double_math.hpp"
+
+namespace spangle::gl {
+
+class DoubleLighting {
+  public:
+    struct Input {
+        double normal[3]; ///< in object space
+        double eye[4];
+    };
+
+    void derive(const Context& context) {
+        on_ = context.lighting.lighting;
+        const DoubleMath::Matrix m =
+            DoubleMath::matrix(context.transform.modelview.entry[context.transform.modelview.top]);
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) { // cofactors, cyclic: the inverse transpose times the determinant
+                const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+                normal_[i][j] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
+            }
+        const double d = m.m[0][0] * normal_[0][0] + m.m[1][0] * normal_[1][0] + m.m[2][0] * normal_[2][0];
+        double row = 0.0;
+        for (auto& line : normal_)
+            for (int j = 0; j < 3; ++j) {
+                if (d != 0.0)
+                    line[j] /= d;
+                if (j == 2)
+                    row += line[j] * line[j];
+            }
+        if (context.transform.rescale_normal && row > 0.0)
+            for (auto& line : normal_)
+                for (double& v : line)
+                    v /= std::sqrt(row);
+    }
+    void materials_changed() {}
+    bool needs_eye() const { return on_; }
+    bool two_sided() const { return on_ && two_side_; }
+    bool tracks_color() const { return tracks_; }
+
+    void take(const Context& context, const DoubleMath::Eye& eye, Input& out) {
+        take(context, out);
+        for (int c = 0; c < 4; ++c)
+            out.eye[c] = eye.v[c];
+    }
+    void take(const Context& context, Input& out) {
+        two_side_ = context.lighting.two_side;
+        tracks_ = on_ && context.lighting.color_material;
+        for (int c = 0; c < 3; ++c)
+            out.normal[c] = DoubleMath::number(context.current.normal[c]);
+    }
+
+    void light(const Context& context, const Input& vertex, int side, raster::DoubleVertex& out) const {
+        const LightingState& state = context.lighting;
+        const Material& material = state.material[side];
+        double n[3];
+        for (int i = 0; i < 3; ++i)
+            n[i] = normal_[i][0] * vertex.normal[0] + normal_[i][1] * vertex.normal[1] +
+                   normal_[i][2] * vertex.normal[2];
+        if (context.transform.normalize)
+            unit(n);
+        if (side != 0)
+            for (double& c : n)
+                c = -c;
+        double primary[3], specular[3] = {0, 0, 0};
+        for (int c = 0; c < 3; ++c)
+            primary[c] =
+                real(material.emission[c]) + real(material.ambient[c]) * real(state.model_ambient[c]);
+        for (unsigned i = 0; i < max_lights; ++i)
+            if (state.light_enabled[i])
+                add(state, state.light[i], material, vertex, n, primary, specular);
+        const bool separate = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
+        for (int c = 0; c < 3; ++c) {
+            out.color[c] = clamp(separate ? primary[c] : primary[c] + specular[c]);
+            out.secondary[c] = separate ? clamp(specular[c]) : 0.0;
+        }
+        out.color[3] = clamp(real(material.diffuse[3]));
+    }
+
+    static void mix(const Input& a, const Input& b, double t, Input& out) {
+        for (int c = 0; c < 3; ++c)
+            out.normal[c] = DoubleMath::mix(a.normal[c], b.normal[c], t);
+        for (int c = 0; c < 4; ++c)
+            out.eye[c] = DoubleMath::mix(a.eye[c], b.eye[c], t);
+    }
+
+  private:
+    bool on_ = false, two_side_ = false, tracks_ = false;
+    double normal_[3][3] = {};
+
+    static double real(Real v) { return DoubleMath::number(v); }
+    static double clamp(double v) { return v > 0.0 ? (v < 1.0 ? v : 1.0) : 0.0; }
+    static double dot(const double (&a)[3], const double (&b)[3]) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+    static void unit(double (&v)[3]) {
+        const double l = std::sqrt(dot(v, v));
+        if (l > 0.0)
+            for (double& c : v)
+                c /= l;
+    }
+    static double power(double base, double exponent) {
+        return exponent == 0.0 ? 1.0 : std::pow(clamp(base), exponent);
+    }
+
+    static void add(const LightingState& state, const Light& light, const Material& material,
+                    const Input& vertex, const double (&n)[3], double (&primary)[3], double (&specular)[3]) {
+        double to_light[3], eye[3], strength = 1.0;
+        const double w = real(light.position[3]);
+        for (int c = 0; c < 3; ++c) {
+            eye[c] = vertex.eye[c] / vertex.eye[3];
+            to_light[c] = w == 0.0 ? real(light.position[c]) : real(light.position[c]) / w - eye[c];
+        }
+        if (w != 0.0) {
+            const double d = std::sqrt(dot(to_light, to_light));
+            strength = 1.0 / (real(light.attenuation[0]) + real(light.attenuation[1]) * d +
+                              real(light.attenuation[2]) * d * d);
+        }
+        unit(to_light);
+        if (real(light.spot_cutoff) != 180.0) {
+            double axis[3] = {-real(light.spot_direction[0]), -real(light.spot_direction[1]),
+                              -real(light.spot_direction[2])};
+            unit(axis);
+            const double along = dot(to_light, axis);
+            if (along < std::cos(real(light.spot_cutoff) * 3.14159265358979323846 / 180.0))
+                return;
+            strength *= power(along, real(light.spot_exponent));
+        }
+        const double facing = dot(n, to_light) > 0.0 ? dot(n, to_light) : 0.0;
+        double half[3] = {to_light[0], to_light[1], to_light[2] + 1.0};
+        if (state.local_viewer) {
+            double viewer[3] = {-eye[0], -eye[1], -eye[2]};
+            unit(viewer);
+            for (int c = 0; c < 3; ++c)
+                half[c] = to_light[c] + viewer[c];
+        }
+        unit(half);
+        const double shine = facing > 0.0 ? power(dot(n, half), real(material.shininess)) : 0.0;
+        for (int c = 0; c < 3; ++c) {
+            primary[c] += strength * (real(material.ambient[c]) * real(light.ambient[c]) +
+                                      facing * real(material.diffuse[c]) * real(light.diffuse[c]));
+            specular[c] += strength * shine * real(material.specular[c]) * real(light.specular[c]);
+        }
+    }
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,136 @@
+// The arithmetic of the vertex pipeline in double: the reference. The formulas as GL 1.3 writes them, the
+// state as it was set, and window positions snapped to the same n.8 grid. Hosts only.
+#pragma once
+
+#include <cmath>
+
+#include "gl/context/context.hpp"
+#include "raster/span/vertex.hpp"
+
+namespace spangle::gl {
+
+struct DoubleMath {
+    using Window = raster::DoubleVertex;
+    struct Clip {
+        double v[4];
+    };
+    using Eye = Clip;
+    using Parameter = double;
+    struct Matrix {
+        double m[4][4]; ///< row, column
+    };
+
+    struct Transforms {
+        Matrix to_clip, to_eye, texture;
+        double scale[2], center[2], depth_middle, depth_half;
+    };
+
+    static Matrix matrix(const numeric::Matrix& a) {
+        Matrix out;
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) {
+                const numeric::Element e = a.at(i, j);
+                out.m[i][j] = std::ldexp(static_cast<double>(e.m), e.e + numeric::element_bias);
+            }
+        return out;
+    }
+
+    static Matrix multiply(const Matrix& a, const Matrix& b) {
+        Matrix out{};
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                for (int k = 0; k < 4; ++k)
+                    out.m[i][j] += a.m[i][k] * b.m[k][j];
+        return out;
+    }
+
+    static double number(Real v) { return numeric::to_double(v); }
+
+    static void derive(const TransformState& state, Transforms& out) {
+        out.to_eye = matrix(state.modelview.entry[state.modelview.top]);
+        out.to_clip = multiply(matrix(state.projection.entry[state.projection.top]), out.to_eye);
+        out.texture = matrix(state.texture[0].entry[state.texture[0].top]);
+        for (int i = 0; i < 2; ++i) {
+            out.scale[i] = state.viewport[2 + i] / 2.0;
+            out.center[i] = state.viewport[i] + out.scale[i];
+        }
+        const double n = number(state.depth_range[0]), f = number(state.depth_range[1]);
+        out.depth_middle = (n + f) / 2.0;
+        out.depth_half = (f - n) / 2.0;
+    }
+
+    static Clip times(const Matrix& a, const Real (&v)[4]) {
+        Clip out;
+        for (int i = 0; i < 4; ++i)
+            out.v[i] = a.m[i][0] * number(v[0]) + a.m[i][1] * number(v[1]) + a.m[i][2] * number(v[2]) +
+                       a.m[i][3] * number(v[3]);
+        return out;
+    }
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
+    static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }
+
+    static double volume_distance(const Clip& c, int plane) {
+        return (plane & 1) != 0 ? c.v[3] - c.v[plane >> 1] : c.v[3] + c.v[plane >> 1];
+    }
+    static double distance(const Clip& c, int plane) {
+        const double w = plane < 4 ? 4.0 * c.v[3] : c.v[3];
+        return (plane & 1) != 0 ? w - c.v[plane >> 1] : w + c.v[plane >> 1];
+    }
+    static bool in_front(const Clip& c) { return c.v[3] > 0.0; }
+
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
+        const double a = distance(inside, plane), b = distance(outside, plane);
+        return a / (a - b);
+    }
+
+    static double mix(double a, double b, double t) { return a + (b - a) * t; }
+    static Clip mix(const Clip& a, const Clip& b, Parameter t) {
+        Clip out;
+        for (int i = 0; i < 4; ++i)
+            out.v[i] = mix(a.v[i], b.v[i], t);
+        return out;
+    }
+    static void mix(const Window& a, const Window& b, Parameter t, Window& out) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = mix(a.color[c], b.color[c], t);
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
+        out.fog = mix(a.fog, b.fog, t);
+        for (int u = 0; u < texture_units; ++u) {
+            out.tex[u].s = mix(a.tex[u].s, b.tex[u].s, t);
+            out.tex[u].t = mix(a.tex[u].t, b.tex[u].t, t);
+            out.tex[u].q = mix(a.tex[u].q, b.tex[u].q, t);
+        }
+    }
+
+    static void project(const Transforms& t, const Clip& c, Window& out) {
+        out.inv_w = 1.0 / c.v[3];
+        out.x_exact = t.center[0] + t.scale[0] * (c.v[0] / c.v[3]);
+        out.y_exact = t.center[1] + t.scale[1] * (c.v[1] / c.v[3]);
+        out.x = snap(out.x_exact);
+        out.y = snap(out.y_exact);
+        const double z = t.depth_middle + t.depth_half * (c.v[2] / c.v[3]);
+        out.z = z < 0.0 ? 0.0 : z > 1.0 ? 1.0 : z;
+    }
+
+    static void set_color(Window& out, const Real (&rgba)[4]) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = number(numeric::clamp01(rgba[c]));
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = 0.0;
+    }
+    static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
+        const Clip v = times(t.texture, stq);
+        out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
+    }
+    static void set_fog(const Eye& eye, Window& out) { out.fog = std::fabs(eye.v[2]); }
+
+  private:
+    static std::int32_t snap(double v) {
+        constexpr double most = 4.0 * 2048.0 - 1.0;
+        const double cut = v < -most ? -most : v > most ? most : v;
+        return static_cast<std::int32_t>(std::floor(cut * raster::subpixel_one + 0.5));
+    }
+};
+
+} // namespace spangle::gl
