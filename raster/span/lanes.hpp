@@ -40,12 +40,12 @@ template <> struct Lanes<1> {
     /// 16-bit words in memory, host order, one per lane; `p` is 2-aligned.
     SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
         std::uint16_t v;
-        std::memcpy(&v, __builtin_assume_aligned(p, 2), 2);
+        __builtin_memcpy(&v, __builtin_assume_aligned(p, 2), 2);
         return v;
     }
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) {
         const auto word = static_cast<std::uint16_t>(v);
-        std::memcpy(__builtin_assume_aligned(p, 2), &word, 2);
+        __builtin_memcpy(__builtin_assume_aligned(p, 2), &word, 2);
     }
     /// One element per lane.
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
@@ -131,10 +131,10 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static Mask negate(Mask m) { return ~m; }
     SPANGLE_INLINE static U16 load(const std::uint8_t* p) {
         U16 v;
-        std::memcpy(&v, p, 16);
+        __builtin_memcpy(&v, p, 16);
         return v;
     }
-    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { std::memcpy(p, &v, 16); }
+    SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { __builtin_memcpy(p, &v, 16); }
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return {Words{v[0], v[2], v[4], v[6]}, Words{v[1], v[3], v[5], v[7]}};
     }
@@ -146,7 +146,7 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
         return U16{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
     }
-    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { std::memcpy(to, &v, 16); }
+    SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { __builtin_memcpy(to, &v, 16); }
     SPANGLE_INLINE static bool lane(Mask m, int i) { return m[i] != 0; }
 };
 

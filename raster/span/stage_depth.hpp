@@ -111,12 +111,12 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
         std::uint32_t stored;
-        std::memcpy(&stored, at, 4);
+        __builtin_memcpy(&stored, at, 4);
         if (!compare<Func>(this->z >> 8, stored >> 8))
             return false;
         if constexpr (Write) {
             const std::uint32_t word = (this->z & ~0xFFu) | (stored & 0xFF);
-            std::memcpy(at, &word, 4);
+            __builtin_memcpy(at, &word, 4);
         }
         return true;
     }
@@ -140,13 +140,13 @@ template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
         auto* const at = static_cast<std::uint8_t*>(
             __builtin_assume_aligned(plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
         Word stored;
-        std::memcpy(&stored, at, sizeof stored);
+        __builtin_memcpy(&stored, at, sizeof stored);
         const auto word = static_cast<Word>(this->z >> (32 - 8 * sizeof(Word)));
         if (!compare<std::uint32_t>(func, word >> stencil_bits, stored >> stencil_bits))
             return false;
         if (write) {
             const auto merged = static_cast<Word>((word & ~stencil) | (stored & stencil));
-            std::memcpy(at, &merged, sizeof merged);
+            __builtin_memcpy(at, &merged, sizeof merged);
         }
         return true;
     }

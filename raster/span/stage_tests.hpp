@@ -54,7 +54,7 @@ template <class N> struct StencilDepth : DepthValue<N> {
     bool operator()(Px<N>& p) const {
         auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
         std::uint32_t word;
-        std::memcpy(&word, at, 4);
+        __builtin_memcpy(&word, at, 4);
         const StencilState& stencil = state.stencil;
         const std::uint32_t stored = word & 0xFF, mask = stencil.compare_mask;
         std::uint32_t depth = word >> 8;
@@ -75,7 +75,7 @@ template <class N> struct StencilDepth : DepthValue<N> {
         const std::uint32_t result =
             (stencil_result(op, stored, stencil.ref) & writes) | (stored & ~writes & 0xFF);
         word = depth << 8 | result;
-        std::memcpy(at, &word, 4);
+        __builtin_memcpy(at, &word, 4);
         return passes;
     }
 };

@@ -102,7 +102,7 @@ SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t s
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
     static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
     std::uint32_t word = 0;
-    std::memcpy(&word, at, Format == TexelFormat::rgba8888 ? 4 : 2);
+    __builtin_memcpy(&word, at, Format == TexelFormat::rgba8888 ? 4 : 2);
     if constexpr (Format == TexelFormat::rgb888)
         word |= std::uint32_t{at[2]} << 16;
     return word;
