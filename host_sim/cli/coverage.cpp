@@ -22,6 +22,7 @@ Coverage::Coverage(int width, int height)
     triangle = [](Observer& self, const std::int32_t x[3], const std::int32_t y[3], const double* ex,
                   const double* ey,
                   Rect scissor) { static_cast<Coverage&>(self).begin(x, y, ex, ey, scissor); };
+    other = [](Observer& self) { static_cast<Coverage&>(self).end_frame(); };
     span = [](Observer& self, std::int32_t y, std::int32_t from, std::int32_t to) {
         static_cast<Coverage&>(self).add(y, from, to);
     };
@@ -70,7 +71,8 @@ bool Coverage::inside_exact(double px, double py) const {
         const int j = (i + 1) % 3;
         const double dx = triangle_.exact_x[j] - triangle_.exact_x[i],
                      dy = triangle_.exact_y[j] - triangle_.exact_y[i];
-        if (dx * (py - triangle_.exact_y[i]) - dy * (px - triangle_.exact_x[i]) < 0.0)
+        const double e = dx * (py - triangle_.exact_y[i]) - dy * (px - triangle_.exact_x[i]);
+        if (e < 0.0 || (e == 0.0 && !(dy < 0.0 || (dy == 0.0 && dx > 0.0))))
             return false;
     }
     return true;

@@ -53,6 +53,7 @@ template <class P> void draw_y_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk w
 template <class P>
 void draw_line_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
                   const typename P::Vertex& b, const typename P::Vertex& provoking, std::int32_t width) {
+    observe_other(state);
     Pen<P> pen(state, target);
     const Position pa = position(a), pb = position(b);
     DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));

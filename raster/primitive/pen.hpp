@@ -9,6 +9,15 @@
 
 namespace spangle::raster {
 
+/// A line or a point begins.
+inline void observe_other([[maybe_unused]] const DrawState& state) {
+#ifndef SPANGLE_FIRMWARE
+    if (state.counters != nullptr && state.counters->observer != nullptr &&
+        state.counters->observer->other != nullptr)
+        state.counters->observer->other(*state.counters->observer);
+#endif
+}
+
 template <class P> class Pen {
   public:
     Span<P> span;

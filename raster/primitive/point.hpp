@@ -17,6 +17,7 @@ constexpr std::int32_t point_begin(std::int32_t v, std::int32_t size) {
 template <class P>
 void draw_point_of(const DrawState& state, const Surface& target, const typename P::Vertex& v,
                    std::int32_t size) {
+    observe_other(state);
     Pen<P> pen(state, target);
     const Position at = position(v);
     const std::int32_t left = point_begin(at.x, size), low = point_begin(at.y, size);

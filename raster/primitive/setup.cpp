@@ -135,18 +135,31 @@ void Setup<Fixed>::move_projective(std::uint32_t columns, std::uint32_t rows) {
 
 // --- planes
 
+/// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
+SPANGLE_INLINE static std::int64_t scaled(std::int64_t v, int n) {
+    if (n >= 0) [[likely]]
+        return v >> (n < 63 ? n : 63);
+    return shift(v, n);
+}
+
 /// Per pixel, counted in 2^-up of the unit of v.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const std::int32_t v[3], int up) const {
-    const std::int64_t d1 = v[1] - v[0], d2 = v[2] - v[0];
-    return {shift(d1 * cx_[0] + d2 * cx_[1], ex_ - up), shift(d1 * cy_[0] + d2 * cy_[1], ey_ - up)};
+    const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
+    return {scaled(std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1], ex_ - up),
+            scaled(std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1], ey_ - up)};
 }
 
 /// From the vertex to the centre of its pixel.
 SPANGLE_INLINE std::uint64_t Setup<Fixed>::to_anchor(const Gradient& g) const {
-    const std::uint64_t sum =
-        static_cast<std::uint64_t>(g.dx) * static_cast<std::uint64_t>(std::int64_t{ox_}) +
-        static_cast<std::uint64_t>(g.dy) * static_cast<std::uint64_t>(std::int64_t{oy_}) + subpixel_one / 2;
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(sum) >> subpixel_bits);
+    const auto dx = static_cast<std::int32_t>(g.dx), dy = static_cast<std::int32_t>(g.dy);
+    std::int64_t sum;
+    if (dx == g.dx && dy == g.dy) [[likely]] // two short products
+        sum = std::int64_t{dx} * ox_ + std::int64_t{dy} * oy_;
+    else
+        sum = static_cast<std::int64_t>(
+            static_cast<std::uint64_t>(g.dx) * static_cast<std::uint64_t>(std::int64_t{ox_}) +
+            static_cast<std::uint64_t>(g.dy) * static_cast<std::uint64_t>(std::int64_t{oy_}));
+    return static_cast<std::uint64_t>(sum >> subpixel_bits);
 }
 
 std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,

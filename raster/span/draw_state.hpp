@@ -18,6 +18,8 @@ struct Observer {
     /// policy knows (else null).
     void (*triangle)(Observer&, const std::int32_t x[3], const std::int32_t y[3], const double exact_x[3],
                      const double exact_y[3], Rect scissor) = nullptr;
+    /// Before the spans of a line or a point.
+    void (*other)(Observer&) = nullptr;
     /// Each span about to be drawn, of any primitive: columns [begin, end) of row y.
     void (*span)(Observer&, std::int32_t y, std::int32_t begin, std::int32_t end) = nullptr;
 };
