@@ -1,6 +1,7 @@
 #include "host_sim/cli/coverage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spangle::cli {
 
@@ -72,7 +73,8 @@ bool Coverage::inside_exact(double px, double py) const {
         const double dx = triangle_.exact_x[j] - triangle_.exact_x[i],
                      dy = triangle_.exact_y[j] - triangle_.exact_y[i];
         const double e = dx * (py - triangle_.exact_y[i]) - dy * (px - triangle_.exact_x[i]);
-        if (e < 0.0 || (e == 0.0 && !(dy < 0.0 || (dy == 0.0 && dx > 0.0))))
+        const double on_edge = 1e-9 * (std::fabs(dx) + std::fabs(dy)); // a centre this close is on it
+        if (e < -on_edge || (e <= on_edge && !(dy < 0.0 || (dy == 0.0 && dx > 0.0))))
             return false;
     }
     return true;

@@ -148,7 +148,7 @@ int demo(const std::string& folder) {
     };
     const Item items[] = {{"S5", "", "gears.png"},
                           {"S9", "", "torus.png"},
-                          {"", "/usr/share/assimp/models/MD2/faerie.md2", "model.png"}};
+                          {"", "/usr/share/assimp/models/Collada/duck.dae", "model.png"}};
     for (const Item& item : items) {
         cli::RunOptions options;
         options.scene = item.scene;
