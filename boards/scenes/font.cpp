@@ -74,8 +74,9 @@ void draw_text(float x, float y, float scale, const char* text) {
         const int i = index_of(*text);
         if (i < 0)
             continue;
-        const float s0 = static_cast<float>(i % glyphs_per_row * cell) / texture_width;
-        const float t0 = static_cast<float>(i / glyphs_per_row * cell) / texture_height;
+        const int column = i % glyphs_per_row, row = i / glyphs_per_row;
+        const float s0 = static_cast<float>(column * cell) / texture_width;
+        const float t0 = static_cast<float>(row * cell) / texture_height;
         const float s1 = s0 + 5.0f / texture_width, t1 = t0 + 7.0f / texture_height;
         const float x1 = x + 5.0f * scale, y1 = y + 7.0f * scale;
         glTexCoord2f(s0, t0);

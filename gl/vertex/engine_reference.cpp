@@ -1,7 +1,6 @@
 // The reference engine: the same pipeline over double.
 #include <new>
 
-#include "gl/egl/configs.hpp"
 #include "gl/vertex/double_lighting.hpp"
 #include "gl/vertex/double_math.hpp"
 #include "gl/vertex/engine.hpp"
@@ -18,6 +17,8 @@ DoublePipeline& pipeline(Context& context) {
     return *static_cast<DoublePipeline*>(context.pipeline);
 }
 
+} // namespace
+
 const Engine double_engine = {
     sizeof(DoublePipeline),
     [](void* memory) { new (memory) DoublePipeline; },
@@ -31,11 +32,5 @@ const Engine double_engine = {
     [](Context& context) { pipeline(context).end(); },
     [](Context& context) { pipeline(context).settle_colors(); },
 };
-
-} // namespace
-
-void use_reference_engines() {
-    egl::register_engine(EGL_PRECISION_DOUBLE_SPANGLE, &double_engine);
-}
 
 } // namespace spangle::gl

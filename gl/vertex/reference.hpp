@@ -1,9 +1,10 @@
-// The reference precisions, for hosts.
+// The engines of the reference precisions, for hosts.
 #pragma once
+
+#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
 
-/// Makes EGL_PRECISION_DOUBLE_SPANGLE exist. Call it before contexts of that precision are made.
-void use_reference_engines();
+extern const Engine double_engine;
 
 } // namespace spangle::gl

@@ -166,9 +166,8 @@ int demo(const std::string& folder) {
     return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+/// The program, but for what nobody can foresee.
+int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
     app.require_subcommand(1);
     app.set_version_flag("--version", "spangle 0.1.0");
@@ -222,4 +221,13 @@ int main(int argc, char** argv) {
     if (app.got_subcommand("demo"))
         return demo(folder);
     return run_command(options, size, dither);
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+    return spangle_main(argc, argv);
+} catch (const std::exception& problem) {
+    std::fprintf(stderr, "spangle: %s\n", problem.what());
+    return bad_input;
 }

@@ -12,7 +12,7 @@
 
 #include "boards/boards.hpp"
 #include "boards/scenes/scene.hpp"
-#include "gl/vertex/reference.hpp"
+#include "gl/egl/reference.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/session.hpp"
@@ -70,7 +70,7 @@ void start(const Program& program, const Session& session, bool dither) {
 class Comparison {
   public:
     std::string open(const Session& ours, const Program& program, bool dither) {
-        gl::use_reference_engines();
+        egl::use_reference_engines();
         const std::string problem =
             reference_.open_picture(ours.width(), ours.height(), Precision::reference);
         if (!problem.empty())
@@ -142,7 +142,7 @@ RunResult run(const RunOptions& options) {
         return result;
     }
     if (options.precision == Precision::reference)
-        gl::use_reference_engines();
+        egl::use_reference_engines();
     std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(*description) : nullptr;
     Session session;
     result.error = on_board ? session.open_board(*board, options.precision)

@@ -1,0 +1,11 @@
+#include "gl/egl/configs.hpp"
+#include "gl/egl/reference.hpp"
+#include "gl/vertex/reference.hpp"
+
+namespace spangle::egl {
+
+void use_reference_engines() {
+    register_engine(EGL_PRECISION_DOUBLE_SPANGLE, &gl::double_engine);
+}
+
+} // namespace spangle::egl

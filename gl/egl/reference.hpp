@@ -1,0 +1,9 @@
+// The reference precisions, for hosts.
+#pragma once
+
+namespace spangle::egl {
+
+/// Makes EGL_PRECISION_DOUBLE_SPANGLE exist. Call it before contexts of that precision are made.
+void use_reference_engines();
+
+} // namespace spangle::egl
