@@ -209,10 +209,12 @@ struct ReferenceSampler {
         const double u = image.width * wrapped(texture.wrap_s, s, image.width);
         const double v = image.height * wrapped(texture.wrap_t, t, image.height);
         if (filter == Filter::nearest) {
-            const auto index = [](double at, int n) {
-                return at == n ? n - 1 : static_cast<int>(std::floor(at)); // s = 1 is the last texel
+            const auto index = [](Wrap wrap, double at, int n) {
+                const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
+                return wrap != Wrap::repeat && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
             };
-            return texel(image, index(u, image.width), index(v, image.height));
+            return texel(image, index(texture.wrap_s, u, image.width),
+                         index(texture.wrap_t, v, image.height));
         }
         const auto fixed = [](double at) { return static_cast<int>(std::floor((at - 0.5) * 256)); };
         const int a = fixed(u), b = fixed(v), i = a >> 8, j = b >> 8;

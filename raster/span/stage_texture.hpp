@@ -79,11 +79,8 @@ template <class N> struct TextureFunction {
 
     static std::int32_t nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
         if (wrap == Wrap::repeat)
-            return repeat_index(s, log2_size);
-        if (s ==
-            1u << clamped_coord_bits) // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER
-            return size - 1;
-        const std::int32_t i = clamped_index(static_cast<std::int32_t>(s), log2_size);
+            return repeat_nearest(s, log2_size);
+        const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
         return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
     }
     static TexelIndex linear(Wrap wrap, std::uint32_t s, int log2_size) {
@@ -155,6 +152,14 @@ struct TextureFixed : StageBase {
                 s.g = N::from8(N::L::byte(words, 1));
                 s.b = N::from8(N::L::byte(words, 2));
                 s.a = has_alpha ? N::from8(N::L::byte(words, 3)) : N::from_units(color_one);
+            } else if constexpr (F == Filter::nearest && Texels == TexelFormat::rgb565) {
+                std::uint16_t word[N::lanes];
+                for (int i = 0; i < N::lanes; ++i)
+                    word[i] = static_cast<std::uint16_t>(
+                        Lanes<1>::load(nearest(p.coord[Unit].s[i], p.coord[Unit].t[i])));
+                const typename N::T words = N::L::gather(word);
+                s = {N::from5(words >> 11), N::from6((words >> 5) & 63), N::from5(words & 31),
+                     N::from_units(color_one)};
             } else {
                 std::uint16_t r[N::lanes], g[N::lanes], b[N::lanes], a[N::lanes];
                 for (int i = 0; i < N::lanes; ++i) {
@@ -183,7 +188,7 @@ struct TextureFixed : StageBase {
     static constexpr bool has_alpha =
         Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
     SPANGLE_INLINE const std::uint8_t* nearest(std::uint32_t s, std::uint32_t t) const {
-        return at(repeat_index(s, log2_width), repeat_index(t, log2_height));
+        return at(repeat_nearest(s, log2_width), repeat_nearest(t, log2_height));
     }
     template <class M> SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
         if constexpr (F == Filter::nearest) {
@@ -202,7 +207,7 @@ struct TextureFixed : StageBase {
         std::uint16_t word[N::lanes];
         for (int i = 0; i < N::lanes; ++i) {
             const std::uint8_t* const texel =
-                at(repeat_index(c.s[i], log2_width), repeat_index(c.t[i], log2_height));
+                at(repeat_nearest(c.s[i], log2_width), repeat_nearest(c.t[i], log2_height));
             if constexpr (Texels == TexelFormat::rgb565)
                 word[i] = static_cast<std::uint16_t>(Lanes<1>::load(texel));
             else

@@ -75,9 +75,19 @@ SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
     return {repeat_index(u, log2_size), (u << log2_size) >> 24};
 }
 
+/// NEAREST is floor(u + 2^-13 texel) by definition, in every policy: sprites whose texels meet pixel centres
+/// exactly then do not depend on the last bit of u.
+inline constexpr int nearest_bias_bits = 13;
+SPANGLE_INLINE std::int32_t repeat_nearest(std::uint32_t s, int log2_size) {
+    return repeat_index(s + (1u << (32 - nearest_bias_bits - log2_size)), log2_size);
+}
+
 /// From a coordinate that does not wrap (s3.28).
-SPANGLE_INLINE std::int32_t clamped_index(std::int32_t s, int log2_size) {
-    return static_cast<std::int32_t>((std::int64_t{s} << log2_size) >> clamped_coord_bits);
+SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
+    const std::int64_t u = (std::int64_t{s} << log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
+    const auto i = static_cast<std::int32_t>(u >> clamped_coord_bits);
+    // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
+    return i == 1 << log2_size && s <= 1 << clamped_coord_bits ? i - 1 : i;
 }
 SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_size) {
     constexpr std::int32_t one = 1 << clamped_coord_bits;
