@@ -96,9 +96,13 @@ constexpr FusedSpan table[] = {
     entry<bent.texture(t888, rgb, nearest, replace).depth(less)>(),
     // The same filtered (S4b), and dithered.
     entry<affine.texture(t888, rgb, linear, replace)>(),
+    entry<affine.texture(t565, rgb, linear, replace)>(),
     entry<textured.texture(t888, rgb, linear, replace)>(),
+    entry<textured.texture(t565, rgb, linear, replace)>(),
     entry<affine.texture(t888, rgb, linear, replace).dither()>(),
+    entry<affine.texture(t565, rgb, linear, replace).dither()>(),
     entry<textured.texture(t888, rgb, linear, replace).dither()>(),
+    entry<textured.texture(t565, rgb, linear, replace).dither()>(),
     entry<affine.texture(t888, rgb, nearest, replace).dither()>(),
     entry<textured.texture(t888, rgb, nearest, replace).dither()>(),
     // Sprites, text, gauges (S7, HUD).
@@ -110,15 +114,24 @@ constexpr FusedSpan table[] = {
     entry<affine.alpha().blend().dither()>(),
     // Lit textures, with and without fog (S9).
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less)>(),
+    entry<affine.texture(t565, rgb, nearest, modulate).depth(less)>(),
     entry<textured.texture(t888, rgb, nearest, modulate).depth(less)>(),
+    entry<textured.texture(t565, rgb, nearest, modulate).depth(less)>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).dither()>(),
+    entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
     // Models: filtered, lit.
     entry<affine.texture(t888, rgb, linear, modulate).depth(less)>(),
+    entry<affine.texture(t565, rgb, linear, modulate).depth(less)>(),
     entry<textured.texture(t888, rgb, linear, modulate).depth(less)>(),
+    entry<textured.texture(t565, rgb, linear, modulate).depth(less)>(),
     entry<affine.texture(t888, rgb, linear, modulate).depth(less).dither()>(),
+    entry<affine.texture(t565, rgb, linear, modulate).depth(less).dither()>(),
     entry<textured.texture(t888, rgb, linear, modulate).depth(less).dither()>(),
+    entry<textured.texture(t565, rgb, linear, modulate).depth(less).dither()>(),
 };
 
 } // namespace
