@@ -103,11 +103,9 @@ template <int Count> struct Balanced {
         return unit(L::mul_high(a, L::splat(one) - k) + L::mul_high(b, k));
     }
     SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
-    /// One lane; 65280 * 2^16 fits 32 bits.
-    SPANGLE_INLINE static std::uint32_t weighted(std::uint32_t a, std::uint32_t wa, std::uint32_t b,
-                                                 std::uint32_t wb, std::uint32_t c, std::uint32_t wc,
-                                                 std::uint32_t d, std::uint32_t wd) {
-        return (a * wa + b * wb + c * wc + d * wd) >> 16;
+    /// Sum of value * weight / 2^16, each product rounded down; the weights sum to at most 2^16 - 1.
+    SPANGLE_INLINE static T weighted(T a, T wa, T b, T wb, T c, T wc, T d, T wd) {
+        return L::mul_high(a, wa) + L::mul_high(b, wb) + L::mul_high(c, wc) + L::mul_high(d, wd);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
     SPANGLE_INLINE static T from_fraction24(const typename L::U32& f) {
@@ -125,6 +123,10 @@ template <int Count> struct Balanced {
     /// A product of two 8.8 numbers, shifted down by 16, is in 65025ths; 255 / 256 of that is missing to one.
     SPANGLE_INLINE static T unit(T product) { return product + ((product + 255) >> 8); }
 };
+
+/// Full weight of a texel, counted in 2^-16; what 16 bits hold where lanes are 16 bits wide.
+template <class N> inline constexpr std::uint32_t weight_one = 65536;
+template <int Count> inline constexpr std::uint32_t weight_one<Balanced<Count>> = 65535;
 
 /// Colour that nothing combines: it is the 16 bits R5 G6 B5 from its source to the surface.
 template <int Count> struct Raw565 {

@@ -142,35 +142,8 @@ struct TextureFixed : StageBase {
             Color s;
             if constexpr (N::lanes == 1) {
                 s = fetch<N>(p.coord[Unit].s[0], p.coord[Unit].t[0]);
-            } else if constexpr (F == Filter::nearest &&
-                                 (Texels == TexelFormat::rgb888 || Texels == TexelFormat::rgba8888)) {
-                std::uint32_t word[N::lanes];
-                for (int i = 0; i < N::lanes; ++i)
-                    word[i] = texel_word<Texels>(nearest(p.coord[Unit].s[i], p.coord[Unit].t[i]));
-                const typename N::L::U32 words = N::L::gather(word);
-                s.r = N::from8(N::L::byte(words, 0));
-                s.g = N::from8(N::L::byte(words, 1));
-                s.b = N::from8(N::L::byte(words, 2));
-                s.a = has_alpha ? N::from8(N::L::byte(words, 3)) : N::from_units(color_one);
-            } else if constexpr (F == Filter::nearest && Texels == TexelFormat::rgb565) {
-                std::uint16_t word[N::lanes];
-                for (int i = 0; i < N::lanes; ++i)
-                    word[i] = static_cast<std::uint16_t>(
-                        Lanes<1>::load(nearest(p.coord[Unit].s[i], p.coord[Unit].t[i])));
-                const typename N::T words = N::L::gather(word);
-                s = {N::from5(words >> 11), N::from6((words >> 5) & 63), N::from5(words & 31),
-                     N::from_units(color_one)};
             } else {
-                std::uint16_t r[N::lanes], g[N::lanes], b[N::lanes], a[N::lanes];
-                for (int i = 0; i < N::lanes; ++i) {
-                    const One::Color c = fetch<One>(p.coord[Unit].s[i], p.coord[Unit].t[i]);
-                    r[i] = static_cast<std::uint16_t>(c.r);
-                    g[i] = static_cast<std::uint16_t>(c.g);
-                    b[i] = static_cast<std::uint16_t>(c.b);
-                    a[i] = static_cast<std::uint16_t>(c.a);
-                }
-                s = {N::L::gather(r), N::L::gather(g), N::L::gather(b),
-                     has_alpha ? N::L::gather(a) : N::from_units(color_one)};
+                s = fetch_lanes(p.coord[Unit]);
             }
             if constexpr (Env == TexEnv::blend)
                 apply_env<N>(Env, Base, p.color, s, constant);
@@ -181,6 +154,47 @@ struct TextureFixed : StageBase {
     }
 
   private:
+    /// Texels as they lie in memory, one per lane: scalar loads, then everything else in lanes.
+    using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;
+    SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
+        if constexpr (Texels == TexelFormat::rgb565)
+            return static_cast<Word>(Lanes<1>::load(texel));
+        else
+            return texel_word<Texels>(texel);
+    }
+    SPANGLE_INLINE static Color unpack(const Word word[N::lanes]) {
+        const auto v = N::L::gather(word);
+        if constexpr (Texels == TexelFormat::rgb565)
+            return {N::from5(v >> 11), N::from6((v >> 5) & 63), N::from5(v & 31), N::from_units(color_one)};
+        else
+            return {N::from8(N::L::byte(v, 0)), N::from8(N::L::byte(v, 1)), N::from8(N::L::byte(v, 2)),
+                    has_alpha ? N::from8(N::L::byte(v, 3)) : N::from_units(color_one)};
+    }
+    SPANGLE_INLINE Color fetch_lanes(const typename N::Coord& c) const {
+        if constexpr (F == Filter::nearest) {
+            Word word[N::lanes];
+            for (int k = 0; k < N::lanes; ++k)
+                word[k] = word_at(nearest(c.s[k], c.t[k]));
+            return unpack(word);
+        } else {
+            Word word[4][N::lanes];
+            std::uint16_t a[N::lanes], b[N::lanes];
+            for (int k = 0; k < N::lanes; ++k) {
+                const TexelIndex i = repeat_linear(c.s[k], log2_width),
+                                 j = repeat_linear(c.t[k], log2_height);
+                const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
+                                   j1 = (j.i + 1) & ((1 << log2_height) - 1);
+                word[0][k] = word_at(at(i.i, j.i));
+                word[1][k] = word_at(at(i1, j.i));
+                word[2][k] = word_at(at(i.i, j1));
+                word[3][k] = word_at(at(i1, j1));
+                a[k] = static_cast<std::uint16_t>(i.weight);
+                b[k] = static_cast<std::uint16_t>(j.weight);
+            }
+            return bilinear<N, has_alpha>(unpack(word[0]), unpack(word[1]), unpack(word[2]), unpack(word[3]),
+                                          N::L::gather(a), N::L::gather(b));
+        }
+    }
     SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
         return texels + static_cast<std::uint32_t>(j) * stride +
                static_cast<std::uint32_t>(i) * texel_bytes(Texels);
