@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "boards/boards.hpp"
+#include <spangle/boards/boards.hpp>
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/session.hpp"

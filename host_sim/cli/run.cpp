@@ -10,7 +10,7 @@
 #include <spangle/GL/gl.h>
 #include <spangle/sim/board.hpp>
 
-#include "boards/boards.hpp"
+#include <spangle/boards/boards.hpp>
 #include "boards/scenes/scene.hpp"
 #include "gl/egl/reference.hpp"
 #include "host_sim/cli/coverage.hpp"

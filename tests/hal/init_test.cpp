@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "boards/boards.hpp"
+#include <spangle/boards/boards.hpp>
 #include "tests/hal/fake_panel_bus.hpp"
 #include <spangle/hal.hpp>
 

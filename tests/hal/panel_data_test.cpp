@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-#include "boards/boards.hpp"
+#include <spangle/boards/boards.hpp>
 #include <spangle/hal/board.hpp>
 #include <spangle/panels.hpp>
 
