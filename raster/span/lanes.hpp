@@ -138,6 +138,14 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return {Words{v[0], v[2], v[4], v[6]}, Words{v[1], v[3], v[5], v[7]}};
     }
+    /// f(0) .. f(7), from register to register: a vector load of eight stored words would wait for the
+    /// stores.
+    template <class F> SPANGLE_INLINE static auto generate(F f) {
+        if constexpr (sizeof(f(0)) == 2)
+            return U16{f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
+        else
+            return U32{Words{f(0), f(2), f(4), f(6)}, Words{f(1), f(3), f(5), f(7)}};
+    }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {
         const auto down = static_cast<std::uint32_t>(8 * n);

@@ -162,8 +162,7 @@ struct TextureFixed : StageBase {
         else
             return texel_word<Texels>(texel);
     }
-    SPANGLE_INLINE static Color unpack(const Word word[N::lanes]) {
-        const auto v = N::L::gather(word);
+    template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
         if constexpr (Texels == TexelFormat::rgb565)
             return {N::from5(v >> 11), N::from6((v >> 5) & 63), N::from5(v & 31), N::from_units(color_one)};
         else
@@ -172,10 +171,7 @@ struct TextureFixed : StageBase {
     }
     SPANGLE_INLINE Color fetch_lanes(const typename N::Coord& c) const {
         if constexpr (F == Filter::nearest) {
-            Word word[N::lanes];
-            for (int k = 0; k < N::lanes; ++k)
-                word[k] = word_at(nearest(c.s[k], c.t[k]));
-            return unpack(word);
+            return unpack(N::L::generate([&](int k) { return word_at(nearest(c.s[k], c.t[k])); }));
         } else {
             Word word[4][N::lanes];
             std::uint16_t a[N::lanes], b[N::lanes];
@@ -191,7 +187,8 @@ struct TextureFixed : StageBase {
                 a[k] = static_cast<std::uint16_t>(i.weight);
                 b[k] = static_cast<std::uint16_t>(j.weight);
             }
-            return bilinear<N, has_alpha>(unpack(word[0]), unpack(word[1]), unpack(word[2]), unpack(word[3]),
+            return bilinear<N, has_alpha>(unpack(N::L::gather(word[0])), unpack(N::L::gather(word[1])),
+                                          unpack(N::L::gather(word[2])), unpack(N::L::gather(word[3])),
                                           N::L::gather(a), N::L::gather(b));
         }
     }
