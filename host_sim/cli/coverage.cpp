@@ -19,11 +19,12 @@ bool owns(std::int64_t dx, std::int64_t dy) {
 
 Coverage::Coverage(int width, int height)
     : width_(width), height_(height),
-      hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), mask_(hits_.size()) {
+      hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), mask_(hits_.size()),
+      snapped_(hits_.size()), exact_(hits_.size()) {
     triangle = [](Observer& self, const std::int32_t x[3], const std::int32_t y[3], const double* ex,
                   const double* ey,
                   Rect scissor) { static_cast<Coverage&>(self).begin(x, y, ex, ey, scissor); };
-    other = [](Observer& self) { static_cast<Coverage&>(self).end_frame(); };
+    other = [](Observer& self) { static_cast<Coverage&>(self).close_triangle(); };
     span = [](Observer& self, std::int32_t y, std::int32_t from, std::int32_t to) {
         static_cast<Coverage&>(self).add(y, from, to);
     };
@@ -31,7 +32,7 @@ Coverage::Coverage(int width, int height)
 
 void Coverage::begin(const std::int32_t x[3], const std::int32_t y[3], const double* exact_x,
                      const double* exact_y, Rect scissor) {
-    end_frame();
+    close_triangle();
     triangle_.open = true;
     triangle_.scissor = scissor;
     triangle_.has_exact = exact_x != nullptr;
@@ -80,7 +81,7 @@ bool Coverage::inside_exact(double px, double py) const {
     return true;
 }
 
-void Coverage::end_frame() {
+void Coverage::close_triangle() {
     if (!triangle_.open)
         return;
     triangle_.open = false;
@@ -98,10 +99,20 @@ void Coverage::end_frame() {
             const bool wanted = inside(x * one + one / 2, y * one + one / 2);
             mismatches_ += hits != (wanted ? 1 : 0) ? 1 : 0;
             covered_ += wanted ? 1 : 0;
-            if (triangle_.has_exact)
-                unsnapped_ += inside_exact(x + 0.5, y + 0.5) != wanted ? 1 : 0;
+            if (wanted)
+                snapped_[static_cast<std::size_t>(y * width_ + x)] = true;
+            if (triangle_.has_exact ? inside_exact(x + 0.5, y + 0.5) : wanted)
+                exact_[static_cast<std::size_t>(y * width_ + x)] = true;
             hits = 0;
         }
+}
+
+void Coverage::end_frame() {
+    close_triangle();
+    for (std::size_t i = 0; i < snapped_.size(); ++i)
+        unsnapped_ += snapped_[i] != exact_[i] ? 1 : 0;
+    snapped_.assign(snapped_.size(), false);
+    exact_.assign(exact_.size(), false);
 }
 
 std::vector<bool> Coverage::take_mask() {

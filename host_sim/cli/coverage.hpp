@@ -13,11 +13,11 @@ class Coverage : public raster::Observer {
   public:
     Coverage(int width, int height);
 
-    /// Closes the last triangle. Call at the end of each frame.
+    /// Call at the end of each frame.
     void end_frame();
 
     std::uint64_t mismatches() const { return mismatches_; } ///< pixels, on snapped vertices
-    std::uint64_t unsnapped() const { return unsnapped_; }   ///< pixels, on unsnapped ones
+    std::uint64_t unsnapped() const { return unsnapped_; }   ///< pixels of whole frames, on unsnapped ones
     std::uint64_t covered() const { return covered_; }       ///< pixels of triangles that were checked
     /// Pixels anything was drawn to since the last call, top row first.
     std::vector<bool> take_mask();
@@ -33,11 +33,13 @@ class Coverage : public raster::Observer {
     Triangle triangle_{};
     std::vector<std::uint8_t> hits_;
     std::vector<bool> mask_;
+    std::vector<bool> snapped_, exact_; ///< what the triangles of this frame cover, both ways
     std::uint64_t mismatches_ = 0, unsnapped_ = 0, covered_ = 0;
 
     void begin(const std::int32_t x[3], const std::int32_t y[3], const double* exact_x, const double* exact_y,
                Rect scissor);
     void add(std::int32_t y, std::int32_t begin, std::int32_t end);
+    void close_triangle();
     bool inside(std::int64_t px, std::int64_t py) const;
     bool inside_exact(double px, double py) const;
 };

@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <spangle/boards/boards.hpp>
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/session.hpp"
+#include <spangle/boards/boards.hpp>
 
 namespace {
 

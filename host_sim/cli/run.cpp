@@ -10,13 +10,13 @@
 #include <spangle/GL/gl.h>
 #include <spangle/sim/board.hpp>
 
-#include <spangle/boards/boards.hpp>
 #include "boards/scenes/scene.hpp"
 #include "gl/egl/reference.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
+#include <spangle/boards/boards.hpp>
 
 namespace spangle::cli {
 
