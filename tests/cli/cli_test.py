@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Tests the command line as a user meets it.
+
+usage: cli_test.py SPANGLE accuracy|errors|outputs
+"""
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+SPANGLE = sys.argv[1] if len(sys.argv) == 3 else ""
+KEYS = ["scene", "board", "precision", "frames", "fragments", "triangles", "identical_565_percent", "max_lsb", "psnr_565_db",
+        "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
+failures = []
+
+
+def check(condition, text):
+    if not condition:
+        failures.append(text)
+        print("FAILED: " + text)
+
+
+def run(*words, cwd=None):
+    return subprocess.run([SPANGLE, *words], capture_output=True, text=True, cwd=cwd)
+
+
+def report(*words, cwd=None):
+    done = run("run", *words, "--json", cwd=cwd)
+    check(done.returncode == 0, f"run {' '.join(words)}: exit {done.returncode}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def scenes():
+    return [line.split()[0] for line in run("scenes").stdout.splitlines()]
+
+
+def accuracy():
+    """Exact: at least 99.99 % of covered pixels identical to the reference in double; balanced 95 %; coverage always right."""
+    check(len(scenes()) >= 12, "the scenes are listed")
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in scenes():
+            for precision, least in (("exact", 99.99), ("balanced", 95.0)):
+                r = report(scene, "--precision", precision, "--dither", "off", "--frames", "2", "--compare", cwd=folder)
+                print(f"{scene:<5}{precision:<10}{r['identical_565_percent']:>10.4f} %  worst {r['max_lsb']:>2}  off snapped {r['coverage_mismatches']}  off unsnapped {r['coverage_unsnapped']}")
+                check(r["identical_565_percent"] >= least, f"{scene} {precision}: {r['identical_565_percent']} % identical")
+                check(r["coverage_mismatches"] == 0, f"{scene} {precision}: coverage differs from brute force")
+
+
+def errors():
+    """One line that says what to do, exit status 2, nothing written."""
+    with tempfile.TemporaryDirectory() as folder:
+        broken = pathlib.Path(folder) / "broken.obj"
+        broken.write_bytes(b"\x00\x01 no model \xff")
+        for words in (["run", "S99"], ["run"], ["run", "S5", "--board", "nothing"], ["run", "S5", "--size", "0x5"], ["run", "S5", "--size", "99999x99999"],
+                      ["run", "S5", "--size", "big"], ["run", "S5", "--shot", "no/such/folder/x.png"], ["run", "S5", "--vcd", "no/such/folder/x.vcd"],
+                      ["run", "--model", "nothing.obj"], ["run", "--model", str(broken)], ["run", "S5", "--frames", "0"], ["run", "S5", "--precision", "best"],
+                      ["run", "S5", "--nonsense"], ["dance"], []):
+            done = run(*words, cwd=folder)
+            text = " ".join(words)
+            check(done.returncode == 2, f"'{text}': exit status {done.returncode} instead of 2")
+            check(len(done.stderr.strip().splitlines()) == 1, f"'{text}': one line on stderr, not {done.stderr!r}")
+            check(done.stdout == "", f"'{text}': nothing on stdout")
+        check([p.name for p in pathlib.Path(folder).iterdir()] == ["broken.obj"], "nothing was written")
+
+
+def outputs():
+    """Pictures, JSON, VCD; the same picture every time; a board's damage is less than a frame."""
+    with tempfile.TemporaryDirectory() as folder:
+        r = report("S5", "--frames", "3", cwd=folder)
+        check(list(r) == KEYS, f"keys {list(r)}")
+        check(r["identical_565_percent"] is None, "without --compare there is no error figure")
+        check(r["frames"] == 3 and r["full_frame_bytes"] == 153600, "frames and bytes of a frame")
+        check(r["bus_bytes"] < 3 * r["full_frame_bytes"], "damage sends less than whole frames")
+        check(r["picture_hash"] == report("S5", "--frames", "3", cwd=folder)["picture_hash"], "the same picture twice")
+        check(r["picture_hash"] == report("S5", "--frames", "3", "--size", "320x240", cwd=folder)["picture_hash"], "a board changes no pixel")
+        done = run("run", "HUD", "--board", "st7735", "--shot", "hud.png", "--vcd", "bus.vcd", "--stats", cwd=folder)
+        check(done.returncode == 0, f"run HUD: {done.stderr}")
+        picture = (pathlib.Path(folder) / "hud.png").read_bytes()
+        check(picture[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", picture[16:24]) == (128, 160), "a PNG of the glass")
+        check("$enddefinitions" in (pathlib.Path(folder) / "bus.vcd").read_text(), "a VCD file")
+        window = run("run", "S2", "--window", "--frames", "2", cwd=folder)
+        check(window.returncode == 0, "--window without a screen goes on")
+        for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
+            done = run("run", "S9", "--board", board, "--frames", "2", "--stats", cwd=folder)
+            check(done.returncode == 0 and "rule " not in done.stderr, f"{board}: {done.stderr}")
+
+
+def main():
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "errors", "outputs"):
+        print(__doc__.strip())
+        return 2
+    globals()[sys.argv[2]]()
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
