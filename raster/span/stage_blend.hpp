@@ -25,12 +25,21 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
+    static constexpr bool kill = true;
     const std::uint8_t* plane;
     SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::Color d = load_color<N, Format>(plane, p.i);
         typename N::Color& s = p.color;
         const typename N::T a = s.a, rest = N::from_units(color_one) - a;
+        // Alpha 0 stores what is stored already (k/31, k/63, k/255 come back as k, dithered or not): nothing
+        // to do.
+        if constexpr (N::lanes == 1) {
+            if (a == 0)
+                return false;
+        } else if (!N::L::any(N::L::negate(N::L::equal(a, N::L::splat(0))))) {
+            return false;
+        }
+        const typename N::Color d = load_color<N, Format>(plane, p.i);
         s.r = N::add(N::mul(s.r, a), N::mul(d.r, rest));
         s.g = N::add(N::mul(s.g, a), N::mul(d.g, rest));
         s.b = N::add(N::mul(s.b, a), N::mul(d.b, rest));
