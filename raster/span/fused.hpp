@@ -60,13 +60,65 @@ template <class N, class List> SPANGLE_INLINE std::int32_t fused_wide(const Span
     return n;
 }
 
+namespace detail {
+
+/// n < 8 words of 16 bits.
+SPANGLE_INLINE void copy_words(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
+    if ((n & 4) != 0) {
+        __builtin_memcpy(to, from, 8);
+        to += 8, from += 8;
+    }
+    if ((n & 2) != 0) {
+        __builtin_memcpy(to, from, 4);
+        to += 4, from += 4;
+    }
+    if ((n & 1) != 0)
+        __builtin_memcpy(to, from, 2);
+}
+
+} // namespace detail
+
+/// Pixels [i, i + n) of a span, n < 8, as one group of eight that works on copies: nothing outside is
+/// touched.
+template <class Case>
+SPANGLE_INLINE void fused_tail(const Span<Fixed>& span, std::int32_t i, std::int32_t n) {
+    using N = typename Case::template System<8>;
+    static constexpr std::uint16_t lives[16] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF,
+                                                0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+    alignas(16) std::uint8_t color[16] = {}, depth[16] = {};
+    auto& copy = const_cast<Span<Fixed>&>(span); // a local of Pen; put back below
+    detail::copy_words(color, span.color + 2 * i, n);
+    std::uint8_t* const color_plane = span.color;
+    std::uint8_t* const depth_plane = span.depth;
+    copy.color = color;
+    if constexpr (Case::tested) {
+        detail::copy_words(depth, span.depth + 2 * i, n);
+        copy.depth = depth;
+    }
+    typename Case::template List<8> list(copy, span.begin + i);
+    Px<N> p;
+    __builtin_memcpy(&p.live, lives + 8 - n, 16);
+    p.i = 0;
+    list(p);
+    copy.color = color_plane;
+    copy.depth = depth_plane;
+    detail::copy_words(span.color + 2 * i, color, n);
+    if constexpr (Case::tested)
+        detail::copy_words(span.depth + 2 * i, depth, n);
+}
+
 /// Case has: template <int Lanes> using System, List; static constexpr bool wide.
 template <class Case, int Wide = host_lanes> [[gnu::noinline]] void fused(const Span<Fixed>& span) {
     std::int32_t i = 0;
     if constexpr (Wide == 8 && Case::wide) {
         i = fused_wide<typename Case::template System<8>, typename Case::template List<8>>(span);
-        if (i == span.end - span.begin)
+        const std::int32_t rest = span.end - span.begin - i;
+        if (rest == 0)
             return;
+        if constexpr (Case::heavy) {
+            if (rest > 2)
+                return fused_tail<Case>(span, i, rest);
+        }
     }
     fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, i);
 }

@@ -36,8 +36,6 @@ template <Key K> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool raw = K.number == Number::raw565;
     static constexpr bool textured = K.unit[0].on;
-    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
-
     template <int L> struct Stages {
         using N = std::conditional_t<raw, Raw565<L>, Balanced<L>>;
         static auto depth() {
@@ -91,6 +89,9 @@ template <Key K> class FusedCase {
 
   public:
     static constexpr Key key = K;
+    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
+    /// Few fragments cost more one by one than eight with copies of what is stored.
+    static constexpr bool heavy = !raw && (textured || K.blend || K.fog);
     /// Fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = !(raw && textured) && is_565(K.format);
     template <int L> using System = typename Stages<L>::N;
