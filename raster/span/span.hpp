@@ -78,7 +78,7 @@ template <class P> struct Span {
         std::int32_t exponent;                   ///< (s/w) / (q/w) * 2^exponent = s in repeats of the texture
         std::int32_t s_base,
             t_base;    ///< whole repeats taken off before interpolation (clamping wraps add them back)
-        bool shares_q; ///< q is 1 at every vertex: use Span::q
+        bool shares_q = true; ///< q is 1 at every vertex: use Span::q
     } unit[max_texture_units];
     typename P::Projective q_dy;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
