@@ -1,0 +1,178 @@
+// The simulated bus and boards: what is counted, what fails, what is seen.
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <spangle/boards/boards.hpp>
+#include <spangle/sim/board.hpp>
+
+namespace {
+
+using namespace spangle;
+
+/// Fills the frame with a pattern that depends on `seed`, marks all rows, presents.
+bool present(sim::SimBoard& board, unsigned seed) {
+    const hal::DisplayInfo info = board.display().info();
+    const auto frame = board.display().acquire();
+    if (!frame.ok())
+        return false;
+    for (int y = 0; y < info.height; ++y)
+        for (int x = 0; x < info.width; ++x) {
+            std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + 2 * x;
+            const unsigned word =
+                (static_cast<unsigned>(x) * 40503u ^ static_cast<unsigned>(y) * 9973u) + seed * 2654435761u;
+            at[0] = static_cast<std::uint8_t>(word >> 8);
+            at[1] = static_cast<std::uint8_t>(word);
+        }
+    for (int y = 0; y < info.height; ++y)
+        frame.value().extents->rows[y] = {0, static_cast<std::int16_t>(info.width)};
+    return board.display().present().ok();
+}
+
+bool glass_shows(sim::SimBoard& board, unsigned seed) {
+    const sim::Image glass = board.glass();
+    for (int y = 0; y < glass.height; ++y)
+        for (int x = 0; x < glass.width; ++x) {
+            const unsigned word =
+                (static_cast<unsigned>(x) * 40503u ^ static_cast<unsigned>(y) * 9973u) + seed * 2654435761u;
+            const std::uint8_t* const p = glass.at(x, y);
+            if ((p[0] >> 3) != (word >> 11 & 31) || (p[1] >> 2) != (word >> 5 & 63) ||
+                (p[2] >> 3) != (word & 31))
+                return false;
+        }
+    return true;
+}
+
+TEST(Board, GlassEqualsSurfaceInEveryOrientation) {
+    for (const hal::Board* board : boards::all)
+        for (const hal::Orientation o : hal::orientations) {
+            hal::Board turned = *board;
+            turned.display.orientation = o;
+            sim::SimBoard sim(turned);
+            ASSERT_TRUE(sim.display().init().ok()) << board->name;
+            for (unsigned seed = 1; seed < 3; ++seed) {
+                ASSERT_TRUE(present(sim, seed));
+                EXPECT_TRUE(glass_shows(sim, seed))
+                    << board->name << " rotation " << int(o.rotation) << (o.mirrored ? " mirrored" : "");
+            }
+            EXPECT_EQ(sim.violations_text(), "") << board->name;
+        }
+}
+
+TEST(Board, AFailedTransferIsReportedAndLosesNothing) {
+    for (const hal::Fault fault :
+         {hal::Fault::short_write, hal::Fault::timeout, hal::Fault::no_answer, hal::Fault::gone}) {
+        sim::SimBoard sim(boards::st7789_240);
+        ASSERT_TRUE(sim.display().init().ok());
+        ASSERT_TRUE(present(sim, 1));
+        sim.fail_next(fault);
+        EXPECT_FALSE(present(sim, 2)) << int(fault);
+        const auto again = sim.display().acquire();
+        // A late transfer may still read the frame: only init() brings such a display back.
+        EXPECT_EQ(again.ok(), fault != hal::Fault::timeout) << int(fault);
+        if (!again.ok()) {
+            ASSERT_TRUE(sim.display().init().ok());
+            ASSERT_TRUE(present(sim, 2));
+        } else { // nothing is touched any more: what failed goes out again
+            ASSERT_TRUE(sim.display().present().ok()) << int(fault);
+        }
+        EXPECT_TRUE(glass_shows(sim, 2)) << int(fault);
+    }
+}
+
+TEST(Board, CountsBytesAndCommands) {
+    sim::SimBoard sim(boards::ili9341_spi);
+    ASSERT_TRUE(sim.display().init().ok());
+    const sim::BoardCounters before = sim.counters();
+    ASSERT_TRUE(present(sim, 3));
+    const sim::BoardCounters after = sim.counters();
+    EXPECT_EQ(after.pixel_bytes - before.pixel_bytes, 320u * 240u * 2u);
+    EXPECT_LE(after.bytes - before.bytes, 320u * 240u * 2u + 11u);
+    EXPECT_NEAR(static_cast<double>(after.busy_ns - before.busy_ns),
+                static_cast<double>(after.bytes - before.bytes) * 8 * 25, 2e4)
+        << "40 MHz";
+}
+
+TEST(Board, ALostByteShows) {
+    sim::SimBoard sim(boards::ili9341_spi);
+    ASSERT_TRUE(sim.display().init().ok());
+    sim.drop_byte(1000);
+    ASSERT_TRUE(present(sim, 1));
+    ASSERT_TRUE(present(sim, 2));
+    bool reported = false;
+    for (const sim::Violation& v : sim.violations())
+        reported = reported || v.rule == sim::Rule::half_pixel;
+    EXPECT_TRUE(reported) << sim.violations_text();
+}
+
+TEST(Board, ABufferChangedOnTheWireShows) {
+    sim::SimBoard sim(boards::ili9341_spi);
+    const auto buffer = sim.bus().acquire(64);
+    ASSERT_TRUE(buffer.ok());
+    hal::Op op;
+    op.kind = hal::Op::Kind::pixels;
+    op.data = buffer.value().bytes;
+    op.length = 64;
+    const auto token = sim.bus().submit(&op, 1);
+    ASSERT_TRUE(token.ok());
+    EXPECT_FALSE(sim.bus().done(token.value()));
+    buffer.value().bytes[5] ^= 1;
+    ASSERT_TRUE(sim.bus().wait(token.value(), 1000).ok());
+    ASSERT_FALSE(sim.violations().empty());
+    EXPECT_EQ(sim.violations().back().rule, sim::Rule::buffer_changed);
+    EXPECT_FALSE(sim.bus().wait(hal::Token{99}, 1000).ok());
+}
+
+TEST(Board, WiresAreRecorded) {
+    const std::string path = testing::TempDir() + "wires.vcd";
+    {
+        sim::SimBoard sim(boards::st7735_128x160);
+        ASSERT_TRUE(sim.record_vcd(path));
+        ASSERT_TRUE(sim.display().init().ok());
+    }
+    std::ifstream in(path);
+    std::string line;
+    long long last = -1;
+    int clocks = 0;
+    bool header = true, ordered = true;
+    while (std::getline(in, line)) {
+        if (line == "$upscope $end")
+            header = false;
+        if (!header && line[0] == '#') {
+            ordered = ordered && std::stoll(line.substr(1)) >= last;
+            last = std::stoll(line.substr(1));
+        }
+        clocks += line == "1k" ? 1 : 0;
+    }
+    EXPECT_TRUE(ordered);
+    EXPECT_GT(clocks, 8 * 100);
+    EXPECT_EQ(clocks % 8, 0);
+    EXPECT_FALSE(sim::SimBoard(boards::st7735_128x160).record_vcd("/no/such/folder/x.vcd"));
+    std::remove(path.c_str());
+}
+
+TEST(Picture, FilesHashesAndDifferences) {
+    sim::Image a(3, 2);
+    a.at(1, 1)[0] = 0;
+    const std::string path = testing::TempDir() + "picture.png";
+    ASSERT_EQ(sim::write_png(a, path), "");
+    sim::Image b;
+    ASSERT_EQ(sim::read_png(path, b), "");
+    EXPECT_EQ(a, b);
+    EXPECT_EQ(sim::hash(a), sim::hash(b));
+    b.at(0, 0)[2] = 240; // two steps of blue
+    EXPECT_NE(sim::hash(a), sim::hash(b));
+    const sim::Difference d = sim::compare_565(a, b);
+    EXPECT_EQ(d.pixels, 6u);
+    EXPECT_EQ(d.identical, 5u);
+    EXPECT_EQ(d.max_lsb, 1);
+    EXPECT_LT(d.psnr_db, 60.0);
+    EXPECT_EQ(sim::to_ascii(a), "###\n#c#\n");
+    EXPECT_NE(sim::difference_picture(a, b).at(0, 0)[0], sim::difference_picture(a, b).at(2, 0)[0]);
+    EXPECT_NE(sim::write_png(a, "/no/such/folder/x.png"), "");
+    EXPECT_NE(sim::read_png("/no/such/file.png", b), "");
+    std::remove(path.c_str());
+}
+
+} // namespace
