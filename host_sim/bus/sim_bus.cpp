@@ -55,10 +55,13 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
         return hal::Error{hal::Fault::bad_argument, "SimBus: wait for a token that was never given"};
     if (failure_ == hal::Fault::short_write) {
         failure_ = hal::Fault::none;
+        now_ = std::max(now_, token_end_); // it is over, with half of it lost
         return hal::Error{hal::Fault::short_write, "SimBus: half of the transfer was made to be lost"};
     }
     const Time deadline = now_ + static_cast<Time>(timeout_micros) * 1000;
     if (failure_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
+        if (failure_ == hal::Fault::timeout)
+            token_end_ = deadline + 1'000'000'000; // it hangs for another second
         failure_ = hal::Fault::none;
         now_ = deadline;
         return hal::Error{hal::Fault::timeout, "SimBus: the transfer did not end in time"};

