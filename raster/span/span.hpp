@@ -77,7 +77,7 @@ template <class P> struct Span {
         typename P::Projective s_dy, t_dy, q_dy; ///< differences from row to row, for the level of detail
         std::int32_t exponent;                   ///< (s/w) / (q/w) * 2^exponent = s in repeats of the texture
         std::int32_t s_base,
-            t_base;    ///< whole repeats taken off before interpolation (clamping wraps add them back)
+            t_base;           ///< whole repeats taken off before interpolation (clamping wraps add them back)
         bool shares_q = true; ///< q is 1 at every vertex: use Span::q
     } unit[max_texture_units];
     typename P::Projective q_dy;

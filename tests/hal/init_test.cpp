@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include <spangle/boards/boards.hpp>
 #include "tests/hal/fake_panel_bus.hpp"
+#include <spangle/boards/boards.hpp>
 #include <spangle/hal.hpp>
 
 using namespace hal_test;
