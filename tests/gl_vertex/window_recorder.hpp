@@ -1,0 +1,27 @@
+// What GL hands to the rasterizer: vertices in window space, before any of them becomes pixels.
+#pragma once
+
+#include <vector>
+
+#include "raster/span/vertex.hpp"
+
+namespace spangle::test {
+
+struct Primitive {
+    int corners = 0; ///< 1: point, 2: line, 3: triangle
+    raster::FixedVertex corner[3];
+    raster::FixedVertex provoking;
+};
+
+/// Lists the primitives of this program while it exists, in place of drawing them. One at a time.
+class WindowRecorder {
+  public:
+    WindowRecorder();
+    ~WindowRecorder();
+    WindowRecorder(const WindowRecorder&) = delete;
+    WindowRecorder& operator=(const WindowRecorder&) = delete;
+
+    std::vector<Primitive> primitives;
+};
+
+} // namespace spangle::test
