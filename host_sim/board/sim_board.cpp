@@ -121,7 +121,7 @@ hal::Bus& SimBoard::bus() {
     return parts_->bus;
 }
 
-Image SimBoard::glass() {
+Image SimBoard::glass() const {
     DcsController& c = parts_->controller;
     // Two refreshes later the glass shows what the memory holds.
     parts_->bus.pass(2 * Time(c.chip().line_ns) * Time(c.chip().height + c.chip().porch_lines));

@@ -1,5 +1,6 @@
 #include <spangle/sim/image.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,8 @@
 namespace spangle::sim {
 
 std::string write_png(const Image& image, const std::string& path) {
+    if (image.rgba.empty())
+        return "cannot write '" + path + "': the picture is empty";
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
@@ -113,21 +116,36 @@ Image difference_picture(const Image& a, const Image& b) {
     return out;
 }
 
-std::string to_ascii(const Image& image) {
+Image crop(const Image& image, int x, int y, int width, int height) {
+    const int left = std::clamp(x, 0, image.width), top = std::clamp(y, 0, image.height);
+    const auto end = [](int from, int size, int bound) { // x + width may be beyond an int
+        return static_cast<int>(std::clamp<std::int64_t>(std::int64_t{from} + size, 0, bound));
+    };
+    Image out(std::max(end(x, width, image.width) - left, 0),
+              std::max(end(y, height, image.height) - top, 0));
+    for (int row = 0; row < out.height; ++row)
+        std::copy_n(image.at(left, top + row), std::size_t{4} * static_cast<std::size_t>(out.width),
+                    out.at(0, row));
+    return out;
+}
+
+const Legend& pure_colors() {
+    static const Legend legend = {{' ', 0x000000}, {'r', 0xFF0000}, {'g', 0x00FF00}, {'y', 0xFFFF00},
+                                  {'b', 0x0000FF}, {'m', 0xFF00FF}, {'c', 0x00FFFF}, {'#', 0xFFFFFF}};
+    return legend;
+}
+
+std::string to_ascii(const Image& image, const Legend& legend) {
+    const auto word = [](unsigned r, unsigned g, unsigned b) { return r >> 3 << 11 | g >> 2 << 5 | b >> 3; };
+    std::map<unsigned, char> names;
+    for (const auto& [name, color] : legend)
+        names.emplace(word(color >> 16 & 255, color >> 8 & 255, color & 255), name);
     std::string out;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const std::uint8_t* const p = image.at(x, y);
-            int code = 0;
-            bool pure = true;
-            for (int c = 0; c < 3; ++c) {
-                // Full scale after any panel format: the top five bits decide.
-                if (p[c] >= 248)
-                    code |= 1 << c;
-                else
-                    pure = pure && p[c] < 8;
-            }
-            out += pure ? " rgybmc#"[code] : '?';
+            const auto known = names.find(word(p[0], p[1], p[2]));
+            out += known == names.end() ? '?' : known->second;
         }
         out += '\n';
     }

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Builds and runs a project outside the tree against Spangle, both ways a user would take.
+"""Builds and runs projects outside the tree against Spangle, as a user would.
 
-usage: check.py find_package|fetch_content BUILD_DIR
+usage: check.py find_package|fetch_content|self_test BUILD_DIR
 
 find_package: installs BUILD_DIR into a temporary prefix and looks it up there. fetch_content: hands the source tree to
 FetchContent. The project links every exported library, draws a triangle on a simulated board and checks the glass.
+self_test: the example boards/examples/self_test against the installed package: its tests pass, and with another golden
+picture one of them fails and leaves the difference.
 """
 import os
 import pathlib
@@ -15,6 +17,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELLO = pathlib.Path(__file__).with_name("hello")
+SELF_TEST = ROOT / "boards/examples/self_test"
 
 
 def run(*command):
@@ -25,23 +28,51 @@ def run(*command):
     return done.stdout
 
 
+def installed(build, outside):
+    run("cmake", "--install", build, "--prefix", outside / "prefix")
+    return f"-DCMAKE_PREFIX_PATH={outside / 'prefix'}"
+
+
+def build_project(project, outside, option):
+    run("cmake", "-S", project, "-B", outside / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", option)
+    run("cmake", "--build", outside / "build", "-j", os.cpu_count() or 2)
+
+
+def hello(way, build, outside):
+    project = shutil.copytree(HELLO, outside / "hello")
+    option = installed(build, outside) if way == "find_package" else f"-DHELLO_SPANGLE_SOURCE={ROOT}"
+    build_project(project, outside, option)
+    print(run(outside / "build/hello"), end="")
+    return 0
+
+
+def self_test(build, outside):
+    project = shutil.copytree(SELF_TEST, outside / "self_test", ignore=shutil.ignore_patterns("build"))
+    build_project(project, outside, installed(build, outside))
+    tests = ["ctest", "--test-dir", str(outside / "build"), "--output-on-failure"]
+    print(run(*tests), end="")
+    golden = project / "goldens/gauge_70.png"
+    shutil.copy(ROOT / "docs/pictures/gears.png", golden)
+    wrong = subprocess.run(tests, capture_output=True, text=True)
+    if wrong.returncode == 0 or "1 tests failed out of" not in wrong.stdout or not golden.with_suffix(".difference.png").is_file():
+        print(f"another golden picture was not noticed:\n{wrong.stdout}{wrong.stderr}")
+        return 1
+    run("env", "SPANGLE_UPDATE_GOLDEN=1", *tests)
+    print(run(*tests), end="")
+    if golden.read_bytes() != (SELF_TEST / "goldens/gauge_70.png").read_bytes():
+        print("the updated golden picture is not the one of the source tree")
+        return 1
+    return 0
+
+
 def main():
-    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content"):
+    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content", "self_test"):
         print(__doc__.strip())
         return 2
     way, build = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         outside = pathlib.Path(folder)
-        project = shutil.copytree(HELLO, outside / "hello")
-        if way == "find_package":
-            run("cmake", "--install", build, "--prefix", outside / "prefix")
-            options = [f"-DCMAKE_PREFIX_PATH={outside / 'prefix'}"]
-        else:
-            options = [f"-DHELLO_SPANGLE_SOURCE={ROOT}"]
-        run("cmake", "-S", project, "-B", outside / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *options)
-        run("cmake", "--build", outside / "build", "-j", os.cpu_count() or 2)
-        print(run(outside / "build/hello"), end="")
-    return 0
+        return self_test(build, outside) if way == "self_test" else hello(way, build, outside)
 
 
 if __name__ == "__main__":

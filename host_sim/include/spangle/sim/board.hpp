@@ -32,8 +32,9 @@ class SimBoard {
     hal::Display& display();
     hal::Bus& bus();
 
-    /// What the user sees, upright: the glass after the panel has scanned its memory out.
-    Image glass();
+    /// What the user sees, upright: the glass after the panel has scanned its memory out. Looking takes two
+    /// refreshes of virtual time.
+    Image glass() const;
     /// The controller's whole frame memory as MADCTL 00h addresses it.
     Image memory() const;
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,17 @@ Difference compare_565(const Image& a, const Image& b, const std::vector<bool>* 
 /// magenta.
 Image difference_picture(const Image& a, const Image& b);
 
-/// One character a pixel: ' ' black, '#' white, and r g b y c m for the pure colours; '?' anything else.
-std::string to_ascii(const Image& image);
+/// The part of the picture in the rectangle; what lies outside of the picture is left out.
+Image crop(const Image& image, int x, int y, int width, int height);
+
+/// What a character of an ASCII picture stands for: 0xRRGGBB. A panel keeps fewer bits, so colours are equal
+/// when their RGB565 bits are. '?' is kept: any colour that the legend does not name.
+using Legend = std::map<char, std::uint32_t>;
+
+/// ' ' black, '#' white, and r g b y c m for the pure colours.
+const Legend& pure_colors();
+
+/// One character a pixel, a line a row.
+std::string to_ascii(const Image& image, const Legend& legend = pure_colors());
 
 } // namespace spangle::sim
