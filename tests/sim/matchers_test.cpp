@@ -152,6 +152,10 @@ TEST_F(Matchers, AsciiArt) {
     EXPECT_THAT(explain(image, LooksLike(".z..\n..v.", legend)),
                 HasSubstr("the legend does not say what 'z' is"));
     EXPECT_THAT(explain(image, LooksLike("....", legend)), HasSubstr("it is 4x2, expected is 4x1"));
+    for (const int green : {252, 251}) { // six bits of green: 252 is full, 251 is not
+        paint(3, 0, 255, green, 255);
+        EXPECT_EQ(testing::Value(image, LooksLike(".x..\n..v.", legend)), green == 252);
+    }
     EXPECT_THAT(Image(), LooksLike(""));
     EXPECT_THAT(image, Not(LooksLike("")));
 }
