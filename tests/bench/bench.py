@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Measures every scene against Mesa's llvmpipe and the goals.
 
-usage: ./dev bench [--quick] [--scenes S2,S5] [--no-mcu] [--no-callgrind]
+usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind]
+       ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
 
 Wall time as a ratio in one run: the two programs take turns, medians count. x86 instructions by callgrind, Cortex-M
-instructions by QEMU's -icount: both repeatable. Goals: tests/bench/goals.json.
+instructions by QEMU's -icount: both repeatable. Goals: tests/bench/goals.json. Every timed picture is held against that
+of a program of its own, and against the emulated board's; one that differs fails.
 """
 import argparse
 import json
@@ -15,10 +17,12 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import icount  # noqa: E402
 import mcu  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 TIERS = ("exact", "balanced", "fast")
+SIZES = ("320x240", "800x480")
 
 
 def google(program, pattern, seconds):
@@ -30,80 +34,149 @@ def google(program, pattern, seconds):
     for entry in report["benchmarks"]:
         if entry.get("error_occurred"):
             raise SystemExit(f"{entry['name']}: {entry['error_message']}")
-    return {entry["name"]: (entry["cpu_time"], int(entry.get("hash", 0))) for entry in report["benchmarks"]}
+    return {entry["name"]: entry for entry in report["benchmarks"]}
 
 
 def wall(build, scenes, rounds, seconds):
-    """{name: (median microseconds, {hashes})}; both programs in turns."""
+    """{name: median microseconds}, {name: {hashes}}, {name: memory}; both programs in turns."""
     pattern = "^(" + "|".join(scenes) + ")/"
-    times, hashes = {}, {}
+    times, hashes, memory = {}, {}, {}
     for _ in range(rounds):
         for program, prefix in ((build / "bench_mesa", "mesa/"), (build / "bench_spangle", "")):
-            for name, (time, picture) in google(program, pattern, seconds).items():
-                times.setdefault(prefix + name, []).append(time)
-                hashes.setdefault(prefix + name, set()).add(picture)
-    return {name: (statistics.median(values), hashes[name]) for name, values in times.items()}
+            for name, entry in google(program, pattern, seconds).items():
+                times.setdefault(prefix + name, []).append(entry["cpu_time"])
+                if not prefix:
+                    hashes.setdefault(name, set()).add(f"{int(entry['hash']):08x}")
+                    memory[name] = {kind: int(entry[kind]) for kind in ("context", "surface", "used")}
+    return {name: statistics.median(values) for name, values in times.items()}, hashes, memory
+
+
+def frames_program(build, scene, size, tier, dither, frames):
+    return [str(build / "frames"), scene, *size.split("x"), tier, "dither" if dither else "plain", str(frames)]
 
 
 def callgrind(build, scene, tier):
     """Instructions of one frame: the difference of a long and a short run."""
     def total(frames):
         with tempfile.TemporaryDirectory() as folder:
-            out = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", str(build / "frames"), scene, "320", "240",
-                                  tier, str(frames)], capture_output=True, text=True, check=True).stderr
+            out = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out",
+                                  *frames_program(build, scene, SIZES[0], tier, False, frames)], capture_output=True, text=True, check=True).stderr
         return int(next(line for line in out.splitlines() if "Collected" in line).split()[-1])
-    return (total(6) - total(2)) // 4
+    return (total(7) - total(3)) // 4
 
 
-def wall_table(results, scenes, goals):
-    print(f"\n{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + "   dither costs")
+def check_pictures(build, hashes):
+    """Every timed picture must be the one that a program draws which times nothing."""
+    bad = []
+    for name, found in hashes.items():
+        scene, size, tier, *dither = name.split("/")
+        alone = subprocess.run(frames_program(build, scene, size, tier, bool(dither), 3), capture_output=True, text=True, check=True).stdout.strip()
+        if found != {alone}:
+            bad.append(f"{name}: timed {', '.join(sorted(found))}, alone {alone}")
+    print(f"\npictures of the timed frames: {len(hashes) - len(bad)} of {len(hashes)} are those of a program that times nothing")
+    if bad:
+        raise SystemExit("\n".join(bad))
+
+
+def wall_table(times, memory, scenes, goals):
+    print("\nTimes as fast as llvmpipe, dithering off, beside the goal; what dithering costs in the balanced tier.")
+    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'dither':>10}" + "".join(f"{kind:>11}" for kind in ("context B", "surface B", "in use B")))
     for scene in scenes:
-        for size in ("320x240", "800x480"):
-            mesa = results[f"mesa/{scene}/{size}"][0]
+        for size in SIZES:
+            mesa = times[f"mesa/{scene}/{size}"]
             row = f"{scene:<6}{size:<9}{mesa:>12.1f}"
             for tier in TIERS:
-                ours = results[f"{scene}/{size}/{tier}"][0]
-                goal = goals.get(scene, {}).get(tier, {}).get("x86") if size == "320x240" else None
-                row += f"{mesa / ours:>10.2f} {'-' if goal is None else goal:>6}"
-            plain, dithered = results[f"{scene}/{size}/balanced"][0], results[f"{scene}/{size}/balanced/dither"][0]
-            print(row + f"{dithered / plain:>14.2f}x")
-    changing = [name for name, (_, pictures) in results.items() if len(pictures) > 1]
-    if changing:
-        raise SystemExit(f"pictures differ between runs: {', '.join(changing)}")
+                goal = goals.get(scene, {}).get(tier, {}).get("x86") if size == SIZES[0] else None
+                row += f"{mesa / times[f'{scene}/{size}/{tier}']:>10.2f} {'-' if goal is None else goal:>6}"
+            dither = times[f"{scene}/{size}/balanced/dither"] / times[f"{scene}/{size}/balanced"]
+            print(row + f"{dither:>9.2f}x" + "".join(f"{memory[f'{scene}/{size}/balanced'][kind]:>11,}" for kind in ("context", "surface", "used")))
 
 
-def instruction_table(build, scenes, goals, boards, with_callgrind):
-    counts = {board: mcu.measure(board, scenes, ("exact", "balanced")) for board in boards}
-    print(f"\n{'scene':<6}{'tier':<10}" + ("x86 instr" if with_callgrind else "").rjust(12) + "".join(f"{b + ' instr':>14}{'of goal':>9}" for b in boards) + f"{'text':>10}  picture")
+def verdict(times, scenes, goals):
+    """How the balanced tier stands as a whole."""
+    shares = {}
+    slower = []
     for scene in scenes:
-        for tier in ("exact", "balanced"):
+        ratio = times[f"mesa/{scene}/{SIZES[0]}"] / times[f"{scene}/{SIZES[0]}/balanced"]
+        goal = goals.get(scene, {}).get("balanced", {}).get("x86")
+        if goal is not None:
+            shares[scene] = ratio / goal
+        if ratio < 1.0:
+            slower.append(scene)
+    at_goal = [scene for scene in shares if shares[scene] >= 1.0]
+    below = [scene for scene in shares if shares[scene] < 0.6]
+    print(f"\nbalanced, {SIZES[0]}: {len(at_goal)} of {len(shares)} scenes at their goal ({', '.join(at_goal) or 'none'}); "
+          f"below 60 % of it: {', '.join(below) or 'none'}; slower than llvmpipe: {', '.join(slower) or 'none'}")
+
+
+def instruction_table(build, scenes, goals, boards, with_callgrind, hashes):
+    counts = {board: mcu.measure(board, scenes, TIERS) for board in boards}
+    print("\nInstructions of a frame, 320x240, dithering off; text, memory and stack of the Cortex-M4 image."
+          " Goals: M3 1.15 times the M4's; M0+ has none per scene.")
+    print(f"{'scene':<6}{'tier':<10}" + ("x86" if with_callgrind else "").rjust(12) + "".join(f"{board:>13}{'of goal':>9}" for board in boards)
+          + ("".join(f"{kind:>10}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + "  picture" if boards else ""))
+    bad = []
+    for scene in scenes:
+        for tier in TIERS:
             row = f"{scene:<6}{tier:<10}" + (f"{callgrind(build, scene, tier):>12,}" if with_callgrind else " " * 12)
             for board in boards:
-                n, picture, text = counts[board][scene, tier]
                 goal = goals.get(scene, {}).get(tier, {}).get("m4")
-                limit = None if goal is None else goal * 1e6 * (1.15 if board == "m3" else 1.0)
-                row += f"{n:>14,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}")
-            print(row + (f"{text:>10,}  {picture}" if boards else ""), flush=True)
+                limit = None if goal is None or board == "m0+" else goal * 1e6 * (1.15 if board == "m3" else 1.0)
+                n = counts[board][scene, tier].instructions
+                row += f"{n:>13,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}")
+            if boards:
+                result = counts[boards[0]][scene, tier]
+                row += "".join(f"{getattr(result, kind):>10,}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + f"  {result.picture}"
+                pictures = {counts[board][scene, tier].picture for board in boards} | hashes.get(f"{scene}/{SIZES[0]}/{tier}", set())
+                if len(pictures) > 1:
+                    bad.append(f"{scene} {tier}: the builds draw different pictures: {', '.join(sorted(pictures))}")
+            print(row, flush=True)
+    if bad:
+        raise SystemExit("\n".join(bad))
+
+
+def print_flags(build):
+    cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines() if "=" in line and not line.startswith(("#", "//")))
+    compiler = cache.get("CMAKE_CXX_COMPILER:STRING") or cache.get("CMAKE_CXX_COMPILER:FILEPATH") or "c++"
+    version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
+    kind = cache.get("CMAKE_BUILD_TYPE:STRING", "")
+    flags = " ".join(filter(None, (cache.get("CMAKE_CXX_FLAGS:STRING"), cache.get(f"CMAKE_CXX_FLAGS_{kind.upper()}:STRING"))))
+    print(f"host: {version}, {flags}, baseline instruction set; RGB565 in the panel's byte order, 16-bit depth")
+    print("peer: Mesa's llvmpipe through OSMesa, RGB565, 16-bit depth, GL_DITHER off, LP_NUM_THREADS=0")
+    if mcu.available():
+        arm = subprocess.run(["arm-none-eabi-g++", "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
+        print(f"boards: {arm}, -Os, {', '.join(mcu.HOT)} -O2; QEMU -icount shift=0, three frames, no FPU instructions")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True)
-    parser.add_argument("--scenes", default="S1,S2,S3,S4,S4b,S4r,S5,S6,S7,S8,S9,HUD")
+    parser.add_argument("--scenes", default=",".join(mcu.SCENES))
     parser.add_argument("--quick", action="store_true", help="one short round")
     parser.add_argument("--no-wall", action="store_true")
     parser.add_argument("--no-mcu", action="store_true")
     parser.add_argument("--no-callgrind", action="store_true")
+    parser.add_argument("--update-golden", action="store_true", help="measure the counts that ./dev test --all guards, write them, and stop")
     arguments = parser.parse_args()
+    if arguments.update_golden:
+        icount.write(icount.measure()[0])
+        return 0
     goals = json.loads((HERE / "goals.json").read_text())
     scenes = arguments.scenes.split(",")
+    unknown = [scene for scene in scenes if scene not in mcu.SCENES]
+    if unknown:
+        parser.error(f"no scene {', '.join(unknown)}; there are {', '.join(mcu.SCENES)}")
     build = arguments.build / "tests/bench"
-    print("Ratios to llvmpipe (LP_NUM_THREADS=0), RGB565, 16-bit depth, dithering off unless said; -O2, baseline instruction set.")
+    print_flags(arguments.build)
+    hashes = {}
     if not arguments.no_wall:
-        wall_table(wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2), scenes, goals)
-    boards = [] if arguments.no_mcu or not mcu.available() else ["m4", "m3"]
+        times, hashes, memory = wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2)
+        wall_table(times, memory, scenes, goals)
+        verdict(times, scenes, goals)
+        check_pictures(build, hashes)
+    boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
-        instruction_table(build, scenes, goals, boards, not arguments.no_callgrind)
+        instruction_table(build, scenes, goals, boards, not arguments.no_callgrind, hashes)
     return 0
 
 

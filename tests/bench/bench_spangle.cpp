@@ -8,6 +8,7 @@
 
 #include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
+#include "tests/bench/picture_hash.hpp"
 
 namespace {
 
@@ -17,15 +18,6 @@ struct Case {
     EGLint precision;
     bool dither;
 };
-
-std::uint32_t picture_hash(int width, int height) {
-    std::vector<GLubyte> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    std::uint32_t hash = 2166136261u;
-    for (const GLubyte byte : pixels)
-        hash = (hash ^ byte) * 16777619u;
-    return hash;
-}
 
 void run(benchmark::State& state, const Case& c) {
     spangle::bench::Headless gl;
@@ -40,7 +32,10 @@ void run(benchmark::State& state, const Case& c) {
     for (auto _ : state)
         c.scene->draw(frame++);
     c.scene->draw(2);
-    state.counters["hash"] = picture_hash(c.width, c.height);
+    state.counters["hash"] = spangle::bench::picture_hash(c.width, c.height);
+    state.counters["context"] = static_cast<double>(gl.context_bytes);
+    state.counters["surface"] = static_cast<double>(gl.surface_bytes);
+    state.counters["used"] = static_cast<double>(spangle::memory_use().used);
     if (glGetError() != GL_NO_ERROR)
         state.SkipWithError("GL error");
     gl.close();

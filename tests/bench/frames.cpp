@@ -1,29 +1,36 @@
-// Draws frames of one scene and nothing else: what callgrind counts instructions of.
+// Draws frames of one scene and prints the hash of the picture of frame 2; nothing else: what callgrind
+// counts instructions of, and what says whether a timed picture is the right one.
 //
-// usage: frames SCENE WIDTH HEIGHT exact|balanced|fast FRAMES
+// usage: frames SCENE WIDTH HEIGHT exact|balanced|fast plain|dither FRAMES
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
+#include "tests/bench/picture_hash.hpp"
 
 int main(int argc, char** argv) {
-    const spangle::scenes::Scene* const scene = argc == 6 ? spangle::scenes::find(argv[1]) : nullptr;
+    const spangle::scenes::Scene* const scene = argc == 7 ? spangle::scenes::find(argv[1]) : nullptr;
     if (scene == nullptr) {
-        std::fprintf(stderr, "usage: frames SCENE WIDTH HEIGHT exact|balanced|fast FRAMES\n");
+        std::fprintf(stderr, "usage: frames SCENE WIDTH HEIGHT exact|balanced|fast plain|dither FRAMES\n");
         return 2;
     }
+    const int width = std::atoi(argv[2]), height = std::atoi(argv[3]);
     const EGLint precision = std::strcmp(argv[4], "fast") == 0       ? EGL_PRECISION_FAST_SPANGLE
                              : std::strcmp(argv[4], "balanced") == 0 ? EGL_PRECISION_BALANCED_SPANGLE
                                                                      : EGL_PRECISION_EXACT_SPANGLE;
     spangle::bench::Headless gl;
-    if (!gl.open(std::atoi(argv[2]), std::atoi(argv[3]), precision))
+    if (!gl.open(width, height, precision))
         return 1;
-    glDisable(GL_DITHER);
-    scene->setup(std::atoi(argv[2]), std::atoi(argv[3]));
-    for (int frame = 0; frame < std::atoi(argv[5]); ++frame)
+    if (std::strcmp(argv[5], "dither") != 0)
+        glDisable(GL_DITHER);
+    scene->setup(width, height);
+    for (int frame = 0; frame < std::atoi(argv[6]); ++frame) {
         scene->draw(frame);
+        if (frame == 2)
+            std::printf("%08x\n", spangle::bench::picture_hash(width, height));
+    }
     gl.close();
     return 0;
 }

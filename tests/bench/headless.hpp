@@ -3,6 +3,7 @@
 
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
+#include <spangle/native.hpp>
 
 namespace spangle::bench {
 
@@ -10,6 +11,7 @@ struct Headless {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
+    std::size_t surface_bytes = 0, context_bytes = 0; ///< of Spangle's memory
 
     /// `precision`: an EGL_PRECISION_..._SPANGLE token. False when anything fails.
     bool open(int width, int height, EGLint precision) {
@@ -23,8 +25,11 @@ struct Headless {
         EGLint count = 0;
         if (eglChooseConfig(display, wish, &config, 1, &count) == EGL_FALSE || count == 0)
             return false;
+        const std::size_t before = memory_use().used;
         surface = eglCreatePbufferSurface(display, config, size);
+        surface_bytes = memory_use().used - before;
         context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+        context_bytes = memory_use().used - before - surface_bytes;
         return eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
     }
 

@@ -1,5 +1,6 @@
-// The firmware of the instruction counts: one scene on an MPS2 board, three frames, counted one by one.
-// Prints "SCENE TIER FRAME INSTRUCTIONS HASH" a line by semihosting; run with -icount shift=0.
+// The firmware of the instruction counts: one scene on an MPS2 board, three frames, counted one by one; run
+// with -icount shift=0. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a line "NAME
+// BYTES" for each kind of memory.
 #include <cstdint>
 
 #include <spangle/native.hpp>
@@ -8,10 +9,15 @@
 #include "boards/mps2/semihosting.hpp"
 #include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
+#include "tests/bench/picture_hash.hpp"
 
 #ifndef BENCH_SCENE
 #error "define BENCH_SCENE (a scene object) and BENCH_PRECISION (an EGL token)"
 #endif
+
+extern "C" {
+extern char data_begin, data_end, bss_begin, bss_end, stack_top;
+}
 
 namespace {
 
@@ -20,20 +26,37 @@ using namespace spangle;
 constexpr int width = 320, height = 240;
 alignas(8) unsigned char memory_pool[1536 * 1024];
 
-std::uint32_t picture_hash() {
-    static GLubyte row[width * 4];
-    std::uint32_t hash = 2166136261u;
-    for (int y = 0; y < height; ++y) {
-        glReadPixels(0, y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE, row);
-        for (const GLubyte byte : row)
-            hash = (hash ^ byte) * 16777619u;
+/// The stack's unused part is painted before, and what is no longer the colour was used.
+struct StackPaint {
+    static constexpr std::uint32_t color = 0x5AA5C33C;
+    volatile std::uint32_t* const bottom = reinterpret_cast<volatile std::uint32_t*>(&stack_top) - 16384;
+
+    __attribute__((noinline)) void apply() const {
+        std::uint32_t here;
+        for (volatile std::uint32_t* p = bottom; p + 16 < &here; ++p)
+            *p = color;
     }
-    return hash;
+    std::uint32_t deepest() const {
+        const volatile std::uint32_t* p = bottom;
+        while (*p == color)
+            ++p;
+        return static_cast<std::uint32_t>(reinterpret_cast<const volatile char*>(&stack_top) -
+                                          reinterpret_cast<const volatile char*>(p));
+    }
+};
+
+void print_bytes(const char* name, std::size_t bytes) {
+    semihosting::print(name);
+    semihosting::print(" ");
+    semihosting::print_number(static_cast<std::uint32_t>(bytes));
+    semihosting::print("\n");
 }
 
 } // namespace
 
 int main() {
+    const StackPaint stack;
+    stack.apply();
     spangle::memory(memory_pool, sizeof memory_pool);
     bench::Headless gl;
     if (!gl.open(width, height, BENCH_PRECISION)) {
@@ -48,12 +71,18 @@ int main() {
         const std::uint32_t before = mps2::ticks();
         scene.draw(frame);
         const std::uint32_t after = mps2::ticks();
-        semihosting::print(scene.id);
-        semihosting::print(" ");
+        semihosting::print("frame ");
         semihosting::print_number((after - before) * mps2::instructions_per_tick);
         semihosting::print(" ");
-        semihosting::print_hex(picture_hash());
+        semihosting::print_hex(bench::picture_hash(width, height));
         semihosting::print("\n");
     }
+    print_bytes("context", gl.context_bytes);
+    print_bytes("surface", gl.surface_bytes);
+    print_bytes("peak", memory_use().peak);
+    // without what this program itself needs: the pool and the row of picture_hash()
+    print_bytes("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
+                              sizeof memory_pool - 2048 * 4);
+    print_bytes("stack", stack.deepest());
     return glGetError() == GL_NO_ERROR ? 0 : 1;
 }

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Holds the picture hashes of every scene and tier against those of other builds of the same sources.
+
+usage: hashes.py compilers|cortex_m PICTURE_HASHES
+
+PICTURE_HASHES is the host's own build. `compilers` builds the core again with gcc and clang at -O0, -O2 and -O3, and once
+with every instruction this processor has; `cortex_m` builds it for Cortex-M4, M3 and M0+ and runs it in QEMU. Prints a
+table; any hash that differs fails. Exit status 77 (skipped) when a compiler or the emulator is missing.
+"""
+import concurrent.futures
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "tests/bench"))
+import mcu  # noqa: E402
+
+HOST_BUILDS = [(compiler, flags) for compiler in ("g++", "clang++-14") for flags in ("-O0", "-O2", "-O3")] + [("clang++-14", "-O3 -march=native")]
+HOST_FLAGS = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *mcu.INCLUDES]
+MAIN = HERE / "picture_hashes.cpp"
+
+
+def read(text):
+    """{(scene, tier): hash} of a program's output."""
+    return {tuple(line.split()[:2]): line.split()[2] for line in text.splitlines() if len(line.split()) == 3}
+
+
+def hashes_of_host(compiler, flags):
+    sources = [path for _, path in mcu.sources()] + sorted((ROOT / "boards/scenes").glob("*.cpp")) + [MAIN]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+
+        def compile_one(path):
+            target = folder / (str(path.relative_to(ROOT)).replace("/", "_") + ".o")
+            subprocess.run([*mcu.CCACHE, compiler, *HOST_FLAGS, *flags.split(), "-c", str(path), "-o", str(target)], check=True)
+            return str(target)
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            objects = list(pool.map(compile_one, sources))
+        subprocess.run([compiler, *objects, "-o", str(folder / "hashes")], check=True)
+        return read(subprocess.run([str(folder / "hashes")], capture_output=True, text=True, check=True).stdout)
+
+
+def hashes_of_board(board):
+    machine, cpu = mcu.BOARDS[board]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        image = mcu.link_image(cpu, mcu.build_library(cpu, folder), MAIN, [], folder / "hashes.elf")
+        return read(mcu.emulate(machine, image))
+
+
+def table(builds):
+    """Prints what differs, or how much agreed. True when all is equal."""
+    wanted_by, wanted = next(iter(builds.items()))
+    good = True
+    for name, got in builds.items():
+        wrong = [key for key in wanted if got.get(key) != wanted[key]]
+        print(f"{name:<32}{len(wanted) - len(wrong)} of {len(wanted)} pictures equal")
+        good = good and not wrong and got.keys() == wanted.keys()
+    for scene, tier in wanted:
+        row = {name: got.get((scene, tier), "missing") for name, got in builds.items()}
+        if len(set(row.values())) > 1:
+            print(f"{scene:<6}{tier:<10}" + "  ".join(f"{name}: {value}" for name, value in row.items()))
+    return good
+
+
+def main():
+    if len(sys.argv) != 3 or sys.argv[1] not in ("compilers", "cortex_m"):
+        print(__doc__.strip())
+        return 2
+    host = read(subprocess.run([sys.argv[2]], capture_output=True, text=True, check=True).stdout)
+    if not host:
+        print("the host's build draws nothing")
+        return 1
+    builds = {"this build": host}
+    if sys.argv[1] == "compilers":
+        missing = [compiler for compiler, _ in HOST_BUILDS if shutil.which(compiler) is None]
+        if missing:
+            print(f"skipped: {', '.join(sorted(set(missing)))} not installed (./dev setup --all installs it)")
+            return 77
+        for compiler, flags in HOST_BUILDS:
+            builds[f"{compiler} {flags}"] = hashes_of_host(compiler, flags)
+    else:
+        if not mcu.available():
+            print("skipped: arm-none-eabi-g++ or qemu-system-arm is not installed (./dev setup --all installs them)")
+            return 77
+        for board in mcu.BOARDS:
+            builds[f"{mcu.BOARDS[board][1]} in QEMU"] = hashes_of_board(board)
+    return 0 if table(builds) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
