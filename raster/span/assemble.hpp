@@ -66,7 +66,8 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     if (key.blend)
-        chain.template add<Blend<N, Format>>();
+        chain.template choose<BlendAlpha<N, Format>, Blend<N, Format>>(
+            key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha);
     if (key.masked)
         chain.template add<StoreMasked<N, Format>>();
     else

@@ -15,31 +15,40 @@ inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8
 inline constexpr int host_lanes = 1;
 #endif
 
+/// Fragments [i, stop), i < stop, one by one.
+template <bool Row, class N, class List>
+SPANGLE_INLINE void fused_loop(List& list, std::int32_t i, std::int32_t stop) {
+    Px<N> p;
+    p.live = true;
+    p.row = Row;
+    do {
+        p.i = i;
+        list(p);
+        if constexpr (Row)
+            list.step_row();
+        else
+            list.step();
+    } while (++i != stop);
+}
+
 /// Pixels [span.begin + i, span.end), one lane.
 template <class N, class List>
 SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t i) {
     static_assert(N::lanes == 1);
     const std::int32_t n = span.end - span.begin;
     List list(span, span.begin + i);
-    Px<N> p;
-    p.live = true;
-    if constexpr (List::runs) {
-        do {
+    do {
+        std::int32_t stop = n;
+        if constexpr (List::runs) {
             const std::int32_t next = list.begin(span.begin + i) - span.begin;
-            const std::int32_t stop = next < n ? next : n;
-            do {
-                p.i = i;
-                list(p);
-                list.step();
-            } while (++i != stop);
-        } while (i != n);
-    } else {
-        do {
-            p.i = i;
-            list(p);
-            list.step();
-        } while (++i != n);
-    }
+            stop = next < n ? next : n;
+        }
+        if (List::rows && list.row(stop - i))
+            fused_loop<true, N>(list, i, stop);
+        else
+            fused_loop<false, N>(list, i, stop);
+        i = stop;
+    } while (List::runs && i != n);
 }
 
 /// Groups of eight from the begin of the span; returns the first pixel not drawn.
@@ -50,8 +59,10 @@ template <class N, class List> SPANGLE_INLINE std::int32_t fused_wide(const Span
     if (n == 0)
         return 0;
     List list(span, span.begin);
+    const bool row = List::rows && list.row(n);
     do {
         Px<N> p;
+        p.row = row;
         p.live = N::L::all;
         p.i = i;
         list(p);
@@ -97,6 +108,7 @@ SPANGLE_INLINE void fused_tail(const Span<Fixed>& span, std::int32_t i, std::int
     }
     typename Case::template List<8> list(copy, span.begin + i);
     Px<N> p;
+    p.row = Case::template List<8>::rows && list.row(n);
     __builtin_memcpy(&p.live, lives + 8 - n, 16);
     p.i = 0;
     list(p);

@@ -9,6 +9,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_texture.hpp"
@@ -36,8 +37,14 @@ template <Key K> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool raw = K.number == Number::raw565;
     static constexpr bool textured = K.unit[0].on;
+    /// The texel is the colour until it is blended.
+    static constexpr bool packed =
+        K.unit[0] ==
+            UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
+        K.blend && !K.fog && !K.dither && is_565(K.format);
     template <int L> struct Stages {
-        using N = std::conditional_t<raw, Raw565<L>, Balanced<L>>;
+        using N =
+            std::conditional_t<raw, Raw565<L>, std::conditional_t<packed && L == 1, Packed, Balanced<L>>>;
         static auto depth() {
             if constexpr (tested)
                 return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
@@ -45,7 +52,7 @@ template <Key K> class FusedCase {
                 return std::type_identity<None<N, 0>>{};
         }
         static auto color() {
-            if constexpr (raw && textured)
+            if constexpr ((raw && textured) || is_packed<N>)
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<FlatWord<L>>{};
@@ -55,12 +62,17 @@ template <Key K> class FusedCase {
                 return std::type_identity<White<N>>{};
         }
         static auto texture() {
-            if constexpr (textured)
-                return std::type_identity<Seq<
-                    N, Coord<N, 0, K.kind == Kind::textured>,
-                    TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>>>{};
-            else
+            if constexpr (textured) {
+                constexpr bool projective = K.kind == Kind::textured;
+                using Texture =
+                    TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+                if constexpr (K.unit[0].filter == Filter::nearest && (L == 1 || !projective))
+                    return std::type_identity<NearestWalk<Texture, 0, projective>>{};
+                else
+                    return std::type_identity<Seq<N, Coord<N, 0, projective>, Texture>>{};
+            } else {
                 return std::type_identity<None<N, 2>>{};
+            }
         }
         static auto fog() {
             if constexpr (K.fog)
@@ -69,7 +81,7 @@ template <Key K> class FusedCase {
                 return std::type_identity<None<N, 3>>{};
         }
         static auto blend() {
-            if constexpr (K.blend)
+            if constexpr (K.blend && !is_packed<N>)
                 return std::type_identity<BlendAlpha<N, K.format>>{};
             else
                 return std::type_identity<None<N, 4>>{};
@@ -77,6 +89,8 @@ template <Key K> class FusedCase {
         static auto store() {
             if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
+            else if constexpr (is_packed<N>)
+                return std::type_identity<BlendPacked<K.format>>{};
             else if constexpr (K.dither)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else

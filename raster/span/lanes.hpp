@@ -135,6 +135,14 @@ template <> struct Lanes<8> {
         return v;
     }
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { __builtin_memcpy(p, &v, 16); }
+    /// Eight words of 32 bits in a row.
+    SPANGLE_INLINE static U32 load32(const std::uint8_t* p) {
+        Words low, high;
+        __builtin_memcpy(&low, p, 16);
+        __builtin_memcpy(&high, p + 16, 16);
+        return {__builtin_shufflevector(low, high, 0, 2, 4, 6),
+                __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+    }
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) {
         return {Words{v[0], v[2], v[4], v[6]}, Words{v[1], v[3], v[5], v[7]}};
     }

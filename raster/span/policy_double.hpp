@@ -47,6 +47,9 @@ struct Reference {
     }
     static T mul(T a, T b) { return a * b; }
     static T add(T a, T b) { return a + b < 1 ? a + b : 1; }
+    template <unsigned Bits> static T over(T s, T a, std::uint32_t k) {
+        return add(s * a, (1 - a) * k / ((1u << Bits) - 1));
+    }
     static T subtract(T a, T b) { return a > b ? a - b : 0; }
     static T lerp(T a, T b, T k) { return clamp01(a * (1 - k) + b * k); }
     static T weighted(T a, std::uint32_t wa, T b, std::uint32_t wb, T c, std::uint32_t wc, T d,

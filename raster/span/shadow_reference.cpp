@@ -41,15 +41,16 @@ template <class N> class Fragment {
     Px<N> f_;
     Px<Reference> d_;
 
-    template <class FixedStage, class DoubleStage> void run() {
+    /// Both, or false: one of them dropped the fragment.
+    template <class FixedStage, class DoubleStage> bool run() {
         FixedStage fixed(fixed_, x_);
         if constexpr (FixedStage::runs)
             fixed.begin(x_);
-        fixed(f_);
+        const bool alive = fixed(f_);
         DoubleStage twin(twin_, x_);
-        twin(d_);
+        return twin(d_) && alive;
     }
-    template <template <class> class Stage> void run() { run<Stage<N>, Stage<Reference>>(); }
+    template <template <class> class Stage> bool run() { return run<Stage<N>, Stage<Reference>>(); }
 
     void colors(ShadowStage stage) {
         const auto one = [&](auto fixed, double exact) {
@@ -69,7 +70,7 @@ template <class N> class Fragment {
 
     void primary(const DrawState& state) {
         if (!state.needs.rgb)
-            return run<White<N>, White<Reference>>();
+            return static_cast<void>(run<White<N>, White<Reference>>());
         const bool alpha = state.needs.alpha;
         if (fixed_.kind == Kind::full)
             alpha ? run<GouraudQ<N, true>, GouraudQ<Reference, true>>()
@@ -135,21 +136,23 @@ template <class N> class Fragment {
             return;
         switch (state.format) {
         case PixelFormat::rgb565_be:
-            blend<PixelFormat::rgb565_be>();
-            break;
+            return blend<PixelFormat::rgb565_be>();
         case PixelFormat::rgb565_le:
-            blend<PixelFormat::rgb565_le>();
-            break;
+            return blend<PixelFormat::rgb565_le>();
         case PixelFormat::rgb888:
-            blend<PixelFormat::rgb888>();
-            break;
+            return blend<PixelFormat::rgb888>();
         case PixelFormat::rgba8888:
-            blend<PixelFormat::rgba8888>();
-            break;
+            return blend<PixelFormat::rgba8888>();
         }
-        colors(ShadowStage::blend);
     }
-    template <PixelFormat Format> void blend() { run<Blend<N, Format>, Blend<Reference, Format>>(); }
+    template <PixelFormat Format> void blend() {
+        const FragmentState& state = fixed_.state->fragment;
+        const bool over =
+            state.blend_src == BlendFactor::src_alpha && state.blend_dst == BlendFactor::one_minus_src_alpha;
+        if (over ? run<BlendAlpha<N, Format>, BlendAlpha<Reference, Format>>()
+                 : run<Blend<N, Format>, Blend<Reference, Format>>())
+            colors(ShadowStage::blend);
+    }
 };
 
 /// Compares before anything is drawn: the destination of blending is still the old one.

@@ -13,6 +13,8 @@
 //                                               writes every lane that is alive;
 //   static kill, effect, runs                   it can drop fragments; it writes memory (or counts); it works
 //   in runs.
+//   bool row(std::int32_t n), void step_row()   only if `rows` (fused lists): the next n fragments lie in one
+//                                               row of the texture; where p.row says so, step_row() steps.
 // With more than one lane a stage drops fragments by clearing lanes of p.live, and one with an effect honours
 // p.live. With one lane p.live need not be looked at or written: the result of operator() says it. The order
 // of the list is the order of operations of GL; a stage never writes outside pixels [begin, end).
@@ -38,6 +40,7 @@ enum Field : unsigned {
 template <class N> struct Px {
     std::int32_t i; ///< first pixel of the group, counted from the span's `begin`
     typename N::L::Mask live;
+    bool row = false; ///< Seq::row said so; a constant of the loop
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
@@ -47,7 +50,7 @@ template <class N> struct Px {
 /// Defaults of a stage.
 struct StageBase {
     static constexpr unsigned in = 0, out = 0;
-    static constexpr bool kill = false, effect = false, runs = false;
+    static constexpr bool kill = false, effect = false, runs = false, rows = false;
     SPANGLE_INLINE void step() {}
 };
 
@@ -63,11 +66,30 @@ template <class N, class... S> struct Seq : S... {
     static constexpr bool kill = (S::kill || ... || false);
     static constexpr bool effect = (S::effect || ... || false);
     static constexpr bool runs = (S::runs || ... || false);
+    static constexpr bool rows = (S::rows || ... || false);
     using Policy = typename N::Policy;
 
     SPANGLE_INLINE Seq(const Span<Policy>& span, std::int32_t x) : S(span, x)... {}
     SPANGLE_INLINE bool operator()(Px<N>& p) { return (static_cast<S&>(*this)(p) && ...); }
     SPANGLE_INLINE void step() { (S::step(), ...); }
+    SPANGLE_INLINE bool row(std::int32_t n) {
+        const auto one = [&]<class T>(T& stage) {
+            if constexpr (T::rows)
+                return stage.row(n);
+            else
+                return true;
+        };
+        return rows && (one(static_cast<S&>(*this)) && ...);
+    }
+    SPANGLE_INLINE void step_row() {
+        const auto one = []<class T>(T& stage) {
+            if constexpr (T::rows)
+                stage.step_row();
+            else
+                stage.step();
+        };
+        (one(static_cast<S&>(*this)), ...);
+    }
     /// Nearest end of a run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
         std::int32_t next = INT32_MAX;

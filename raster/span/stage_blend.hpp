@@ -26,25 +26,49 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool kill = true;
+    using L = typename N::L;
     const std::uint8_t* plane;
     SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
-        const typename N::T a = s.a, rest = N::from_units(color_one) - a;
+        const typename N::T a = s.a;
         // Alpha 0 stores what is stored already (k/31, k/63, k/255 come back as k, dithered or not): nothing
         // to do.
         if constexpr (N::lanes == 1) {
             if (a == 0)
                 return false;
-        } else if (!N::L::any(N::L::negate(N::L::equal(a, N::L::splat(0))))) {
+        } else if (!L::any(L::negate(L::equal(a, L::splat(0))))) {
             return false;
         }
-        const typename N::Color d = load_color<N, Format>(plane, p.i);
-        s.r = N::add(N::mul(s.r, a), N::mul(d.r, rest));
-        s.g = N::add(N::mul(s.g, a), N::mul(d.g, rest));
-        s.b = N::add(N::mul(s.b, a), N::mul(d.b, rest));
-        if constexpr (format_info(Format).alpha_bits != 0)
-            s.a = N::add(N::mul(a, a), N::mul(d.a, rest));
+        if constexpr (is_565(Format)) {
+            const typename L::U16 word = Words565<L, Format>::load(plane + 2 * p.i);
+            s.r = N::template over<5>(s.r, a, word >> 11);
+            s.g = N::template over<6>(s.g, a, (word >> 5) & 63);
+            s.b = N::template over<5>(s.b, a, word & 31);
+        } else {
+            const std::uint8_t* const at = plane + format_info(Format).bytes_per_pixel * p.i;
+            s.r = N::template over<8>(s.r, a, at[0]);
+            s.g = N::template over<8>(s.g, a, at[1]);
+            s.b = N::template over<8>(s.b, a, at[2]);
+            if constexpr (format_info(Format).alpha_bits != 0)
+                s.a = N::template over<8>(a, a, at[3]);
+        }
+        return true;
+    }
+};
+
+/// BlendAlpha and Store of the packed system.
+template <PixelFormat Format> struct BlendPacked : StageBase {
+    static constexpr unsigned in = field_color;
+    static constexpr bool kill = true, effect = true;
+    using Words = Words565<Lanes<1>, Format>;
+    std::uint8_t* plane;
+    SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE bool operator()(Px<Packed>& p) const {
+        if (p.color.a == 0)
+            return false;
+        std::uint8_t* const at = plane + 2 * p.i;
+        Words::store(at, p.color.a == 255 ? Packed::opaque(p.color) : Packed::over(p.color, Words::load(at)));
         return true;
     }
 };

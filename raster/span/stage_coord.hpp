@@ -8,35 +8,23 @@ namespace spangle::raster {
 
 template <class N, int Unit, bool Projective> struct Coord;
 
-/// s in the low and t in the high half of one word: one addition steps both, and compilers leave it in one
-/// register. What a step carries from s to t is below 2^-31 of a repeat, and the same wherever a walk starts.
-SPANGLE_INLINE constexpr std::uint64_t pack_st(std::uint32_t s, std::uint32_t t) {
-    return std::uint64_t{t} << 32 | s;
-}
-SPANGLE_INLINE constexpr std::uint64_t pack_step(std::uint32_t ds, std::uint32_t dt) {
-    return (std::uint64_t{dt} << 32) +
-           static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(ds)});
-}
-
 /// Affine over the primitive.
 template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
-    std::uint64_t st, step_st;
+    std::uint32_t s, t, ds, dt;
     SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
-        : step_st(pack_step(span.s[Unit].dx, span.t[Unit].dx)) {
-        st = pack_st(span.s[Unit].value, span.t[Unit].value) +
-             static_cast<std::uint64_t>(std::int64_t{x}) * step_st;
-    }
+        : s(span.s[Unit].at(x)), t(span.t[Unit].at(x)), ds(span.s[Unit].dx), dt(span.t[Unit].dx) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) {
-        std::uint64_t at = st;
-        for (int lane = 0; lane < N::lanes; ++lane) {
-            p.coord[Unit].s[lane] = static_cast<std::uint32_t>(at);
-            p.coord[Unit].t[lane] = static_cast<std::uint32_t>(at >> 32);
-            at += step_st;
+        for (std::uint32_t lane = 0; lane < N::lanes; ++lane) {
+            p.coord[Unit].s[lane] = s + lane * ds;
+            p.coord[Unit].t[lane] = t + lane * dt;
         }
         return true;
     }
-    SPANGLE_INLINE void step() { st += static_cast<std::uint64_t>(N::lanes) * step_st; }
+    SPANGLE_INLINE void step() {
+        s += std::uint32_t{N::lanes} * ds;
+        t += std::uint32_t{N::lanes} * dt;
+    }
 };
 
 namespace detail {
@@ -113,13 +101,16 @@ template <int Unit> struct Coord<Exact, Unit, true> : StageBase {
 /// does not change along the row, the row is one run.
 template <int Unit> class CoordRuns {
   public:
-    std::uint64_t st, step_st; ///< pack_st
+    std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x) : span_(span), next_(x), log2_(-1) {}
 
-    /// Makes st and its step valid at pixel x; returns the end of its run.
+    /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
-    SPANGLE_INLINE void step() { st += step_st; }
+    SPANGLE_INLINE void step() {
+        s += ds;
+        t += dt;
+    }
 
   private:
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
@@ -132,7 +123,6 @@ template <int Unit> class CoordRuns {
         last_ = Sample(span_, to);
         next_ = from + length;
         const auto& unit = span_.unit[Unit];
-        std::uint32_t s, t, ds, dt;
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
             v = detail::to_coord(v0, wraps, base);
@@ -144,8 +134,8 @@ template <int Unit> class CoordRuns {
         };
         along(start.s, last_.s, span_.state->wraps[Unit].s, unit.s_base, s, ds);
         along(start.t, last_.t, span_.state->wraps[Unit].t, unit.t_base, t, dt);
-        step_st = pack_step(ds, dt);
-        st = pack_st(s, t) + static_cast<std::uint64_t>(std::int64_t{x - from}) * step_st;
+        s += static_cast<std::uint32_t>(x - from) * ds;
+        t += static_cast<std::uint32_t>(x - from) * dt;
         return next_;
     }
 
@@ -221,15 +211,15 @@ template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         if constexpr (N::lanes == 1) {
-            p.coord[Unit].s[0] = static_cast<std::uint32_t>(run.st);
-            p.coord[Unit].t[0] = static_cast<std::uint32_t>(run.st >> 32);
+            p.coord[Unit].s[0] = run.s;
+            p.coord[Unit].t[0] = run.t;
         } else {
             std::int32_t next = run.begin(x);
             for (int lane = 0; lane < N::lanes; ++lane) {
                 if (x == next)
                     next = run.begin(x);
-                p.coord[Unit].s[lane] = static_cast<std::uint32_t>(run.st);
-                p.coord[Unit].t[lane] = static_cast<std::uint32_t>(run.st >> 32);
+                p.coord[Unit].s[lane] = run.s;
+                p.coord[Unit].t[lane] = run.t;
                 run.step();
                 ++x;
             }

@@ -118,8 +118,9 @@ template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
 template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env>
 struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
+    using System = N;
     using Color = typename N::Color;
-    using One = Balanced<1>;
+    static constexpr std::uint32_t bytes = texel_bytes(Texels);
     const std::uint8_t* texels;
     std::uint32_t stride;
     int log2_width, log2_height;
@@ -136,21 +137,40 @@ struct TextureFixed : StageBase {
     }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::Coord& c = p.coord[Unit];
+        if constexpr (F == Filter::nearest)
+            return combine(p, [&](std::uint32_t k) { return nearest(c.s[k], c.t[k]); });
+        else if constexpr (N::lanes == 1)
+            return environment(p, filtered(c.s[0], c.t[0]));
+        else
+            return environment(p, filtered_lanes(c));
+    }
+
+    /// With the texel at `address(k)` for lane k.
+    template <class Address> SPANGLE_INLINE bool combine(Px<N>& p, Address address) const {
         if constexpr (is_raw<N>) {
-            p.color.word = raw(p.coord[Unit]);
+            static_assert(N::lanes == 1 && Env == TexEnv::replace);
+            p.color.word = raw(address(0));
+            return true;
+        } else if constexpr (is_packed<N>) {
+            static_assert(Texels == TexelFormat::rgba8888 && Env == TexEnv::replace);
+            p.color = N::from_word(word_at(address(0)));
+            return true;
+        } else if constexpr (N::lanes == 1) {
+            return environment(p, read_texel<N, Texels>(address(0)));
         } else {
-            Color s;
-            if constexpr (N::lanes == 1) {
-                s = fetch<N>(p.coord[Unit].s[0], p.coord[Unit].t[0]);
-            } else {
-                s = fetch_lanes(p.coord[Unit]);
-            }
-            if constexpr (Env == TexEnv::blend)
-                apply_env<N>(Env, Base, p.color, s, constant);
-            else
-                apply_env<N>(Env, Base, p.color, s, Color{});
+            return environment(p, unpack(N::L::generate([&](int k) {
+                                   return word_at(address(static_cast<std::uint32_t>(k)));
+                               })));
         }
-        return true;
+    }
+    /// With the texels of all lanes, as words.
+    static constexpr bool loads_words = Texels == TexelFormat::rgba8888 && N::lanes > 1;
+    template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
+        return environment(p, unpack(words));
+    }
+    SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
+        return texels + static_cast<std::uint32_t>(j) * stride + static_cast<std::uint32_t>(i) * bytes;
     }
 
   private:
@@ -169,63 +189,50 @@ struct TextureFixed : StageBase {
             return {N::from8(N::L::byte(v, 0)), N::from8(N::L::byte(v, 1)), N::from8(N::L::byte(v, 2)),
                     has_alpha ? N::from8(N::L::byte(v, 3)) : N::from_units(color_one)};
     }
-    SPANGLE_INLINE Color fetch_lanes(const typename N::Coord& c) const {
-        if constexpr (F == Filter::nearest) {
-            return unpack(N::L::generate([&](int k) { return word_at(nearest(c.s[k], c.t[k])); }));
-        } else {
-            Word word[4][N::lanes];
-            std::uint16_t a[N::lanes], b[N::lanes];
-            for (int k = 0; k < N::lanes; ++k) {
-                const TexelIndex i = repeat_linear(c.s[k], log2_width),
-                                 j = repeat_linear(c.t[k], log2_height);
-                const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
-                                   j1 = (j.i + 1) & ((1 << log2_height) - 1);
-                word[0][k] = word_at(at(i.i, j.i));
-                word[1][k] = word_at(at(i1, j.i));
-                word[2][k] = word_at(at(i.i, j1));
-                word[3][k] = word_at(at(i1, j1));
-                a[k] = static_cast<std::uint16_t>(i.weight);
-                b[k] = static_cast<std::uint16_t>(j.weight);
-            }
-            return bilinear<N, has_alpha>(unpack(N::L::gather(word[0])), unpack(N::L::gather(word[1])),
-                                          unpack(N::L::gather(word[2])), unpack(N::L::gather(word[3])),
-                                          N::L::gather(a), N::L::gather(b));
-        }
+    SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
+        if constexpr (Env == TexEnv::blend)
+            apply_env<N>(Env, Base, p.color, s, constant);
+        else
+            apply_env<N>(Env, Base, p.color, s, Color{});
+        return true;
     }
-    SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
-        return texels + static_cast<std::uint32_t>(j) * stride +
-               static_cast<std::uint32_t>(i) * texel_bytes(Texels);
+    SPANGLE_INLINE Color filtered_lanes(const typename N::Coord& c) const {
+        Word word[4][N::lanes];
+        std::uint16_t a[N::lanes], b[N::lanes];
+        for (int k = 0; k < N::lanes; ++k) {
+            const TexelIndex i = repeat_linear(c.s[k], log2_width), j = repeat_linear(c.t[k], log2_height);
+            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
+                               j1 = (j.i + 1) & ((1 << log2_height) - 1);
+            word[0][k] = word_at(at(i.i, j.i));
+            word[1][k] = word_at(at(i1, j.i));
+            word[2][k] = word_at(at(i.i, j1));
+            word[3][k] = word_at(at(i1, j1));
+            a[k] = static_cast<std::uint16_t>(i.weight);
+            b[k] = static_cast<std::uint16_t>(j.weight);
+        }
+        return bilinear<N, has_alpha>(unpack(N::L::gather(word[0])), unpack(N::L::gather(word[1])),
+                                      unpack(N::L::gather(word[2])), unpack(N::L::gather(word[3])),
+                                      N::L::gather(a), N::L::gather(b));
     }
     static constexpr bool has_alpha =
         Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
     SPANGLE_INLINE const std::uint8_t* nearest(std::uint32_t s, std::uint32_t t) const {
         return at(repeat_nearest(s, log2_width), repeat_nearest(t, log2_height));
     }
-    template <class M> SPANGLE_INLINE typename M::Color fetch(std::uint32_t s, std::uint32_t t) const {
-        if constexpr (F == Filter::nearest) {
-            return read_texel<M, Texels>(nearest(s, t));
-        } else {
-            const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
-            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
-                               j1 = (j.i + 1) & ((1 << log2_height) - 1);
-            return bilinear<M, has_alpha>(
-                read_texel<M, Texels>(at(i.i, j.i)), read_texel<M, Texels>(at(i1, j.i)),
-                read_texel<M, Texels>(at(i.i, j1)), read_texel<M, Texels>(at(i1, j1)), i.weight, j.weight);
-        }
+    SPANGLE_INLINE Color filtered(std::uint32_t s, std::uint32_t t) const {
+        const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
+        const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
+                           j1 = (j.i + 1) & ((1 << log2_height) - 1);
+        return bilinear<N, has_alpha>(read_texel<N, Texels>(at(i.i, j.i)), read_texel<N, Texels>(at(i1, j.i)),
+                                      read_texel<N, Texels>(at(i.i, j1)), read_texel<N, Texels>(at(i1, j1)),
+                                      i.weight, j.weight);
     }
-    SPANGLE_INLINE typename N::T raw(const typename N::Coord& c) const {
-        static_assert(F == Filter::nearest && Env == TexEnv::replace);
-        std::uint16_t word[N::lanes];
-        for (int i = 0; i < N::lanes; ++i) {
-            const std::uint8_t* const texel =
-                at(repeat_nearest(c.s[i], log2_width), repeat_nearest(c.t[i], log2_height));
-            if constexpr (Texels == TexelFormat::rgb565)
-                word[i] = static_cast<std::uint16_t>(Lanes<1>::load(texel));
-            else
-                word[i] = static_cast<std::uint16_t>((texel[0] & 0xF8) << 8 | (texel[1] & 0xFC) << 3 |
-                                                     texel[2] >> 3);
-        }
-        return N::L::gather(word);
+    /// The 565 word of a texel.
+    SPANGLE_INLINE static std::uint32_t raw(const std::uint8_t* texel) {
+        if constexpr (Texels == TexelFormat::rgb565)
+            return Lanes<1>::load(texel);
+        else
+            return (texel[0] & 0xF8u) << 8 | (texel[1] & 0xFCu) << 3 | texel[2] >> 3;
     }
 };
 

@@ -78,8 +78,11 @@ SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
 /// NEAREST is floor(u + 2^-13 texel) by definition, in every policy: sprites whose texels meet pixel centres
 /// exactly then do not depend on the last bit of u.
 inline constexpr int nearest_bias_bits = 13;
+SPANGLE_INLINE constexpr std::uint32_t nearest_bias(int log2_size) {
+    return 1u << (32 - nearest_bias_bits - log2_size);
+}
 SPANGLE_INLINE std::int32_t repeat_nearest(std::uint32_t s, int log2_size) {
-    return repeat_index(s + (1u << (32 - nearest_bias_bits - log2_size)), log2_size);
+    return repeat_index(s + nearest_bias(log2_size), log2_size);
 }
 
 /// From a coordinate that does not wrap (s3.28).

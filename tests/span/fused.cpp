@@ -84,10 +84,12 @@ void expect_equal(const FusedSpan& fused, SpanFunction run, const char* name) {
     state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);
     hits = {};
     RandomVertices source(17 + kind);
-    for (int round = 0; round < 700; ++round) {
+    const int rounds = fused.key.unit[0].on ? 1400 : 700; // the second half: sprites
+    for (int round = 0; round < rounds; ++round) {
         chain_canvas.noise(static_cast<std::uint32_t>(round));
         fused_canvas.noise(static_cast<std::uint32_t>(round));
-        const Triangle t = random_triangle(source, width, height, fused.key.kind);
+        const Triangle t = round < 700 ? random_triangle(source, width, height, fused.key.kind)
+                                       : random_sprite(source, width, height, fused.key.kind);
         const Rect cut = {static_cast<int>(source.below(8)), 0,
                           width - static_cast<int>(source.below(30)) - 8, height};
         state.fragment.scissor = chained.fragment.scissor = round % 2 == 0 ? of.state.scissor : cut;

@@ -89,6 +89,33 @@ inline Triangle random_triangle(RandomVertices& source, int width, int height, K
     }
     return t;
 }
+/// Axis-aligned, texels along pixels one to one, mirrored, or in other ratios; 1/w changes from row to row
+/// only, if it does.
+inline Triangle random_sprite(RandomVertices& source, int width, int height, Kind kind) {
+    Triangle t = random_triangle(source, width, height, kind);
+    const auto other = [&](std::int32_t v, int size) {
+        const auto by = 1 + static_cast<std::int32_t>(source.below(static_cast<std::uint32_t>(size - 1)));
+        return (v + by) % size;
+    };
+    const auto x0 = static_cast<std::int32_t>(source.below(static_cast<std::uint32_t>(width)));
+    const auto y0 = static_cast<std::int32_t>(source.below(static_cast<std::uint32_t>(height)));
+    const std::int32_t x1 = other(x0, width), y1 = other(y0, height);
+    constexpr std::int32_t texel = 1 << 23; // of 64; s and t have 29 fraction bits
+    constexpr std::int32_t steps[] = {texel, texel, texel, -texel, texel / 3, 0, 5 * texel / 2};
+    const std::int32_t ds = steps[source.below(7)], dt = steps[source.below(7)];
+    const auto s0 = static_cast<std::int32_t>(source.below(64)) * texel;
+    for (int i = 0; i < 3; ++i) {
+        FixedVertex& v = t.v[i];
+        const std::int32_t x = i == 0 ? x0 : x1, y = i == 2 ? y1 : y0;
+        v.x = x * 256;
+        v.y = y * 256;
+        v.tex[0].s = s0 + (x - x0) * ds;
+        v.tex[0].t = s0 / 2 + (y - y0) * dt;
+    }
+    t.v[1].w_mantissa = t.v[0].w_mantissa;
+    t.v[1].w_exponent = t.v[0].w_exponent;
+    return t;
+}
 inline void draw(const DrawState& state, const Surface& surface, const Triangle& t) {
     const auto& v = t.v;
     const std::int64_t area = signed_area(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y);

@@ -1,0 +1,83 @@
+// SRC_ALPHA, ONE_MINUS_SRC_ALPHA of the balanced tier: its bound, its identities, and the packed form's bits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "raster/span/number.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+using N = Balanced<1>;
+
+template <unsigned Bits> double worst_error() {
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    double worst = 0;
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k <= most; ++k) {
+                const double want = (s * a + (255. - a) * k * 255 / most) / 255;
+                const double got = N::over<Bits>(N::from8(s), N::from8(a), k) / 256.;
+                worst = std::fmax(worst, std::fabs(got - want));
+            }
+    return worst;
+}
+
+TEST(Over, ErrorOfStoredBits) {
+    EXPECT_LE(worst_error<5>(), 1. / 5);
+    EXPECT_LE(worst_error<6>(), 1. / 5);
+}
+
+TEST(Over, EightBitsAreRoundedExactly) {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 256; ++k)
+                ASSERT_EQ(N::to8(N::over<8>(N::from8(s), N::from8(a), k)),
+                          (2 * (s * a + k * (255 - a)) + 255) / 510)
+                    << s << " " << a << " " << k;
+}
+
+/// Alpha 0 stores what is stored, dithered or not, so that such fragments need not be drawn; alpha 1 stores
+/// the colour. Alpha in 8.8: nothing leaves 16 bits.
+template <unsigned Bits> void identities() {
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    for (std::uint32_t k = 0; k <= most; ++k) {
+        const std::uint32_t kept = N::over<Bits>(0, 0, k);
+        EXPECT_EQ(N::to8(kept) >> (8 - Bits), k);
+        for (std::uint32_t t = 1; t < 32; t += 2)
+            EXPECT_EQ(N::dithered<Bits>(kept, t), k) << t;
+        for (std::uint32_t s = 0; s < 256; ++s)
+            EXPECT_EQ(N::to8(N::over<Bits>(N::from8(s), N::one, k)), s);
+    }
+    for (std::uint32_t a = 0; a <= N::one; ++a) {
+        const std::uint32_t white = N::over<Bits>(N::one, a, most);
+        ASSERT_EQ(N::to8(white), 255u) << a;
+        ASSERT_EQ(N::dithered<Bits>(white, 31), most) << a;
+    }
+}
+
+TEST(Over, Identities) {
+    identities<5>();
+    identities<6>();
+}
+
+TEST(Over, PackedHasTheSameBits) {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 64; ++k) {
+                const std::uint32_t g = s ^ 0x5A, b = 255 - s, r5 = k & 31, b5 = (k * 7) & 31;
+                const auto top = [&]<unsigned Bits>(std::uint32_t c, std::uint32_t under) {
+                    return N::to8(N::over<Bits>(N::from8(c), N::from8(a), under)) >> (8 - Bits);
+                };
+                const std::uint32_t want =
+                    top.operator()<5>(s, r5) << 11 | top.operator()<6>(g, k) << 5 | top.operator()<5>(b, b5);
+                const Packed::Color c = Packed::from_word(s | g << 8 | b << 16 | a << 24);
+                ASSERT_EQ(Packed::over(c, r5 << 11 | k << 5 | b5), want) << s << " " << a << " " << k;
+                if (a == 255) {
+                    ASSERT_EQ(Packed::opaque(c), want);
+                }
+            }
+}
+
+} // namespace
+} // namespace spangle::raster::test
