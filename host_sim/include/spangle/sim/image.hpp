@@ -19,8 +19,8 @@ struct Image {
     Image(int w, int h)
         : width(w), height(h), rgba(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4, 255) {}
     std::uint8_t* at(int x, int y) {
-        return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                          static_cast<std::size_t>(x))];
+        return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x));
     }
     const std::uint8_t* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
     friend bool operator==(const Image&, const Image&) = default;
