@@ -44,8 +44,7 @@ template <class P> void draw_x_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk w
 
 template <class P> void draw_y_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk walk, std::int32_t width) {
     for (; walk.count > 0; walk.step())
-        if (pen.sees(walk.minor, walk.minor + width))
-            pen.draw(setup, walk.major, walk.minor, walk.minor + width);
+        pen.draw(setup, walk.major, walk.minor, walk.minor + width);
 }
 
 } // namespace detail
@@ -66,8 +65,8 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
         walk.clip(pen.row_begin(), pen.row_end());
     if (walk.count == 0)
         return;
-    pen.primitive();
     Setup<P> setup(pen.span, a, b, provoking, walk.along_x, interval.begin, interval.end);
+    pen.begin();
     if (walk.along_x)
         detail::draw_x_major(pen, setup, walk, width);
     else

@@ -36,19 +36,29 @@ template <class P> class Pen {
     bool sees(std::int32_t left, std::int32_t right) const {
         return left < clip_.x + clip_.w && right > clip_.x;
     }
+    /// All columns of a primitive: those drawn later lie among them.
+    bool sees_extent(std::int32_t left, std::int32_t right) {
+        clips_ = left < clip_.x || right > clip_.x + clip_.w;
+        return !clips_ || sees(left, right);
+    }
 
-    /// Once per primitive that reaches a pixel.
-    void primitive() const {
+    /// Once per primitive that reaches a pixel, after its set-up.
+    void begin() {
+        run_ = reinterpret_cast<Run>(span.state->variant[static_cast<unsigned>(span.kind)].run);
         if (span.state->counters != nullptr)
             ++span.state->counters->triangles;
     }
 
-    /// Columns [left, right) of row y, y inside the scissor rectangle and the columns seen.
+    /// Columns [left, right) of row y, y inside the scissor rectangle.
     SPANGLE_INLINE void draw(Setup<P>& setup, std::int32_t y, std::int32_t left, std::int32_t right) {
+        std::int32_t first = left, last = right;
+        if (clips_) {
+            if (!sees(left, right))
+                return;
+            first = left < clip_.x ? clip_.x : left;
+            last = right < column_end() ? right : column_end();
+        }
         setup.move_to(left, y);
-        const std::int32_t clip_end = clip_.x + clip_.w;
-        const std::int32_t first = left < clip_.x ? clip_.x : left,
-                           last = right < clip_end ? right : clip_end;
         span.length = right - left;
         span.begin = first - left;
         span.end = last - left;
@@ -65,15 +75,17 @@ template <class P> class Pen {
                 counters->observer->span(*counters->observer, y, first, last);
 #endif
         }
-        const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
-        reinterpret_cast<void (*)(const Span<P>&)>(variant.run)(span);
+        run_(span);
     }
 
   private:
+    using Run = void (*)(const Span<P>&);
     const Surface& target_;
     Rect clip_;
     std::int32_t bytes_;
     int depth_shift_;
+    bool clips_ = true; ///< some column may lie outside of the scissor rectangle
+    Run run_ = nullptr;
 };
 
 } // namespace spangle::raster

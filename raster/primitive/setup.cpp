@@ -1,52 +1,13 @@
 #include "raster/primitive/setup.hpp"
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/primitive/setup_math.hpp"
 
 namespace spangle::raster {
-
-namespace {
 
 using numeric::abs_u32;
 using numeric::clz32;
 using numeric::clz64;
-
-std::uint32_t range_of(std::int32_t a, std::int32_t b, std::int32_t c) {
-    const std::int32_t low = a < b ? (a < c ? a : c) : (b < c ? b : c);
-    const std::int32_t high = a > b ? (a > c ? a : c) : (b > c ? b : c);
-    return static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low);
-}
-
-/// v * 2^-n for any n, rounded to nearest on the way down, mod 2^64 on the way up.
-SPANGLE_INLINE std::int64_t shift(std::int64_t v, int n) {
-    if (n > 0)
-        return n > 62 ? 0 : ((v >> (n - 1)) + 1) >> 1;
-    return n < -63 ? 0 : static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << -n);
-}
-
-/// a * b / 2^30, rounded.
-SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>((std::int64_t{a} * b + (1 << 29)) >> 30);
-}
-
-/// m * 2^exponent with `fraction` fraction bits, saturated below 2^61.
-std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
-    const int up = exponent + fraction;
-    if (up <= 0)
-        return shift(m, -up < 62 ? -up : 62);
-    constexpr std::int64_t limit = std::int64_t{1} << 61;
-    if (m == 0)
-        return 0;
-    if (up >= clz64(numeric::abs_u64(m)) - 2)
-        return m < 0 ? -limit : limit;
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(m) << up);
-}
-
-std::int64_t least_of(const std::int64_t v[3]) {
-    const std::int64_t ab = v[0] < v[1] ? v[0] : v[1];
-    return ab < v[2] ? ab : v[2];
-}
-
-} // namespace
 
 // --- geometry
 
@@ -62,7 +23,7 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x
     v_[0] = v_[2] = &from;
     v_[1] = &to;
     cx_[0] = cx_[1] = cy_[0] = cy_[1] = 0;
-    ex_ = ey_ = 1;
+    exponent_ = 32;
     start();
     (along_x ? span_.x : span_.y) = begin >> subpixel_bits;
     (along_x ? ox_ : oy_) = subpixel_one / 2 - (begin & (subpixel_one - 1));
@@ -73,24 +34,31 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x
     // 256 / length = mantissa 2^-(53 - zeros)
     const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
     (along_x ? cx_[0] : cy_[0]) = end < begin ? -mantissa : mantissa;
-    (along_x ? ex_ : ey_) = 53 - zeros;
+    exponent_ = 53 - zeros;
 }
 
-void Setup<Fixed>::in_plane(std::int64_t area2) {
+SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
     const std::uint64_t area = numeric::abs_u64(area2);
-    const int zeros = clz64(area);
-    // 1 / area2 = inverse 2^(zeros - 94)
-    const auto inverse =
-        static_cast<std::int64_t>(numeric::reciprocal(static_cast<std::uint32_t>((area << zeros) >> 32)));
-    const std::int64_t signed_inverse = area2 < 0 ? -inverse : inverse;
-    const auto coefficients = [&](std::int32_t d1, std::int32_t d2, std::int32_t c[2]) {
-        const int up = clz32(abs_u32(d1) | abs_u32(d2)) - 2; // |d| 2^up < 2^30
-        c[0] = static_cast<std::int32_t>((d1 * (std::int64_t{1} << up) * signed_inverse) >> 31);
-        c[1] = static_cast<std::int32_t>((d2 * (std::int64_t{1} << up) * signed_inverse) >> 31);
-        return 55 + up - zeros; // 256 d / area2 = c 2^-this
+    const auto high = static_cast<std::uint32_t>(area >> 32), low = static_cast<std::uint32_t>(area);
+    const int zeros = high == 0 ? 32 + clz32(low) : clz32(high);
+    const std::uint32_t top =
+        high == 0 ? low << (zeros - 32) : static_cast<std::uint32_t>((area << zeros) >> 32);
+    // 1 / area2 = inverse 2^(zeros - 94); 2^31 itself is off by 2^-31 of its value
+    const std::uint32_t reciprocal = numeric::reciprocal(top);
+    const auto inverse = static_cast<std::int32_t>(reciprocal - (reciprocal >> 31));
+    const std::int32_t signed_inverse = area2 < 0 ? -inverse : inverse;
+    const std::int32_t y2 = v_[2]->y - v_[0]->y, y1 = v_[0]->y - v_[1]->y;
+    const std::int32_t x2 = v_[0]->x - v_[2]->x, x1 = v_[1]->x - v_[0]->x;
+    const int up = clz32(abs_u32(y2) | abs_u32(y1) | abs_u32(x2) | abs_u32(x1)) - 1; // |d| 2^up < 2^31
+    const auto coefficient = [&](std::int32_t d) {
+        return numeric::mul_high_s32(static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << up),
+                                     signed_inverse);
     };
-    ex_ = coefficients(v_[2]->y - v_[0]->y, v_[0]->y - v_[1]->y, cx_);
-    ey_ = coefficients(v_[0]->x - v_[2]->x, v_[1]->x - v_[0]->x, cy_);
+    cx_[0] = coefficient(y2);
+    cx_[1] = coefficient(y1);
+    cy_[0] = coefficient(x2);
+    cy_[1] = coefficient(x1);
+    exponent_ = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
     start();
 }
 
@@ -136,17 +104,33 @@ void Setup<Fixed>::move_projective(std::uint32_t columns, std::uint32_t rows) {
 // --- planes
 
 /// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
-SPANGLE_INLINE static std::int64_t scaled(std::int64_t v, int n) {
-    if (n >= 0) [[likely]]
+static std::int64_t scaled(std::int64_t v, int n) {
+    if (n >= 0)
         return v >> (n < 63 ? n : 63);
     return shift(v, n);
 }
 
+/// v 2^-n rounded down, 0 < n < 32: three instructions where words have 32 bits.
+SPANGLE_INLINE static std::int64_t scaled_short(std::int64_t v, int n) {
+    if constexpr (sizeof(void*) > 4)
+        return v >> n;
+    const auto high = static_cast<std::int32_t>(v >> 32);
+    const std::uint32_t low = static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(high)
+                                                                       << (32 - n);
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high >> n)) << 32 |
+                                     low);
+}
+
 /// Per pixel, counted in 2^-up of the unit of v.
-SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const std::int32_t v[3], int up) const {
-    const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
-    return {scaled(std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1], ex_ - up),
-            scaled(std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1], ey_ - up)};
+SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t v0, std::int32_t v1,
+                                                             std::int32_t v2, int up) const {
+    const std::int32_t d1 = v1 - v0, d2 = v2 - v0;
+    const std::int64_t x = std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1];
+    const std::int64_t y = std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1];
+    const int n = exponent_ - up;
+    if (n > 0 && n < 32) [[likely]]
+        return {scaled_short(x, n), scaled_short(y, n)};
+    return {scaled(x, n), scaled(y, n)};
 }
 
 /// From the vertex to the centre of its pixel.
@@ -162,17 +146,22 @@ SPANGLE_INLINE std::uint64_t Setup<Fixed>::to_anchor(const Gradient& g) const {
     return static_cast<std::uint64_t>(sum >> subpixel_bits);
 }
 
-std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                       const std::int32_t v[3], int up) {
-    const Gradient g = gradient(v, up);
+SPANGLE_INLINE std::uint64_t Setup<Fixed>::affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                                  std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) {
+    const Gradient g = gradient(v0, v1, v2, up);
     at.value = first + static_cast<std::uint32_t>(to_anchor(g));
     at.dx = static_cast<std::uint32_t>(g.dx);
     affine_[affine_count_++] = {&at, static_cast<std::uint32_t>(g.dy)};
     return static_cast<std::uint64_t>(g.dy);
 }
 
+std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                       const std::int32_t v[3], int up) {
+    return affine(at, first, v[0], v[1], v[2], up);
+}
+
 std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {
-    const Gradient g = gradient(v, guard_bits);
+    const Gradient g = gradient(v[0], v[1], v[2], guard_bits);
     at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) + to_anchor(g);
     at.dx = static_cast<std::uint64_t>(g.dx);
     projective_[projective_count_++] = {&at, static_cast<std::uint64_t>(g.dy)};
@@ -181,45 +170,48 @@ std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const
 
 // --- attributes
 
-void Setup<Fixed>::add_depth() {
+SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
     const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
-    std::uint32_t z[3];
-    std::int32_t half[3];
-    for (int i = 0; i < 3; ++i) {
-        z[i] = (v_[i]->z << 2) -
-               (v_[i]->z >> (bits - 2)); // z (2^bits - 1) 2^(32 - bits); 1 is 2^32 less one code
-        half[i] = static_cast<std::int32_t>(z[i] >> 1);
-    }
+    const auto code = [&](int i) { // z (2^bits - 1) 2^(32 - bits); 1 is 2^32 less one code
+        return (v_[i]->z << 2) - (v_[i]->z >> (bits - 2));
+    };
+    std::uint32_t z0 = code(0), z1 = code(1), z2 = code(2);
     if (bits == 24) {
         // Half a code is less than the error of a steep plane may be: keep slopes so far from both ends that
         // no value wraps. A constant depth stays as it is.
-        const std::uint32_t range = range_of(half[0], half[1], half[2]);
+        const std::uint32_t range =
+            range_of(static_cast<std::int32_t>(z0 >> 1), static_cast<std::int32_t>(z1 >> 1),
+                     static_cast<std::int32_t>(z2 >> 1));
         const std::uint32_t margin = range == 0 ? 0 : (range >> 16) + (1u << 11);
-        for (int i = 0; i < 3; ++i) {
-            const std::uint32_t highest = 0xFFFFFF00u - margin;
-            z[i] = z[i] < margin ? margin : z[i] > highest ? highest : z[i];
-            half[i] = static_cast<std::int32_t>(z[i] >> 1);
-        }
+        const std::uint32_t highest = 0xFFFFFF00u - margin;
+        z0 = numeric::clamp(z0, margin, highest);
+        z1 = numeric::clamp(z1, margin, highest);
+        z2 = numeric::clamp(z2, margin, highest);
     }
-    add_affine(span_.z, z[0] + (1u << (31 - bits)), half, 1);
+    affine(span_.z, z0 + (1u << (31 - bits)), static_cast<std::int32_t>(z0 >> 1),
+           static_cast<std::int32_t>(z1 >> 1), static_cast<std::int32_t>(z2 >> 1), 1);
 }
 
-void Setup<Fixed>::add_color(int component, bool secondary) {
-    const auto of = [&](int i) {
-        return static_cast<std::int32_t>(secondary ? v_[i]->secondary[component] : v_[i]->color[component]);
-    };
-    const std::int32_t c[3] = {of(0), of(1), of(2)};
+/// `count` colour components of the three vertices.
+void Setup<Fixed>::add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
+                              int count) {
     if (span_.kind == Kind::full) {
-        const std::int32_t over_w[3] = {mul30(c[0] << 2, q_[0]), mul30(c[1] << 2, q_[1]),
-                                        mul30(c[2] << 2, q_[2])};
-        add_projective(secondary ? span_.secondary_q[component] : span_.color_q[component], over_w);
+        for (int i = 0; i < count; ++i) {
+            std::int32_t over_w[3];
+            for (int k = 0; k < 3; ++k)
+                over_w[k] = mul30(static_cast<std::int32_t>(from.of[k][i] << 2), q_[k]);
+            add_projective(at_q[i], over_w);
+        }
         return;
     }
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
     constexpr int up = 24 - color_fraction_bits;
-    add_affine(secondary ? span_.secondary[component] : span_.color_value[component],
-               (static_cast<std::uint32_t>(c[0]) << up) + bias, c, up);
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t first = from.of[0][i];
+        affine(at[i], (first << up) + bias, static_cast<std::int32_t>(first),
+               static_cast<std::int32_t>(from.of[1][i]), static_cast<std::int32_t>(from.of[2][i]), up);
+    }
 }
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
@@ -238,88 +230,6 @@ bool Setup<Fixed>::weights() {
     const std::int32_t least = q_[0] < q_[1] ? q_[0] : q_[1];
     q_least_ = static_cast<std::uint32_t>(least < q_[2] ? least : q_[2]);
     return q_range_ == 0;
-}
-
-void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
-    u.homogeneous = false;
-    for (int i = 0; i < 3; ++i)
-        u.homogeneous = u.homogeneous || v_[i]->tex[unit].q_is_one == 0;
-    if (u.homogeneous) {
-        load_homogeneous(unit, u);
-        return;
-    }
-    std::int64_t s[3], t[3];
-    for (int i = 0; i < 3; ++i) {
-        const auto& c = v_[i]->tex[unit];
-        s[i] = to_fixed(c.s, c.exponent, 32);
-        t[i] = to_fixed(c.t, c.exponent, 32);
-    }
-    // Whole repeats come off first: they would take bits from the fraction.
-    constexpr std::int64_t repeat = std::int64_t{1} << 32;
-    const std::int64_t base_s = least_of(s) >> 32, base_t = least_of(t) >> 32;
-    std::uint64_t all = 0;
-    for (int i = 0; i < 3; ++i) {
-        s[i] -= base_s * repeat;
-        t[i] -= base_t * repeat;
-        all |= static_cast<std::uint64_t>(s[i] | t[i]);
-    }
-    const int shift_down = 34 - clz64(all | 1);
-    u.shift = shift_down > 0 ? shift_down : 0;
-    for (int i = 0; i < 3; ++i) {
-        u.s[i] = static_cast<std::int32_t>(s[i] >> u.shift);
-        u.t[i] = static_cast<std::int32_t>(t[i] >> u.shift);
-    }
-    u.s0 = s[0];
-    u.t0 = t[0];
-    span_.unit[unit].s_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_s, -4096, 4096));
-    span_.unit[unit].t_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_t, -4096, 4096));
-}
-
-/// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
-void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
-    std::int64_t s[3], t[3], q[3];
-    int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
-    const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
-    for (int i = 0; i < 3; ++i) {
-        const auto& c = v_[i]->tex[unit];
-        const std::int64_t w = v_[i]->w_mantissa >> 1;
-        const bool is_one = c.q_is_one != 0;
-        s[i] = c.s * w;
-        t[i] = c.t * w;
-        q[i] = (is_one ? 1 << 30 : c.q) * w;
-        exponent[i] = v_[i]->w_exponent + c.exponent;
-        exponent_q[i] = v_[i]->w_exponent + (is_one ? -30 : c.exponent);
-        const int st = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
-        top_st = exponent[i] + st > top_st ? exponent[i] + st : top_st;
-        top_q = exponent_q[i] + height(q[i]) > top_q ? exponent_q[i] + height(q[i]) : top_q;
-    }
-    for (int i = 0; i < 3; ++i) {
-        u.s[i] = static_cast<std::int32_t>(shift(s[i], top_st - 29 - exponent[i]));
-        u.t[i] = static_cast<std::int32_t>(shift(t[i], top_st - 29 - exponent[i]));
-        u.q[i] = static_cast<std::int32_t>(shift(q[i], top_q - 29 - exponent_q[i]));
-    }
-    u.shift = top_st - top_q + 32;
-    span_.unit[unit].s_base = span_.unit[unit].t_base = 0;
-}
-
-/// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
-void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
-    std::int64_t c[3];
-    std::uint64_t all = 0;
-    constexpr std::int64_t limit = std::int64_t{1} << 60;
-    for (int i = 0; i < 3; ++i) {
-        const std::uint64_t product = numeric::mul_u32(v_[i]->fog_mantissa, abs_u32(state_.fog.scale));
-        const std::int64_t half = static_cast<std::int64_t>(product >> 1);
-        c[i] = to_fixed(state_.fog.scale < 0 ? -half : half,
-                        1 + v_[i]->fog_exponent + state_.fog.scale_exponent, 24);
-        c[i] = numeric::clamp(c[i] + state_.fog.offset, -limit, limit);
-        all |= numeric::abs_u64(c[i]);
-    }
-    const int down = 34 - clz64(all | 1);
-    const int shift_down = down > 0 ? down : 0;
-    for (int i = 0; i < 3; ++i)
-        fog[i] = static_cast<std::int32_t>(c[i] >> shift_down);
-    span_.fog_exponent = shift_down - 24;
 }
 
 void Setup<Fixed>::constant_colors(const Vertex& provoking) {
@@ -348,42 +258,29 @@ bool Setup<Fixed>::colors_affine() const {
                                                                             : 4u << color_fraction_bits;
     if (bounded(color_one, four)) // whatever the colours are
         return true;
-    const auto within = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        return bounded(range_of(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
-                                static_cast<std::int32_t>(c)),
-                       four);
+    const auto within = [&](const ColorSource& from, int count) {
+        for (int i = 0; i < count; ++i)
+            if (!bounded(range_of(static_cast<std::int32_t>(from.of[0][i]),
+                                  static_cast<std::int32_t>(from.of[1][i]),
+                                  static_cast<std::int32_t>(from.of[2][i])),
+                         four))
+                return false;
+        return true;
     };
-    const auto& [a, b, c] = v_;
-    for (int i = 0; i < (state_.needs.alpha ? 4 : 3); ++i)
-        if (!within(a->color[i], b->color[i], c->color[i]))
-            return false;
-    for (int i = 0; state_.needs.secondary && i < 3; ++i)
-        if (!within(a->secondary[i], b->secondary[i], c->secondary[i]))
-            return false;
-    return true;
+    return within(primary(), state_.needs.alpha ? 4 : 3) &&
+           (!state_.needs.secondary || within(secondary(), 3));
 }
 
-bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const {
-    if (u.homogeneous)
-        return false;
-    // The affine form of clamped coordinates does not saturate: 7 repeats on both sides must do.
-    const auto& placed = span_.unit[unit];
-    const bool far =
-        u.shift > 4 || placed.s_base < -7 || placed.s_base > 3 || placed.t_base < -7 || placed.t_base > 3;
-    const auto& wraps = state_.wraps[unit];
-    if (far && !(wraps.s && wraps.t))
-        return false;
-    if (same_w)
-        return true;
-    if (state_.tier == Tier::exact || u.shift > 7)
-        return false;
-    // A quarter of a texel of the base level.
-    const auto within = [&](const std::int32_t v[3], int log2_size) {
-        const std::uint32_t range = range_of(v[0], v[1], v[2]);
-        return (std::uint64_t{range} + 1) * q_range_ <= (std::uint64_t{q_least_} << (32 - log2_size)) >>
-               u.shift;
+/// All three vertices have the same colours, as far as they are looked at.
+bool Setup<Fixed>::same_colors() const {
+    const Needs& needs = state_.needs;
+    const auto same = [](const ColorSource& from, int count) {
+        std::uint32_t differ = 0;
+        for (int i = 0; i < count; ++i)
+            differ |= (from.of[0][i] ^ from.of[1][i]) | (from.of[0][i] ^ from.of[2][i]);
+        return differ == 0;
     };
-    return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
+    return (!needs.rgb || same(primary(), needs.alpha ? 4 : 3)) && (!needs.secondary || same(secondary(), 3));
 }
 
 Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool same_color,
@@ -406,39 +303,6 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool same_
     return affine ? Kind::affine : Kind::textured;
 }
 
-void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
-    auto& at = span_.unit[unit];
-    if (span_.kind == Kind::affine) {
-        const auto& wraps = state_.wraps[unit];
-        constexpr int less = 32 - clamped_coord_bits;
-        const auto first = [&](std::int64_t v, bool wrap, std::int32_t base) {
-            return wrap ? static_cast<std::uint32_t>(v)
-                        : static_cast<std::uint32_t>(v >> less) +
-                              (static_cast<std::uint32_t>(base) << clamped_coord_bits);
-        };
-        at.s_dy = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
-                             wraps.s ? u.shift : u.shift - less);
-        at.t_dy = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
-                             wraps.t ? u.shift : u.shift - less);
-        return;
-    }
-    at.shares_q = !u.homogeneous;
-    at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // mul30 below takes 30 bits off
-    if (u.homogeneous) {
-        at.s_dy = add_projective(at.s, u.s);
-        at.t_dy = add_projective(at.t, u.t);
-        at.q_dy = add_projective(at.q, u.q);
-        return;
-    }
-    std::int32_t s[3], t[3];
-    for (int i = 0; i < 3; ++i) {
-        s[i] = mul30(u.s[i], q_[i]);
-        t[i] = mul30(u.t[i], q_[i]);
-    }
-    at.s_dy = add_projective(at.s, s);
-    at.t_dy = add_projective(at.t, t);
-}
-
 void Setup<Fixed>::attributes(const Vertex& provoking) {
     const Needs& needs = state_.needs;
     const bool textured = needs.unit[0] || needs.unit[1];
@@ -449,16 +313,7 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
             load_unit(i, units[i]);
     if (needs.fog)
         load_fog(fog);
-    const Vertex &a = *v_[0], &b = *v_[1], &c = *v_[2];
-    bool same_color = true;
-    if (!state_.fragment.flat) {
-        std::uint32_t differ = 0;
-        for (int i = 0; needs.rgb && i < (needs.alpha ? 4 : 3); ++i)
-            differ |= (a.color[i] ^ b.color[i]) | (a.color[i] ^ c.color[i]);
-        for (int i = 0; needs.secondary && i < 3; ++i)
-            differ |= (a.secondary[i] ^ b.secondary[i]) | (a.secondary[i] ^ c.secondary[i]);
-        same_color = differ == 0;
-    }
+    const bool same_color = state_.fragment.flat || same_colors();
     const bool weighted = state_.fragment.perspective && (textured || needs.fog || !same_color);
     const bool same_w = !weighted || weights();
     if (!weighted) {
@@ -481,13 +336,13 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
         span_.flat_word = (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
         return;
     }
-    if (state_.fragment.flat || same_color) {
+    if (same_color) {
         constant_colors(provoking);
     } else {
-        for (int i = 0; needs.rgb && i < (needs.alpha ? 4 : 3); ++i)
-            add_color(i, false);
-        for (int i = 0; needs.secondary && i < 3; ++i)
-            add_color(i, true);
+        if (needs.rgb)
+            add_colors(primary(), span_.color_value, span_.color_q, needs.alpha ? 4 : 3);
+        if (needs.secondary)
+            add_colors(secondary(), span_.secondary, span_.secondary_q, 3);
     }
     if (needs.fog) {
         if (span_.kind == Kind::affine) {

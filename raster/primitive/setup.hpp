@@ -63,6 +63,10 @@ template <> class Setup<Fixed> {
     struct Gradient {
         std::int64_t dx, dy; ///< per pixel
     };
+    /// Colours of the reference vertices.
+    struct ColorSource {
+        const std::uint32_t* of[3];
+    };
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
         std::int32_t s[3], t[3], q[3];
@@ -82,24 +86,32 @@ template <> class Setup<Fixed> {
     bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
     bool colors_affine() const;
+    bool same_colors() const;
+    ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
+    ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
     Kind choose_kind(const UnitValues units[], bool same_w, bool same_color, const std::int32_t fog[3]) const;
 
     void move_projective(std::uint32_t columns, std::uint32_t rows);
-    Gradient gradient(const std::int32_t v[3], int up) const;
+    Gradient gradient(std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) const;
     std::uint64_t to_anchor(const Gradient& g) const;
+    std::uint64_t affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0,
+                         std::int32_t v1, std::int32_t v2, int up);
     std::uint64_t add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
     void constant_colors(const Vertex& provoking);
-    void add_color(int component, bool secondary);
+    void add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
+                    int count);
     void add_unit(int unit, const UnitValues& u);
 
     Span<Fixed>& span_;
     const DrawState& state_;
-    const Vertex* v_[3];         ///< reference vertices; values start at v_[0]
-    std::int32_t cx_[2], cy_[2]; ///< d/dx = (d1 cx[0] + d2 cx[1]) 2^-ex, with d1 = v1 - v0 and d2 = v2 - v0
-    int ex_, ey_;
+    const Vertex* v_[3]; ///< reference vertices; values start at v_[0]
+    /// d/dx = (d1 cx[0] + d2 cx[1]) 2^-exponent, with d1 = v1 - v0 and d2 = v2 - v0; d/dy likewise. One
+    /// exponent: thin_aspect bounds what the smaller coefficients lose.
+    std::int32_t cx_[2], cy_[2];
+    int exponent_;
     std::int32_t ox_, oy_; ///< from v_[0] to the centre of its pixel, subpixels
     std::int32_t q_[3];    ///< 1/w of v_, largest in [2^29, 2^30)
     std::uint32_t q_least_, q_range_;

@@ -69,7 +69,7 @@ void draw_triangle_of(const DrawState& state, const Surface& target, const typen
     const typename P::Vertex* const corners[3] = {low, middle, high};
     detail::observe(state, corners);
     Pen<P> pen(state, target);
-    if (state.nothing || !pen.sees(first_center(least), first_center(most)))
+    if (state.nothing || !pen.sees_extent(first_center(least), first_center(most)))
         return;
     const bool small = most - least <= small_extent && ys[2] - ys[0] <= small_extent;
     TriangleRows rows(xs, ys, area2 < 0, small, pen.row_begin(), pen.row_end());
@@ -77,11 +77,10 @@ void draw_triangle_of(const DrawState& state, const Surface& target, const typen
         if (!rows.next())
             return;
     } while (!pen.sees(rows.left, rows.right));
-    pen.primitive();
     Setup<P> setup(pen.span, *low, *middle, *high, provoking, area2);
+    pen.begin();
     do {
-        if (pen.sees(rows.left, rows.right))
-            pen.draw(setup, rows.y, rows.left, rows.right);
+        pen.draw(setup, rows.y, rows.left, rows.right);
     } while (rows.next());
 }
 

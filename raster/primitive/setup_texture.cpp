@@ -1,0 +1,170 @@
+// Set-up of what varies over 1/w and has a scale of its own: texture coordinates and the fog coordinate.
+#include "raster/primitive/setup.hpp"
+#include "raster/primitive/setup_math.hpp"
+
+namespace spangle::raster {
+
+using numeric::abs_u32;
+using numeric::clz64;
+
+namespace {
+
+/// m * 2^exponent with `fraction` fraction bits, saturated below 2^61.
+std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
+    const int up = exponent + fraction;
+    if (up <= 0)
+        return shift(m, -up < 62 ? -up : 62);
+    constexpr std::int64_t limit = std::int64_t{1} << 61;
+    if (m == 0)
+        return 0;
+    if (up >= clz64(numeric::abs_u64(m)) - 2)
+        return m < 0 ? -limit : limit;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(m) << up);
+}
+
+std::int64_t least_of(const std::int64_t v[3]) {
+    const std::int64_t ab = v[0] < v[1] ? v[0] : v[1];
+    return ab < v[2] ? ab : v[2];
+}
+
+} // namespace
+
+void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
+    u.homogeneous = false;
+    for (int i = 0; i < 3; ++i)
+        u.homogeneous = u.homogeneous || v_[i]->tex[unit].q_is_one == 0;
+    if (u.homogeneous) {
+        load_homogeneous(unit, u);
+        return;
+    }
+    std::int64_t s[3], t[3];
+    for (int i = 0; i < 3; ++i) {
+        const auto& c = v_[i]->tex[unit];
+        s[i] = to_fixed(c.s, c.exponent, 32);
+        t[i] = to_fixed(c.t, c.exponent, 32);
+    }
+    // Whole repeats come off first: they would take bits from the fraction.
+    constexpr std::int64_t repeat = std::int64_t{1} << 32;
+    const std::int64_t base_s = least_of(s) >> 32, base_t = least_of(t) >> 32;
+    std::uint64_t all = 0;
+    for (int i = 0; i < 3; ++i) {
+        s[i] -= base_s * repeat;
+        t[i] -= base_t * repeat;
+        all |= static_cast<std::uint64_t>(s[i] | t[i]);
+    }
+    const int shift_down = 34 - clz64(all | 1);
+    u.shift = shift_down > 0 ? shift_down : 0;
+    for (int i = 0; i < 3; ++i) {
+        u.s[i] = static_cast<std::int32_t>(s[i] >> u.shift);
+        u.t[i] = static_cast<std::int32_t>(t[i] >> u.shift);
+    }
+    u.s0 = s[0];
+    u.t0 = t[0];
+    span_.unit[unit].s_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_s, -4096, 4096));
+    span_.unit[unit].t_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_t, -4096, 4096));
+}
+
+/// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
+void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
+    std::int64_t s[3], t[3], q[3];
+    int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
+    const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
+    for (int i = 0; i < 3; ++i) {
+        const auto& c = v_[i]->tex[unit];
+        const std::int64_t w = v_[i]->w_mantissa >> 1;
+        const bool is_one = c.q_is_one != 0;
+        s[i] = c.s * w;
+        t[i] = c.t * w;
+        q[i] = (is_one ? 1 << 30 : c.q) * w;
+        exponent[i] = v_[i]->w_exponent + c.exponent;
+        exponent_q[i] = v_[i]->w_exponent + (is_one ? -30 : c.exponent);
+        const int st = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
+        top_st = exponent[i] + st > top_st ? exponent[i] + st : top_st;
+        top_q = exponent_q[i] + height(q[i]) > top_q ? exponent_q[i] + height(q[i]) : top_q;
+    }
+    for (int i = 0; i < 3; ++i) {
+        u.s[i] = static_cast<std::int32_t>(shift(s[i], top_st - 29 - exponent[i]));
+        u.t[i] = static_cast<std::int32_t>(shift(t[i], top_st - 29 - exponent[i]));
+        u.q[i] = static_cast<std::int32_t>(shift(q[i], top_q - 29 - exponent_q[i]));
+    }
+    u.shift = top_st - top_q + 32;
+    span_.unit[unit].s_base = span_.unit[unit].t_base = 0;
+}
+
+/// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
+void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
+    std::int64_t c[3];
+    std::uint64_t all = 0;
+    constexpr std::int64_t limit = std::int64_t{1} << 60;
+    for (int i = 0; i < 3; ++i) {
+        const std::uint64_t product = numeric::mul_u32(v_[i]->fog_mantissa, abs_u32(state_.fog.scale));
+        const std::int64_t half = static_cast<std::int64_t>(product >> 1);
+        c[i] = to_fixed(state_.fog.scale < 0 ? -half : half,
+                        1 + v_[i]->fog_exponent + state_.fog.scale_exponent, 24);
+        c[i] = numeric::clamp(c[i] + state_.fog.offset, -limit, limit);
+        all |= numeric::abs_u64(c[i]);
+    }
+    const int down = 34 - clz64(all | 1);
+    const int shift_down = down > 0 ? down : 0;
+    for (int i = 0; i < 3; ++i)
+        fog[i] = static_cast<std::int32_t>(c[i] >> shift_down);
+    span_.fog_exponent = shift_down - 24;
+}
+
+bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const {
+    if (u.homogeneous)
+        return false;
+    // The affine form of clamped coordinates does not saturate: 7 repeats on both sides must do.
+    const auto& placed = span_.unit[unit];
+    const bool far =
+        u.shift > 4 || placed.s_base < -7 || placed.s_base > 3 || placed.t_base < -7 || placed.t_base > 3;
+    const auto& wraps = state_.wraps[unit];
+    if (far && !(wraps.s && wraps.t))
+        return false;
+    if (same_w)
+        return true;
+    if (state_.tier == Tier::exact || u.shift > 7)
+        return false;
+    // A quarter of a texel of the base level.
+    const auto within = [&](const std::int32_t v[3], int log2_size) {
+        const std::uint32_t range = range_of(v[0], v[1], v[2]);
+        return (std::uint64_t{range} + 1) * q_range_ <= (std::uint64_t{q_least_} << (32 - log2_size)) >>
+               u.shift;
+    };
+    return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
+}
+
+void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
+    auto& at = span_.unit[unit];
+    if (span_.kind == Kind::affine) {
+        const auto& wraps = state_.wraps[unit];
+        constexpr int less = 32 - clamped_coord_bits;
+        const auto first = [&](std::int64_t v, bool wrap, std::int32_t base) {
+            return wrap ? static_cast<std::uint32_t>(v)
+                        : static_cast<std::uint32_t>(v >> less) +
+                              (static_cast<std::uint32_t>(base) << clamped_coord_bits);
+        };
+        at.s_dy = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
+                             wraps.s ? u.shift : u.shift - less);
+        at.t_dy = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
+                             wraps.t ? u.shift : u.shift - less);
+        return;
+    }
+    at.shares_q = !u.homogeneous;
+    at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // mul30 below takes 30 bits off
+    if (u.homogeneous) {
+        at.s_dy = add_projective(at.s, u.s);
+        at.t_dy = add_projective(at.t, u.t);
+        at.q_dy = add_projective(at.q, u.q);
+        return;
+    }
+    std::int32_t s[3], t[3];
+    for (int i = 0; i < 3; ++i) {
+        s[i] = mul30(u.s[i], q_[i]);
+        t[i] = mul30(u.t[i], q_[i]);
+    }
+    at.s_dy = add_projective(at.s, s);
+    at.t_dy = add_projective(at.t, t);
+}
+
+} // namespace spangle::raster
