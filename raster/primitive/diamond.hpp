@@ -98,13 +98,26 @@ class DiamondWalk {
 
     /// minor and remainder at the centre of `major`.
     void place() {
-        const std::int64_t from_start = std::int64_t{major} * subpixel_one + subpixel_one / 2 - start_major_;
-        const std::int64_t numerator = from_start * direction * (rise_ / subpixel_one) +
-                                       std::int64_t{start_minor_ & (subpixel_one - 1)} * length_ - lower_tie_;
-        const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
-        minor = (start_minor_ >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
-        remainder_ = static_cast<std::int32_t>(q.remainder);
+        const std::int32_t from_start = (major * subpixel_one + subpixel_one / 2 - start_major_) * direction;
+        const std::int32_t rise = rise_ / subpixel_one, inside = start_minor_ & (subpixel_one - 1);
+        std::int32_t whole;
+        if (length_ <= small_length) { // |from_start|, |rise| <= 2^14 + 2^8
+            const std::int32_t numerator = from_start * rise + inside * length_ - lower_tie_;
+            whole = numerator / denominator_;
+            remainder_ = numerator - whole * denominator_;
+            if (remainder_ < 0)
+                --whole, remainder_ += denominator_;
+        } else {
+            const std::int64_t numerator =
+                std::int64_t{from_start} * rise + std::int64_t{inside} * length_ - lower_tie_;
+            const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
+            whole = static_cast<std::int32_t>(q.quotient);
+            remainder_ = static_cast<std::int32_t>(q.remainder);
+        }
+        minor = (start_minor_ >> subpixel_bits) + whole;
     }
+
+    static constexpr std::int32_t small_length = 64 * subpixel_one; ///< up to which 32 bits are enough
 
     std::int32_t start_major_, start_minor_, length_, rise_, denominator_, remainder_, lower_tie_;
 };

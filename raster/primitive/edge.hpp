@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/span/rows.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -21,83 +22,105 @@ inline constexpr std::int32_t guard_band = 4 * 2048 * subpixel_one;
 inline constexpr std::int64_t edge_max_denominator = std::int64_t{2} * guard_band * subpixel_one;
 static_assert(2 * edge_max_denominator <= std::int64_t{1} << 31);
 
-/// Extent in subpixels up to which every intermediate of Edge fits 32 bits.
-inline constexpr std::int32_t small_extent = 64 * subpixel_one;
-
 /// First pixel row (or column) whose centre is at or after subpixel coordinate v.
 constexpr std::int32_t first_center(std::int32_t v) {
     return (v + subpixel_one / 2 - 1) >> subpixel_bits;
 }
 
-/// An edge going up, at the centre of one pixel row: `x` is the first column whose centre is on or right of
-/// it.
-struct Edge {
-    std::int32_t x;
-    std::int32_t remainder;   ///< of that ceil division: -denominator < remainder <= 0
-    std::int32_t whole, part; ///< advance per row: whole + part / denominator columns
-    std::int32_t denominator;
-
+/// An edge going up, at the centre of one pixel row.
+class Edge {
+  public:
     /// From (x0, y0) up to (x1, y1), y1 > y0, at row `row` >= first_center(y0).
-    static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
-                   bool small);
+    static Edge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
+
+    /// The first column whose centre is on the edge or right of it.
+    std::int32_t column() const { return x_; }
 
     /// One row up: 32 bits, exact.
     void step() {
-        x += whole;
-        remainder += part;
-        if (remainder > 0) {
-            ++x;
-            remainder -= denominator;
+        x_ += whole_;
+        remainder_ += part_;
+        if (remainder_ > 0) {
+            ++x_;
+            remainder_ -= denominator_;
         }
     }
+
+  private:
+    std::int32_t x_;
+    std::int32_t remainder_;    ///< of that ceil division: -denominator < remainder <= 0
+    std::int32_t whole_, part_; ///< advance per row: whole + part / denominator columns
+    std::int32_t denominator_;
 };
 
-inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row,
-                     bool small) {
+inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row) {
     const std::int32_t dx = x1 - x0, dy = y1 - y0;
     const std::int32_t above =
         row * subpixel_one + subpixel_one / 2 - y0; // from the vertex up to the row's centre
     const std::int32_t inside =
         (x0 & (subpixel_one - 1)) - subpixel_one / 2; // from the centre of the vertex's column
     Edge e;
-    e.denominator = dy * subpixel_one;
+    e.denominator_ = dy * subpixel_one;
     // column = vertex's column + ceil(numerator / denominator); the floor of -numerator keeps one kind of
     // division.
-    std::int32_t down, rest;
-    if (small) {
-        const std::int32_t numerator = -(above * dx + inside * dy);
-        down = numerator / e.denominator;
-        rest = numerator - down * e.denominator;
-        if (rest < 0)
-            --down, rest += e.denominator;
-        e.whole = dx / dy;
-        e.part = dx - e.whole * dy;
-        if (e.part < 0)
-            --e.whole, e.part += dy;
-    } else {
-        const std::int64_t numerator = -(std::int64_t{above} * dx + std::int64_t{inside} * dy);
-        const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator));
-        const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
-        down = static_cast<std::int32_t>(q.quotient);
-        rest = static_cast<std::int32_t>(q.remainder);
-        e.whole = static_cast<std::int32_t>(slope.quotient);
-        e.part = static_cast<std::int32_t>(slope.remainder);
-    }
-    e.x = (x0 >> subpixel_bits) - down;
-    e.remainder = -rest;
-    e.part *= subpixel_one;
+    const std::int64_t numerator = -(std::int64_t{above} * dx + std::int64_t{inside} * dy);
+    const auto down = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator_));
+    const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
+    e.x_ = (x0 >> subpixel_bits) - static_cast<std::int32_t>(down.quotient);
+    e.remainder_ = -static_cast<std::int32_t>(down.remainder);
+    e.whole_ = static_cast<std::int32_t>(slope.quotient);
+    e.part_ = static_cast<std::int32_t>(slope.remainder) * subpixel_one;
     return e;
 }
 
-/// The rows of a triangle that hold a centre, upwards, from row_begin to row_end - 1. Vertices come sorted by
-/// y; `middle_left`: the middle one lies left of the edge from the lowest to the highest.
-class TriangleRows {
+/// The same within 64 pixels: columns with 32 fraction bits. An edge meets a row at a multiple of
+/// 1 / (256 dy) >= 2^-22; the slope is short of the true one by less than 2^-32, so within 64 rows the sum is
+/// short by less than 2^-26. A bias of 1 - 2^-24 then makes floor() the exact ceil().
+class SmallEdge {
   public:
-    std::int32_t y, left, right; ///< after next(): columns [left, right) of row y, left < right
+    static constexpr std::int32_t extent = 64 * subpixel_one; ///< largest |dx| and dy
 
-    TriangleRows(const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left, bool small,
-                 std::int32_t row_begin, std::int32_t row_end)
-        : xs_(xs), ys_(ys), middle_left_(middle_left), small_(small) {
+    static SmallEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
+    std::int32_t column() const { return static_cast<std::int32_t>(at_ >> 32); }
+    void step() { at_ += step_; }
+
+  private:
+    std::uint64_t at_, step_; ///< mod 2^64
+};
+
+inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                               std::int32_t row) {
+    const std::int32_t dx = x1 - x0;
+    const auto dy = static_cast<std::uint32_t>(y1 - y0);
+    // floor(dx 2^32 / dy), dy <= 2^14: digits of 18 and 14 bits after the whole part.
+    const std::uint32_t most = dy << 14; // makes the dividend positive; |dx| <= 2^14
+    const std::uint32_t lifted = static_cast<std::uint32_t>(dx) + most;
+    const std::uint32_t whole = lifted / dy, rest = lifted - whole * dy;
+    const std::uint32_t first = (rest << 18) / dy, left = (rest << 18) - first * dy;
+    const std::uint32_t second = (left << 14) / dy;
+    const std::uint32_t fraction = first << 14 | second;
+    SmallEdge e;
+    e.step_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
+    // From the vertex up to the row's centre, at most 64 rows of 256: above / 256 steps.
+    const auto above = static_cast<std::uint32_t>(row * subpixel_one + subpixel_one / 2 - y0);
+    const std::uint64_t up = std::uint64_t{fraction} * above;
+    const std::uint64_t whole_up = std::uint64_t{(whole - (1u << 14)) * above} << 32;
+    const std::uint64_t columns =
+        static_cast<std::uint64_t>(static_cast<std::int64_t>(whole_up + up) >> subpixel_bits);
+    constexpr std::uint64_t bias = (std::uint64_t{1} << 32) - (1u << 8);
+    const std::uint64_t start = static_cast<std::uint64_t>(std::int64_t{x0} - subpixel_one / 2)
+                                << (32 - subpixel_bits);
+    e.at_ = start + columns + bias;
+    return e;
+}
+
+/// The rows of a triangle that hold a centre, upwards. Vertices come sorted by y; `middle_left`: the middle
+/// one lies left of the edge from the lowest to the highest. E: Edge, or SmallEdge where it may be.
+template <class E> class TriangleRows {
+  public:
+    TriangleRows(const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left, std::int32_t row_begin,
+                 std::int32_t row_end)
+        : xs_(xs), ys_(ys), middle_left_(middle_left) {
         const std::int32_t low = first_center(ys[0]), high = first_center(ys[2]);
         row_ = low < row_begin ? row_begin : low;
         end_ = high < row_end ? high : row_end;
@@ -106,46 +129,56 @@ class TriangleRows {
             end_ = row_;
             return;
         }
-        const Edge across = Edge::at(xs[0], ys[0], xs[2], ys[2], row_, small);
-        set(!middle_left, across);
+        set(!middle_left, E::at(xs[0], ys[0], xs[2], ys[2], row_));
         const std::int32_t middle = first_center(ys[1]);
         if (row_ < middle) {
-            set(middle_left, Edge::at(xs[0], ys[0], xs[1], ys[1], row_, small));
+            set(middle_left, E::at(xs[0], ys[0], xs[1], ys[1], row_));
             stop_ = middle < end_ ? middle : end_;
         }
     }
 
-    bool next() {
-        for (;;) {
+    /// Writes rows that hold a centre between columns `begin` and `end`, cut to these, until `to` is full or
+    /// the triangle is over; returns how many.
+    template <bool Cut> int fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
+        const Row* const first = to;
+        const Row* const full = to + room;
+        while (to != full) {
             if (row_ == stop_) {
                 if (row_ == end_)
-                    return false;
-                set(middle_left_, Edge::at(xs_[1], ys_[1], xs_[2], ys_[2], row_, small_));
+                    break;
+                set(middle_left_, E::at(xs_[1], ys_[1], xs_[2], ys_[2], row_));
                 stop_ = end_;
             }
-            left = left_.x;
-            right = right_.x;
-            y = row_++;
-            left_.step();
-            right_.step();
-            if (left < right)
-                return true;
+            // Copies stay in registers.
+            E left = left_, right = right_;
+            std::int32_t y = row_;
+            const std::int32_t stop = stop_;
+            do {
+                const std::int32_t l = left.column(), r = right.column();
+                left.step();
+                right.step();
+                std::int32_t from = l, till = r;
+                if constexpr (Cut) {
+                    from = l < begin ? begin : l;
+                    till = r < end ? r : end;
+                }
+                if (from < till)
+                    *to++ = {y, l, r, from, till};
+            } while (++y != stop && to != full);
+            row_ = y;
+            left_ = left;
+            right_ = right;
         }
+        return static_cast<int>(to - first);
     }
 
   private:
-    /// Copies, not a reference to one of the two: both stay in registers.
-    void set(bool left, const Edge& e) {
-        if (left)
-            left_ = e;
-        else
-            right_ = e;
-    }
+    void set(bool left, const E& e) { (left ? left_ : right_) = e; }
 
     const std::int32_t *xs_, *ys_;
-    bool middle_left_, small_;
+    bool middle_left_;
     std::int32_t row_, stop_, end_;
-    Edge left_{}, right_{};
+    E left_{}, right_{};
 };
 
 } // namespace spangle::raster

@@ -26,7 +26,7 @@ struct LineInterval {
     }
 };
 
-template <class P> void draw_x_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk walk, std::int32_t width) {
+template <class P> void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width) {
     while (walk.count > 0) {
         const std::int32_t row = walk.minor, from = walk.major;
         std::int32_t to = from;
@@ -38,13 +38,13 @@ template <class P> void draw_x_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk w
         std::int32_t y = row < pen.row_begin() ? pen.row_begin() : row;
         const std::int32_t top = row + width < pen.row_end() ? row + width : pen.row_end();
         for (; y < top; ++y)
-            pen.draw(setup, y, left, right);
+            pen.add(y, left, right);
     }
 }
 
-template <class P> void draw_y_major(Pen<P>& pen, Setup<P>& setup, DiamondWalk walk, std::int32_t width) {
+template <class P> void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width) {
     for (; walk.count > 0; walk.step())
-        pen.draw(setup, walk.major, walk.minor, walk.minor + width);
+        pen.add(walk.major, walk.minor, walk.minor + width);
 }
 
 } // namespace detail
@@ -65,12 +65,13 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
         walk.clip(pen.row_begin(), pen.row_end());
     if (walk.count == 0)
         return;
-    Setup<P> setup(pen.span, a, b, provoking, walk.along_x, interval.begin, interval.end);
+    Setup<P>(pen.span, a, b, provoking, walk.along_x, interval.begin, interval.end);
     pen.begin();
     if (walk.along_x)
-        detail::draw_x_major(pen, setup, walk, width);
+        detail::draw_x_major(pen, walk, width);
     else
-        detail::draw_y_major(pen, setup, walk, width);
+        detail::draw_y_major(pen, walk, width);
+    pen.flush();
 }
 
 } // namespace spangle::raster

@@ -1,10 +1,10 @@
-// Where spans leave a primitive: scissor, addresses, touched rows, counters, then the state's span function.
+// Where rows leave a primitive: scissor, touched rows, counters, then the state's span function.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "raster/primitive/setup.hpp"
+#include "raster/span/rows.hpp"
 #include "raster/surface/surface.hpp"
 
 namespace spangle::raster {
@@ -22,10 +22,9 @@ template <class P> class Pen {
   public:
     Span<P> span;
 
-    Pen(const DrawState& state, const Surface& target)
-        : target_(target), clip_(state.fragment.scissor), bytes_(format_info(target.format).bytes_per_pixel),
-          depth_shift_(target.depth_format == DepthFormat::z16 ? 1 : 2) {
+    Pen(const DrawState& state, const Surface& target) : clip_(state.fragment.scissor) {
         span.state = &state;
+        span.target = &target;
         span.depth = nullptr;
     }
 
@@ -33,59 +32,74 @@ template <class P> class Pen {
     std::int32_t row_end() const { return clip_.y + clip_.h; }
     std::int32_t column_begin() const { return clip_.x; }
     std::int32_t column_end() const { return clip_.x + clip_.w; }
-    bool sees(std::int32_t left, std::int32_t right) const {
-        return left < clip_.x + clip_.w && right > clip_.x;
+    /// All columns of a primitive: whether some may be drawn, and whether some may have to be cut off.
+    bool sees(std::int32_t left, std::int32_t right) {
+        cuts_ = left < clip_.x || right > column_end();
+        return !cuts_ || (left < column_end() && right > clip_.x);
     }
-    /// All columns of a primitive: those drawn later lie among them.
-    bool sees_extent(std::int32_t left, std::int32_t right) {
-        clips_ = left < clip_.x || right > clip_.x + clip_.w;
-        return !clips_ || sees(left, right);
-    }
+    bool cuts() const { return cuts_; }
 
     /// Once per primitive that reaches a pixel, after its set-up.
     void begin() {
-        run_ = reinterpret_cast<Run>(span.state->variant[static_cast<unsigned>(span.kind)].run);
         if (span.state->counters != nullptr)
             ++span.state->counters->triangles;
     }
 
-    /// Columns [left, right) of row y, y inside the scissor rectangle.
-    SPANGLE_INLINE void draw(Setup<P>& setup, std::int32_t y, std::int32_t left, std::int32_t right) {
+    static constexpr int batch = 16;
+    /// Room for that many rows.
+    Row* rows() { return rows_; }
+
+    /// The first `count` > 0 of them.
+    void draw(int count) {
+        note(count);
+        const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
+        reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, rows_ + count);
+    }
+
+    /// One row after the other: columns [left, right) of row y, y inside the scissor rectangle.
+    SPANGLE_INLINE void add(std::int32_t y, std::int32_t left, std::int32_t right) {
         std::int32_t first = left, last = right;
-        if (clips_) {
-            if (!sees(left, right))
-                return;
+        if (cuts_) {
             first = left < clip_.x ? clip_.x : left;
             last = right < column_end() ? right : column_end();
+            if (first >= last)
+                return;
         }
-        setup.move_to(left, y);
-        span.length = right - left;
-        span.begin = first - left;
-        span.end = last - left;
-        span.color =
-            target_.color + std::ptrdiff_t{y} * target_.color_stride + std::ptrdiff_t{first} * bytes_;
-        if (target_.depth != nullptr)
-            span.depth = target_.depth + std::ptrdiff_t{y} * target_.depth_stride +
-                         (std::ptrdiff_t{first} << depth_shift_);
-        touch(target_, y, first, last);
-        if (Counters* const counters = span.state->counters; counters != nullptr) {
-            counters->fragments += static_cast<std::uint32_t>(last - first);
-#ifndef SPANGLE_FIRMWARE
-            if (counters->observer != nullptr && counters->observer->span != nullptr)
-                counters->observer->span(*counters->observer, y, first, last);
-#endif
-        }
-        run_(span);
+        rows_[count_] = {y, left, right, first, last};
+        if (++count_ == batch)
+            flush();
+    }
+
+    /// After the last of them.
+    void flush() {
+        if (count_ != 0)
+            draw(count_);
+        count_ = 0;
     }
 
   private:
-    using Run = void (*)(const Span<P>&);
-    const Surface& target_;
+    /// What is about to be drawn, for those who asked.
+    void note(int count) {
+        const Surface& target = *span.target;
+        if (target.touched != nullptr)
+            for (int i = 0; i < count; ++i)
+                touch(target, rows_[i].y, rows_[i].first, rows_[i].last);
+        Counters* const counters = span.state->counters;
+        if (counters == nullptr)
+            return;
+        for (int i = 0; i < count; ++i) {
+            counters->fragments += static_cast<std::uint32_t>(rows_[i].last - rows_[i].first);
+#ifndef SPANGLE_FIRMWARE
+            if (counters->observer != nullptr && counters->observer->span != nullptr)
+                counters->observer->span(*counters->observer, rows_[i].y, rows_[i].first, rows_[i].last);
+#endif
+        }
+    }
+
     Rect clip_;
-    std::int32_t bytes_;
-    int depth_shift_;
-    bool clips_ = true; ///< some column may lie outside of the scissor rectangle
-    Run run_ = nullptr;
+    bool cuts_ = true; ///< some column may lie outside of the scissor rectangle
+    int count_ = 0;
+    Row rows_[batch];
 };
 
 } // namespace spangle::raster

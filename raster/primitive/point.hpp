@@ -23,12 +23,13 @@ void draw_point_of(const DrawState& state, const Surface& target, const typename
     const std::int32_t left = point_begin(at.x, size), low = point_begin(at.y, size);
     std::int32_t y = low < pen.row_begin() ? pen.row_begin() : low;
     const std::int32_t top = low + size < pen.row_end() ? low + size : pen.row_end();
-    if (state.nothing || y >= top || !pen.sees_extent(left, left + size))
+    if (state.nothing || y >= top || !pen.sees(left, left + size))
         return;
-    Setup<P> setup(pen.span, v);
+    Setup<P>(pen.span, v);
     pen.begin();
     for (; y < top; ++y)
-        pen.draw(setup, y, left, left + size);
+        pen.add(y, left, left + size);
+    pen.flush();
 }
 
 } // namespace spangle::raster

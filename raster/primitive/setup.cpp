@@ -11,11 +11,15 @@ using numeric::clz64;
 
 // --- geometry
 
-void Setup<Fixed>::start() {
-    span_.x = v_[0]->x >> subpixel_bits;
-    span_.y = v_[0]->y >> subpixel_bits;
-    ox_ = subpixel_one / 2 - (v_[0]->x & (subpixel_one - 1));
-    oy_ = subpixel_one / 2 - (v_[0]->y & (subpixel_one - 1));
+/// The anchor: the pixel that the lowest vertex (x, y) lies in.
+SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
+    span_.x = x >> subpixel_bits;
+    span_.y = y >> subpixel_bits;
+    const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
+    const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
+    for (int i = 0; i < 2; ++i) // |cx ox + cy oy| <= 2^30 256
+        center_[i] = static_cast<std::int32_t>((std::int64_t{cx_[i]} * ox + std::int64_t{cy_[i]} * oy) >>
+                                               subpixel_bits);
 }
 
 void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin,
@@ -24,17 +28,14 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x
     v_[1] = &to;
     cx_[0] = cx_[1] = cy_[0] = cy_[1] = 0;
     exponent_ = 32;
-    start();
-    (along_x ? span_.x : span_.y) = begin >> subpixel_bits;
-    (along_x ? ox_ : oy_) = subpixel_one / 2 - (begin & (subpixel_one - 1));
-    const std::uint32_t length = abs_u32(end - begin);
-    if (length == 0)
-        return;
-    const int zeros = clz32(length);
-    // 256 / length = mantissa 2^-(53 - zeros)
-    const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
-    (along_x ? cx_[0] : cy_[0]) = end < begin ? -mantissa : mantissa;
-    exponent_ = 53 - zeros;
+    if (const std::uint32_t length = abs_u32(end - begin); length != 0) {
+        const int zeros = clz32(length);
+        // 256 / length = mantissa 2^-(53 - zeros)
+        const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
+        (along_x ? cx_[0] : cy_[0]) = end < begin ? -mantissa : mantissa;
+        exponent_ = 53 - zeros;
+    }
+    start(along_x ? begin : from.x, along_x ? from.y : begin);
 }
 
 SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
@@ -59,7 +60,7 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
     cy_[0] = coefficient(x2);
     cy_[1] = coefficient(x1);
     exponent_ = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
-    start();
+    start(v_[0]->x, v_[0]->y);
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
@@ -93,14 +94,6 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}
 
-void Setup<Fixed>::move_projective(std::uint32_t columns, std::uint32_t rows) {
-    const auto right =
-        static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<std::int32_t>(columns)));
-    const auto up = static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<std::int32_t>(rows)));
-    for (int i = 0; i < projective_count_; ++i)
-        projective_[i].at->value += right * projective_[i].at->dx + up * projective_[i].dy;
-}
-
 // --- planes
 
 /// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
@@ -110,67 +103,52 @@ static std::int64_t scaled(std::int64_t v, int n) {
     return shift(v, n);
 }
 
-/// v 2^-n rounded down, 0 < n < 32: three instructions where words have 32 bits.
-SPANGLE_INLINE static std::int64_t scaled_short(std::int64_t v, int n) {
+/// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
+SPANGLE_INLINE static std::uint32_t scaled_word(std::int64_t v, int n) {
+    if (n <= 0 || n >= 32) [[unlikely]]
+        return static_cast<std::uint32_t>(scaled(v, n));
     if constexpr (sizeof(void*) > 4)
-        return v >> n;
-    const auto high = static_cast<std::int32_t>(v >> 32);
-    const std::uint32_t low = static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(high)
-                                                                       << (32 - n);
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high >> n)) << 32 |
-                                     low);
+        return static_cast<std::uint32_t>(v >> n);
+    return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
 }
 
-/// Per pixel, counted in 2^-up of the unit of v.
+/// Differences counted in 2^(exponent - up) of the unit of v.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t v0, std::int32_t v1,
-                                                             std::int32_t v2, int up) const {
+                                                             std::int32_t v2) const {
     const std::int32_t d1 = v1 - v0, d2 = v2 - v0;
-    const std::int64_t x = std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1];
-    const std::int64_t y = std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1];
+    return {std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1],
+            std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1],
+            std::int64_t{d1} * center_[0] + std::int64_t{d2} * center_[1]};
+}
+
+SPANGLE_INLINE std::int64_t Setup<Fixed>::affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                                 std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) {
+    const Gradient g = gradient(v0, v1, v2);
     const int n = exponent_ - up;
-    if (n > 0 && n < 32) [[likely]]
-        return {scaled_short(x, n), scaled_short(y, n)};
-    return {scaled(x, n), scaled(y, n)};
-}
-
-/// From the vertex to the centre of its pixel.
-SPANGLE_INLINE std::uint64_t Setup<Fixed>::to_anchor(const Gradient& g) const {
-    const auto dx = static_cast<std::int32_t>(g.dx), dy = static_cast<std::int32_t>(g.dy);
-    std::int64_t sum;
-    if (dx == g.dx && dy == g.dy) [[likely]] // two short products
-        sum = std::int64_t{dx} * ox_ + std::int64_t{dy} * oy_;
-    else
-        sum = static_cast<std::int64_t>(
-            static_cast<std::uint64_t>(g.dx) * static_cast<std::uint64_t>(std::int64_t{ox_}) +
-            static_cast<std::uint64_t>(g.dy) * static_cast<std::uint64_t>(std::int64_t{oy_}));
-    return static_cast<std::uint64_t>(sum >> subpixel_bits);
-}
-
-SPANGLE_INLINE std::uint64_t Setup<Fixed>::affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                                  std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) {
-    const Gradient g = gradient(v0, v1, v2, up);
-    at.value = first + static_cast<std::uint32_t>(to_anchor(g));
-    at.dx = static_cast<std::uint32_t>(g.dx);
-    affine_[affine_count_++] = {&at, static_cast<std::uint32_t>(g.dy)};
-    return static_cast<std::uint64_t>(g.dy);
+    at.value = first + scaled_word(g.center, n);
+    at.dx = scaled_word(g.dx, n);
+    at.dy = scaled_word(g.dy, n);
+    return g.dy;
 }
 
 std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
                                        const std::int32_t v[3], int up) {
-    return affine(at, first, v[0], v[1], v[2], up);
+    return static_cast<std::uint64_t>(scaled(affine(at, first, v[0], v[1], v[2], up), exponent_ - up));
 }
 
 std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {
-    const Gradient g = gradient(v[0], v[1], v[2], guard_bits);
-    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) + to_anchor(g);
-    at.dx = static_cast<std::uint64_t>(g.dx);
-    projective_[projective_count_++] = {&at, static_cast<std::uint64_t>(g.dy)};
-    return static_cast<std::uint64_t>(g.dy);
+    const Gradient g = gradient(v[0], v[1], v[2]);
+    const int n = exponent_ - guard_bits;
+    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) +
+               static_cast<std::uint64_t>(scaled(g.center, n));
+    at.dx = static_cast<std::uint64_t>(scaled(g.dx, n));
+    at.dy = static_cast<std::uint64_t>(scaled(g.dy, n));
+    return at.dy;
 }
 
 // --- attributes
 
-SPANGLE_INLINE void Setup<Fixed>::add_depth() {
+void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
     const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
     const auto code = [&](int i) { // z (2^bits - 1) 2^(32 - bits); 1 is 2^32 less one code
@@ -232,13 +210,13 @@ bool Setup<Fixed>::weights() {
     return q_range_ == 0;
 }
 
-void Setup<Fixed>::constant_colors(const Vertex& provoking) {
+SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& provoking) {
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
     constexpr int up = 24 - color_fraction_bits;
     for (int i = 0; i < 4; ++i)
-        span_.color_value[i] = {(provoking.color[i] << up) + bias, 0};
+        span_.color_value[i] = {(provoking.color[i] << up) + bias, 0, 0};
     for (int i = 0; i < 3; ++i)
-        span_.secondary[i] = {(provoking.secondary[i] << up) + bias, 0};
+        span_.secondary[i] = {(provoking.secondary[i] << up) + bias, 0, 0};
 }
 
 // --- the cheapest kind within the tier's bounds
@@ -256,8 +234,6 @@ bool Setup<Fixed>::colors_affine() const {
     const std::uint64_t four = state_.tier == Tier::exact                   ? color_one >> 17
                                : format_info(state_.format).green_bits == 8 ? 1u << color_fraction_bits
                                                                             : 4u << color_fraction_bits;
-    if (bounded(color_one, four)) // whatever the colours are
-        return true;
     const auto within = [&](const ColorSource& from, int count) {
         for (int i = 0; i < count; ++i)
             if (!bounded(range_of(static_cast<std::int32_t>(from.of[0][i]),
@@ -283,80 +259,49 @@ bool Setup<Fixed>::same_colors() const {
     return (!needs.rgb || same(primary(), needs.alpha ? 4 : 3)) && (!needs.secondary || same(secondary(), 3));
 }
 
-Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool same_color,
-                               const std::int32_t fog[3]) const {
+/// With neither textures nor fog.
+SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& provoking) {
+    const bool one_color = state_.fragment.flat || same_colors();
+    Kind kind = Kind::affine;
+    if (one_color)
+        kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
+    else if (state_.fragment.perspective && !weights() && q_range_ > q_least_ >> state_.affine_color_shift &&
+             !colors_affine())
+        kind = Kind::full;
+    span_.kind = kind;
+    if (state_.needs.z)
+        add_depth();
+    if (kind == Kind::full)
+        span_.q_dy = add_projective(span_.q, q_);
+    if (kind == Kind::flat)
+        constant_word(provoking);
+    else
+        colors(one_color, provoking);
+}
+
+/// As stored in a 16-bit surface.
+SPANGLE_INLINE void Setup<Fixed>::constant_word(const Vertex& provoking) {
+    const auto to8 = [&](int i) {
+        return (provoking.color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
+    };
+    span_.flat_word = (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
+}
+
+void Setup<Fixed>::colors(bool one_color, const Vertex& provoking) {
+    if (one_color)
+        return constant_colors(provoking);
     const Needs& needs = state_.needs;
-    const bool textured = needs.unit[0] || needs.unit[1];
-    const bool full_color = !same_w && !same_color && !colors_affine();
-    if (full_color)
-        return Kind::full;
-    if (!textured && !needs.fog)
-        return same_color && state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
-    bool affine = true;
-    for (int i = 0; i < max_texture_units; ++i)
-        affine = affine && (!needs.unit[i] || unit_affine(i, units[i], same_w));
-    if (needs.fog && affine) {
-        const std::uint64_t four = state_.tier == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
-        affine = span_.fog_exponent == -24 &&
-                 (same_w || state_.tier == Tier::fast || bounded(range_of(fog[0], fog[1], fog[2]), four));
-    }
-    return affine ? Kind::affine : Kind::textured;
+    if (needs.rgb)
+        add_colors(primary(), span_.color_value, span_.color_q, needs.alpha ? 4 : 3);
+    if (needs.secondary)
+        add_colors(secondary(), span_.secondary, span_.secondary_q, 3);
 }
 
 void Setup<Fixed>::attributes(const Vertex& provoking) {
-    const Needs& needs = state_.needs;
-    const bool textured = needs.unit[0] || needs.unit[1];
-    UnitValues units[max_texture_units];
-    std::int32_t fog[3] = {};
-    for (int i = 0; i < max_texture_units; ++i)
-        if (needs.unit[i])
-            load_unit(i, units[i]);
-    if (needs.fog)
-        load_fog(fog);
-    const bool same_color = state_.fragment.flat || same_colors();
-    const bool weighted = state_.fragment.perspective && (textured || needs.fog || !same_color);
-    const bool same_w = !weighted || weights();
-    if (!weighted) {
-        q_[0] = q_[1] = q_[2] = 1 << 29;
-        q_range_ = 0;
-        q_least_ = 1u << 29;
-    }
-    span_.kind = choose_kind(units, same_w, same_color, fog);
-
-    if (needs.z)
-        add_depth();
-    if (span_.kind == Kind::textured || span_.kind == Kind::full) {
-        add_projective(span_.q, q_);
-        span_.q_dy = projective_[projective_count_ - 1].dy;
-    }
-    if (span_.kind == Kind::flat) {
-        const auto to8 = [&](int i) {
-            return (provoking.color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
-        };
-        span_.flat_word = (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
-        return;
-    }
-    if (same_color) {
-        constant_colors(provoking);
-    } else {
-        if (needs.rgb)
-            add_colors(primary(), span_.color_value, span_.color_q, needs.alpha ? 4 : 3);
-        if (needs.secondary)
-            add_colors(secondary(), span_.secondary, span_.secondary_q, 3);
-    }
-    if (needs.fog) {
-        if (span_.kind == Kind::affine) {
-            add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
-        } else {
-            for (int i = 0; i < 3; ++i)
-                fog[i] = mul30(fog[i], q_[i]);
-            span_.fog_exponent += 30;
-            add_projective(span_.fog_q, fog);
-        }
-    }
-    for (int i = 0; i < max_texture_units; ++i)
-        if (needs.unit[i])
-            add_unit(i, units[i]);
+    if (state_.textured_or_fogged)
+        with_coordinates(provoking);
+    else
+        plain(provoking);
 }
 
 } // namespace spangle::raster

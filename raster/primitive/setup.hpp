@@ -9,8 +9,8 @@
 
 namespace spangle::raster {
 
-/// Plane equations of one primitive, for the attributes its state needs; writes them into a span and moves
-/// the span's anchor. Each policy specialises it.
+/// Plane equations of one primitive, for the attributes its state needs, written into a span. Each policy
+/// specialises it.
 template <class P> class Setup;
 
 /// Fixed policy. All products fit 64 bits; the coefficients of gradients have 30 bits, so that an attribute
@@ -30,19 +30,6 @@ template <> class Setup<Fixed> {
     /// Point: nothing varies.
     Setup(Span<Fixed>& span, const Vertex& v);
 
-    /// The anchor moves to pixel (x, y): span.x, span.y and all values. Exact, so the way there does not
-    /// matter.
-    void move_to(std::int32_t x, std::int32_t y) {
-        const auto columns = static_cast<std::uint32_t>(x - span_.x),
-                   rows = static_cast<std::uint32_t>(y - span_.y);
-        span_.x = x;
-        span_.y = y;
-        for (int i = 0; i < affine_count_; ++i)
-            affine_[i].at->value += columns * affine_[i].at->dx + rows * affine_[i].dy;
-        if (projective_count_ != 0)
-            move_projective(columns, rows);
-    }
-
     // Bounds, for tests and proofs.
     static constexpr int coefficient_bits = 30; ///< |mantissa| of a gradient's coefficient <= 2^30
     static constexpr int value_bits = 31;       ///< |difference| of an attribute between two vertices < 2^31
@@ -52,16 +39,9 @@ template <> class Setup<Fixed> {
     static constexpr std::int64_t thin_aspect = 1 << 10;
 
   private:
-    struct AffinePlane {
-        Interpolant<std::uint32_t>* at;
-        std::uint32_t dy;
-    };
-    struct ProjectivePlane {
-        Interpolant<std::uint64_t>* at;
-        std::uint64_t dy;
-    };
     struct Gradient {
         std::int64_t dx, dy; ///< per pixel
+        std::int64_t center; ///< from the lowest vertex to the centre of its pixel
     };
     /// Colours of the reference vertices.
     struct ColorSource {
@@ -75,10 +55,12 @@ template <> class Setup<Fixed> {
         bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
     };
 
-    void start();
+    void start(std::int32_t x, std::int32_t y);
     void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
     void in_plane(std::int64_t area2);
     void attributes(const Vertex& provoking);
+    void plain(const Vertex& provoking);
+    void with_coordinates(const Vertex& provoking);
     bool weights();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
@@ -89,18 +71,18 @@ template <> class Setup<Fixed> {
     bool same_colors() const;
     ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
     ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
-    Kind choose_kind(const UnitValues units[], bool same_w, bool same_color, const std::int32_t fog[3]) const;
+    Kind choose_kind(const UnitValues units[], bool same_w, bool one_color, const std::int32_t fog[3]) const;
 
-    void move_projective(std::uint32_t columns, std::uint32_t rows);
-    Gradient gradient(std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) const;
-    std::uint64_t to_anchor(const Gradient& g) const;
-    std::uint64_t affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0,
-                         std::int32_t v1, std::int32_t v2, int up);
+    Gradient gradient(std::int32_t v0, std::int32_t v1, std::int32_t v2) const;
+    std::int64_t affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0, std::int32_t v1,
+                        std::int32_t v2, int up);
     std::uint64_t add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
+    void constant_word(const Vertex& provoking);
     void constant_colors(const Vertex& provoking);
+    void colors(bool one_color, const Vertex& provoking);
     void add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
                     int count);
     void add_unit(int unit, const UnitValues& u);
@@ -111,13 +93,10 @@ template <> class Setup<Fixed> {
     /// d/dx = (d1 cx[0] + d2 cx[1]) 2^-exponent, with d1 = v1 - v0 and d2 = v2 - v0; d/dy likewise. One
     /// exponent: thin_aspect bounds what the smaller coefficients lose.
     std::int32_t cx_[2], cy_[2];
+    std::int32_t center_[2]; ///< from v_[0] to the centre of its pixel, likewise
     int exponent_;
-    std::int32_t ox_, oy_; ///< from v_[0] to the centre of its pixel, subpixels
-    std::int32_t q_[3];    ///< 1/w of v_, largest in [2^29, 2^30)
+    std::int32_t q_[3]; ///< 1/w of v_, largest in [2^29, 2^30)
     std::uint32_t q_least_, q_range_;
-    int affine_count_ = 0, projective_count_ = 0;
-    AffinePlane affine_[9 + 2 * max_texture_units];
-    ProjectivePlane projective_[9 + 3 * max_texture_units];
 };
 
 } // namespace spangle::raster

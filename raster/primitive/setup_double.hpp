@@ -17,13 +17,7 @@ template <> class Setup<Double> {
           std::int32_t begin, std::int32_t end);
     Setup(Span<Double>& span, const Vertex& v);
 
-    void move_to(std::int32_t x, std::int32_t y);
-
   private:
-    struct Plane {
-        Interpolant<double>* at;
-        double first, dy; ///< value at the origin; per row
-    };
     /// Gradients of an attribute with these values at the three reference vertices.
     void add(Interpolant<double>& at, double v0, double v1, double v2, double* dy = nullptr);
     void attributes(const Vertex& provoking);
@@ -32,8 +26,6 @@ template <> class Setup<Double> {
     const Vertex* v_[3];
     double origin_x_, origin_y_; ///< of the reference vertex 0, pixels
     double x1_, y1_, x2_, y2_;   ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
-    int count_ = 0;
-    Plane planes_[9 + 3 * max_texture_units];
 };
 
 } // namespace spangle::raster

@@ -37,21 +37,16 @@ Setup<Double>::Setup(Span<Double>& span, const Vertex& v) : Setup(span, v, v, v,
 void Setup<Double>::add(Interpolant<double>& at, double v0, double v1, double v2, double* dy) {
     const double d1 = v1 - v0, d2 = v2 - v0;
     at.dx = d1 * x1_ + d2 * x2_;
-    planes_[count_++] = {&at, v0, d1 * y1_ + d2 * y2_};
+    at.dy = d1 * y1_ + d2 * y2_;
+    at.value = v0 + at.dx * (span_.x + 0.5 - origin_x_) + at.dy * (span_.y + 0.5 - origin_y_);
     if (dy != nullptr)
-        *dy = planes_[count_ - 1].dy;
-}
-
-void Setup<Double>::move_to(std::int32_t x, std::int32_t y) {
-    span_.x = x;
-    span_.y = y;
-    for (int i = 0; i < count_; ++i)
-        planes_[i].at->value = planes_[i].first + planes_[i].at->dx * (x + 0.5 - origin_x_) +
-                               planes_[i].dy * (y + 0.5 - origin_y_);
+        *dy = at.dy;
 }
 
 void Setup<Double>::attributes(const Vertex& provoking) {
     const DrawState& state = *span_.state;
+    span_.x = v_[0]->x >> subpixel_bits;
+    span_.y = v_[0]->y >> subpixel_bits;
     span_.kind = Kind::full;
     double w[3];
     for (int i = 0; i < 3; ++i)

@@ -20,11 +20,6 @@ template <> class Setup<Shadow> {
           twin_(with_state(span), a.twin, b.twin, provoking.twin, along_x, begin, end) {}
     Setup(Span<Shadow>& span, const Vertex& v) : fixed_(span, v.fixed), twin_(with_state(span), v.twin) {}
 
-    void move_to(std::int32_t x, std::int32_t y) {
-        fixed_.move_to(x, y);
-        twin_.move_to(x, y);
-    }
-
   private:
     static Span<Double>& with_state(Span<Shadow>& span) {
         span.twin.state = span.state;

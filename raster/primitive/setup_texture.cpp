@@ -167,4 +167,61 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
     at.t_dy = add_projective(at.t, t);
 }
 
+/// Affine where the bounds of the tier allow it, textured where only colours are, else full.
+Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool one_color,
+                               const std::int32_t fog[3]) const {
+    const Needs& needs = state_.needs;
+    if (!same_w && !one_color && q_range_ > q_least_ >> state_.affine_color_shift && !colors_affine())
+        return Kind::full;
+    for (int i = 0; i < max_texture_units; ++i)
+        if (needs.unit[i] && !unit_affine(i, units[i], same_w))
+            return Kind::textured;
+    if (!needs.fog)
+        return Kind::affine;
+    const std::uint64_t four = state_.tier == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
+    const bool affine = span_.fog_exponent == -24 && (same_w || state_.tier == Tier::fast ||
+                                                      bounded(range_of(fog[0], fog[1], fog[2]), four));
+    return affine ? Kind::affine : Kind::textured;
+}
+
+void Setup<Fixed>::with_coordinates(const Vertex& provoking) {
+    const Needs& needs = state_.needs;
+    UnitValues units[max_texture_units];
+    std::int32_t fog[3];
+    for (int i = 0; i < max_texture_units; ++i)
+        if (needs.unit[i])
+            load_unit(i, units[i]);
+    if (needs.fog)
+        load_fog(fog);
+    const bool one_color = state_.fragment.flat || same_colors();
+    bool same_w = true;
+    if (state_.fragment.perspective) {
+        same_w = weights();
+    } else {
+        q_[0] = q_[1] = q_[2] = 1 << 29;
+        q_range_ = 0;
+        q_least_ = 1u << 29;
+    }
+    span_.kind = choose_kind(units, same_w, one_color, fog);
+
+    if (needs.z)
+        add_depth();
+    if (span_.kind != Kind::affine)
+        span_.q_dy = add_projective(span_.q, q_);
+    colors(one_color, provoking);
+    if (needs.fog) {
+        if (span_.kind == Kind::affine) {
+            add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
+        } else {
+            for (int i = 0; i < 3; ++i)
+                fog[i] = mul30(fog[i], q_[i]);
+            span_.fog_exponent += 30;
+            add_projective(span_.fog_q, fog);
+        }
+    }
+    for (int i = 0; i < max_texture_units; ++i)
+        if (needs.unit[i])
+            add_unit(i, units[i]);
+}
+
 } // namespace spangle::raster

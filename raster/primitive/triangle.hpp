@@ -10,7 +10,7 @@ namespace spangle::raster {
 namespace detail {
 
 template <class V>
-inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const v[3]) {
+inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] const V* const (&v)[3]) {
 #ifndef SPANGLE_FIRMWARE
     if (state.counters == nullptr || state.counters->observer == nullptr ||
         state.counters->observer->triangle == nullptr)
@@ -48,40 +48,55 @@ template <class V> inline void sort_pair(const V*& low, const V*& high, bool& od
 
 } // namespace detail
 
+namespace detail {
+
+template <class E, class P>
+void draw_rows(Pen<P>& pen, const typename P::Vertex* const corners[3], const typename P::Vertex& provoking,
+               const std::int32_t xs[3], const std::int32_t ys[3], std::int64_t area2) {
+    TriangleRows<E> rows(xs, ys, area2 < 0, pen.row_begin(), pen.row_end());
+    const auto fill = [&] {
+        return pen.cuts()
+                   ? rows.template fill<true>(pen.rows(), pen.batch, pen.column_begin(), pen.column_end())
+                   : rows.template fill<false>(pen.rows(), pen.batch, 0, 0);
+    };
+    int count = fill();
+    if (count == 0)
+        return;
+    Setup<P>(pen.span, *corners[0], *corners[1], *corners[2], provoking, area2);
+    pen.begin();
+    do {
+        pen.draw(count);
+    } while (count == pen.batch && (count = fill()) != 0);
+}
+
+} // namespace detail
+
 template <class P>
 void draw_triangle_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
                       const typename P::Vertex& b, const typename P::Vertex& c,
                       const typename P::Vertex& provoking, std::int64_t area2) {
-    const typename P::Vertex *low = &a, *middle = &b, *high = &c;
+    const typename P::Vertex* corners[3] = {&a, &b, &c};
     bool odd = false;
-    detail::sort_pair(low, middle, odd);
-    detail::sort_pair(middle, high, odd);
-    detail::sort_pair(low, middle, odd);
+    detail::sort_pair(corners[0], corners[1], odd);
+    detail::sort_pair(corners[1], corners[2], odd);
+    detail::sort_pair(corners[0], corners[1], odd);
     if (odd)
         area2 = -area2;
-    const std::int32_t xs[3] = {position(*low).x, position(*middle).x, position(*high).x};
-    const std::int32_t ys[3] = {position(*low).y, position(*middle).y, position(*high).y};
-    const std::int32_t least =
-        xs[0] < xs[2] ? (xs[0] < xs[1] ? xs[0] : xs[1]) : (xs[2] < xs[1] ? xs[2] : xs[1]);
-    const std::int32_t most =
-        xs[0] > xs[2] ? (xs[0] > xs[1] ? xs[0] : xs[1]) : (xs[2] > xs[1] ? xs[2] : xs[1]);
+    std::int32_t xs[3], ys[3];
+    for (int i = 0; i < 3; ++i)
+        xs[i] = position(*corners[i]).x, ys[i] = position(*corners[i]).y;
+    std::int32_t least = xs[0] < xs[1] ? xs[0] : xs[1], most = xs[0] < xs[1] ? xs[1] : xs[0];
+    least = xs[2] < least ? xs[2] : least;
+    most = xs[2] > most ? xs[2] : most;
 
-    const typename P::Vertex* const corners[3] = {low, middle, high};
     detail::observe(state, corners);
     Pen<P> pen(state, target);
-    if (state.nothing || !pen.sees_extent(first_center(least), first_center(most)))
+    if (state.nothing || !pen.sees(first_center(least), first_center(most)))
         return;
-    const bool small = most - least <= small_extent && ys[2] - ys[0] <= small_extent;
-    TriangleRows rows(xs, ys, area2 < 0, small, pen.row_begin(), pen.row_end());
-    do {
-        if (!rows.next())
-            return;
-    } while (!pen.sees(rows.left, rows.right));
-    Setup<P> setup(pen.span, *low, *middle, *high, provoking, area2);
-    pen.begin();
-    do {
-        pen.draw(setup, rows.y, rows.left, rows.right);
-    } while (rows.next());
+    if (most - least <= SmallEdge::extent && ys[2] - ys[0] <= SmallEdge::extent)
+        detail::draw_rows<SmallEdge>(pen, corners, provoking, xs, ys, area2);
+    else
+        detail::draw_rows<Edge>(pen, corners, provoking, xs, ys, area2);
 }
 
 } // namespace spangle::raster

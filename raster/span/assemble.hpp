@@ -5,6 +5,7 @@
 #include "raster/span/chain.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
+#include "raster/span/rows.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
@@ -21,7 +22,7 @@ namespace spangle::raster {
 template <class N> class ChainBuilder {
   public:
     explicit ChainBuilder(Variant& variant) : variant_(variant) {
-        variant.run = reinterpret_cast<AnyFunction>(&chain_span<N>);
+        variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
     }
     template <class S> void add() {
         variant_.chain[count_++] = reinterpret_cast<AnyFunction>(&chain_stage<N, S>);

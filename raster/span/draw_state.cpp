@@ -78,7 +78,7 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
         assemble<Exact>(variant, key, state);
         break;
     }
-    if (const SpanFunction run = find_fused(key); run != nullptr)
+    if (const RowsFunction<Fixed> run = find_fused(key); run != nullptr)
         variant.run = reinterpret_cast<AnyFunction>(run);
 }
 
@@ -87,11 +87,11 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
 AnyFunction chain_runner(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&chain_span<Raw565<1>>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Raw565<1>>>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&chain_span<Balanced<1>>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<1>>>);
     default:
-        return reinterpret_cast<AnyFunction>(&chain_span<Exact>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Exact>>);
     }
 }
 
@@ -99,18 +99,18 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.fragment = state;
     draw.tier = state.tier;
     draw.format = target.format;
+    // A quarter of 255 2^-shift is a quarter of a step of 6 or 8 bits; 2^-19 of full scale.
+    draw.affine_color_shift = state.tier == Tier::exact                    ? 17
+                              : format_info(target.format).green_bits == 8 ? 8
+                                                                           : 6;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.nothing = draws_nothing(state, key);
-    draw.needs.z = key.depth != Compare::always || key.depth_write;
-    draw.needs.rgb = key.color;
-    draw.needs.alpha = key.color_alpha;
-    draw.needs.secondary = key.color_sum;
-    draw.needs.fog = key.fog;
+    draw.needs = needs_of(key);
+    draw.textured_or_fogged = key.unit[0].on || key.unit[1].on || key.fog;
     if (key.fog)
         draw.fog = fog_constants(state);
     for (int i = 0; i < max_texture_units; ++i) {
-        draw.needs.unit[i] = key.unit[i].on;
         if (!key.unit[i].on)
             continue;
         const Texture& texture = *state.unit[i].texture;

@@ -35,15 +35,15 @@ struct Counters {
 #endif
 };
 
-/// A function of some signature: void(const Span<P>&) for a span, void(Packet<N>&, const Span<P>&) for a
-/// stage of the chain. Whoever fills it in and whoever calls it agree on P and N.
+/// A function of some signature: RowsFunction<P> to draw rows, void(Packet<N>&, const Span<P>&) for a stage
+/// of the chain. Whoever fills it in and whoever calls it agree on P and N.
 using AnyFunction = void (*)();
 
 inline constexpr int max_stages = 14;
 
 /// The list of stages of one kind of primitive.
 struct Variant {
-    AnyFunction run = nullptr;              ///< a fused span, or the runner of `chain`
+    AnyFunction run = nullptr;              ///< RowsFunction: a fused span, or the runner of `chain`
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
     std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
 };
@@ -53,6 +53,18 @@ struct Needs {
     bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
     bool unit[max_texture_units] = {};
 };
+
+constexpr Needs needs_of(const Key& key) {
+    Needs needs;
+    needs.z = key.depth != Compare::always || key.depth_write;
+    needs.rgb = key.color;
+    needs.alpha = key.color_alpha;
+    needs.secondary = key.color_sum;
+    needs.fog = key.fog;
+    for (int i = 0; i < max_texture_units; ++i)
+        needs.unit[i] = key.unit[i].on;
+    return needs;
+}
 
 /// Fog coordinate c of a vertex at eye distance d, as a number with 24 fraction bits; the fog stage makes the
 /// factor: LINEAR c = (end - d) / (end - start), f = c; EXP c = density d log2 e, f = 2^-c; EXP2 c = density
@@ -67,7 +79,11 @@ struct DrawState {
     FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
     FogConstants fog;
     Needs needs;
+    bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     Tier tier = Tier::exact;
+    /// Colours are affine within the bound of the tier, whatever they are, where 1/w varies by less than
+    /// 2^-this of itself.
+    std::uint8_t affine_color_shift = 0;
     PixelFormat format{};
     DepthFormat depth_format{};
     struct Wraps {

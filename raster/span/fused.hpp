@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 
 namespace spangle::raster {
@@ -31,16 +32,16 @@ SPANGLE_INLINE void fused_loop(List& list, std::int32_t i, std::int32_t stop) {
     } while (++i != stop);
 }
 
-/// Pixels [span.begin + i, span.end), one lane.
+/// Pixels i to n - 1 counted from `begin`, one lane.
 template <class N, class List>
-SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t i) {
+SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t i,
+                                 std::int32_t n) {
     static_assert(N::lanes == 1);
-    const std::int32_t n = span.end - span.begin;
-    List list(span, span.begin + i);
+    List list(span, begin + i);
     do {
         std::int32_t stop = n;
         if constexpr (List::runs) {
-            const std::int32_t next = list.begin(span.begin + i) - span.begin;
+            const std::int32_t next = list.begin(begin + i) - begin;
             stop = next < n ? next : n;
         }
         if (List::rows && list.row(stop - i))
@@ -51,14 +52,16 @@ SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int3
     } while (List::runs && i != n);
 }
 
-/// Groups of eight from the begin of the span; returns the first pixel not drawn.
-template <class N, class List> SPANGLE_INLINE std::int32_t fused_wide(const Span<typename N::Policy>& span) {
+/// Groups of eight of n pixels from `begin`; returns how many are drawn.
+template <class N, class List>
+SPANGLE_INLINE std::int32_t fused_wide(const Span<typename N::Policy>& span, std::int32_t begin,
+                                       std::int32_t n) {
     static_assert(N::lanes == 8 && !List::runs);
-    const std::int32_t n = (span.end - span.begin) & ~7;
+    n &= ~7;
     std::int32_t i = 0;
     if (n == 0)
         return 0;
-    List list(span, span.begin);
+    List list(span, begin);
     const bool row = List::rows && list.row(n);
     do {
         Px<N> p;
@@ -89,50 +92,67 @@ SPANGLE_INLINE void copy_words(std::uint8_t* to, const std::uint8_t* from, std::
 
 } // namespace detail
 
-/// Pixels [i, i + n) of a span, n < 8, as one group of eight that works on copies: nothing outside is
-/// touched.
+/// Pixels [i, i + n) counted from `begin`, n < 8, as one group of eight that works on copies: nothing outside
+/// is touched.
 template <class Case>
-SPANGLE_INLINE void fused_tail(const Span<Fixed>& span, std::int32_t i, std::int32_t n) {
+SPANGLE_INLINE void fused_tail(Span<Fixed>& span, std::int32_t begin, std::int32_t i, std::int32_t n) {
     using N = typename Case::template System<8>;
     static constexpr std::uint16_t lives[16] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF,
                                                 0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
     alignas(16) std::uint8_t color[16] = {}, depth[16] = {};
-    auto& copy = const_cast<Span<Fixed>&>(span); // a local of Pen; put back below
     detail::copy_words(color, span.color + 2 * i, n);
     std::uint8_t* const color_plane = span.color;
     std::uint8_t* const depth_plane = span.depth;
-    copy.color = color;
+    span.color = color;
     if constexpr (Case::tested) {
         detail::copy_words(depth, span.depth + 2 * i, n);
-        copy.depth = depth;
+        span.depth = depth;
     }
-    typename Case::template List<8> list(copy, span.begin + i);
+    typename Case::template List<8> list(span, begin + i);
     Px<N> p;
     p.row = Case::template List<8>::rows && list.row(n);
     __builtin_memcpy(&p.live, lives + 8 - n, 16);
     p.i = 0;
     list(p);
-    copy.color = color_plane;
-    copy.depth = depth_plane;
+    span.color = color_plane;
+    span.depth = depth_plane;
     detail::copy_words(span.color + 2 * i, color, n);
     if constexpr (Case::tested)
         detail::copy_words(span.depth + 2 * i, depth, n);
 }
 
-/// Case has: template <int Lanes> using System, List; static constexpr bool wide.
-template <class Case, int Wide = host_lanes> [[gnu::noinline]] void fused(const Span<Fixed>& span) {
+template <class Case, int Wide>
+SPANGLE_INLINE void fused_row(Span<Fixed>& span, std::int32_t begin, std::int32_t n) {
     std::int32_t i = 0;
     if constexpr (Wide == 8 && Case::wide) {
-        i = fused_wide<typename Case::template System<8>, typename Case::template List<8>>(span);
-        const std::int32_t rest = span.end - span.begin - i;
+        i = fused_wide<typename Case::template System<8>, typename Case::template List<8>>(span, begin, n);
+        const std::int32_t rest = n - i;
         if (rest == 0)
             return;
         if constexpr (Case::heavy) {
             if (rest > 2)
-                return fused_tail<Case>(span, i, rest);
+                return fused_tail<Case>(span, begin, i, rest);
         }
     }
-    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, i);
+    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, begin, i, n);
+}
+
+/// Case has: template <int Lanes> using System, List; static constexpr key, needs, tested, wide, heavy.
+template <class Case, int Wide = host_lanes>
+[[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
+    do {
+        const std::int32_t first = row->first, n = row->last - first;
+        // Where no run is anchored, pixel 0 is the first one drawn.
+        std::int32_t left = first;
+        if constexpr (Case::template List<1>::runs) {
+            left = row->left;
+            span.length = row->right - left;
+        }
+        move(span, Case::needs, Case::key.kind, left, row->y);
+        point_at(span.color, span.depth, *span.target, first, row->y,
+                 format_info(Case::key.format).bytes_per_pixel, 1);
+        fused_row<Case, Wide>(span, first - left, n);
+    } while (++row != end);
 }
 
 } // namespace spangle::raster

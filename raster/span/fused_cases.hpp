@@ -111,13 +111,19 @@ template <Key K> class FusedCase {
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
 
-    static void run(const Span<Fixed>& span) {
+    static constexpr Needs needs = needs_of(K);
+
+    static void run(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (K.number == Number::raw565 && K.kind == Kind::flat && !tested) {
             using Out = StoreRaw<1, K.format>;
-            const std::uint32_t word = span.flat_word;
-            fill16(span.color, Out::swaps ? Lanes<1>::swap_bytes(word) : word, span.end - span.begin);
+            const std::uint32_t word = Out::swaps ? Lanes<1>::swap_bytes(span.flat_word) : span.flat_word;
+            do {
+                point_at(span.color, span.depth, *span.target, row->first, row->y,
+                         format_info(K.format).bytes_per_pixel, 1);
+                fill16(span.color, word, row->last - row->first);
+            } while (++row != end);
         } else {
-            fused<FusedCase>(span);
+            fused<FusedCase>(span, row, end);
         }
     }
 };

@@ -136,7 +136,7 @@ constexpr FusedSpan table[] = {
 
 } // namespace
 
-SpanFunction find_fused(const Key& key) {
+RowsFunction<Fixed> find_fused(const Key& key) {
     for (const FusedSpan& span : table)
         if (span.key == key)
             return span.run;

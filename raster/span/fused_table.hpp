@@ -5,20 +5,18 @@
 
 #include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
-#include "raster/span/span.hpp"
+#include "raster/span/rows.hpp"
 
 namespace spangle::raster {
 
-using SpanFunction = void (*)(const Span<Fixed>&);
-
 struct FusedSpan {
     Key key;
-    SpanFunction run;
-    SpanFunction narrow; ///< the same with one lane only, for the tests; null in firmware
+    RowsFunction<Fixed> run;
+    RowsFunction<Fixed> narrow; ///< the same with one lane only, for the tests; null in firmware
 };
 
 /// null: draw with the chain.
-SpanFunction find_fused(const Key& key);
+RowsFunction<Fixed> find_fused(const Key& key);
 
 /// What runs the chain of a number system of the fixed policy.
 AnyFunction chain_runner(Number number);

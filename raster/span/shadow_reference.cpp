@@ -170,14 +170,22 @@ template <class N> void shadow_span(const Span<Shadow>& span) {
     chain_span<N>(span);
 }
 
+template <class N> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
+    for (; row != end; ++row) {
+        move(span.twin, span.state->needs, Kind::full, row->left, row->y);
+        enter<Fixed>(span, *row);
+        shadow_span<N>(span);
+    }
+}
+
 AnyFunction shadow_runner(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&shadow_span<Raw565<1>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Raw565<1>>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&shadow_span<Balanced<1>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>>);
     default:
-        return reinterpret_cast<AnyFunction>(&shadow_span<Exact>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact>);
     }
 }
 

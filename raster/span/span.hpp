@@ -9,6 +9,7 @@
 namespace spangle::raster {
 
 struct DrawState;
+struct Surface;
 
 /// The policy of the product.
 ///
@@ -28,11 +29,15 @@ inline constexpr int guard_bits = 16;
 /// Fraction bits of texture coordinates that do not wrap (number.hpp, TexCoords).
 inline constexpr int clamped_coord_bits = 28;
 
-/// Value at the centre of pixel 0 (the anchor) and difference from pixel to pixel. `at` is exact: no error
-/// accumulates and any pixel can be first.
+/// A plane: value at the centre of pixel 0 (the anchor), differences from pixel to pixel and from row to row.
+/// `at` is exact: no error accumulates and any pixel can be first.
 template <class T> struct Interpolant {
-    T value, dx;
+    T value, dx, dy;
     constexpr T at(std::int32_t x) const { return value + static_cast<T>(x) * dx; }
+    /// The anchor moves.
+    constexpr void move(std::int32_t columns, std::int32_t rows) {
+        value = value + static_cast<T>(columns) * dx + static_cast<T>(rows) * dy;
+    }
 };
 
 /// Which attributes vary how over a primitive. Every stage list exists once per kind; set-up picks the
@@ -53,6 +58,7 @@ template <class P> struct Span {
     using Projective = Interpolant<typename P::Projective>;
 
     const DrawState* state;
+    const Surface* target;
     std::uint8_t* color;     ///< pixel `begin` of the span in memory
     std::uint8_t* depth;     ///< same, in the depth plane; null without one
     std::int32_t begin, end; ///< pixels to draw, 0 <= begin < end <= length

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/primitive/draw.hpp"
+#include "raster/span/rows.hpp"
 
 namespace spangle::raster::test {
 
@@ -32,7 +33,7 @@ struct CountingTarget {
         surface.height = h;
         state.fragment.scissor = {0, 0, w, h};
         for (auto& variant : state.variant)
-            variant.run = reinterpret_cast<AnyFunction>(&count_span);
+            variant.run = reinterpret_cast<AnyFunction>(&by_row<Fixed, &count_span>);
     }
     CountingTarget(const CountingTarget&) = delete;
 

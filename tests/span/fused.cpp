@@ -55,19 +55,22 @@ struct Hits {
     bool length[41] = {}, alignment[8] = {};
 };
 Hits hits;
-SpanFunction under_test;
+RowsFunction<Fixed> under_test;
 
 /// Stands in for the span function: notes what it was asked for.
-void note_and_draw(const Span<Fixed>& span) {
-    const std::int32_t n = span.end - span.begin;
-    ++hits.draws;
-    if (n <= 40)
-        hits.length[n] = true;
-    hits.alignment[reinterpret_cast<std::uintptr_t>(span.color) / 2 % 8] = true;
-    under_test(span);
+void note_and_draw(Span<Fixed>& span, const Row* row, const Row* end) {
+    for (const Row* r = row; r != end; ++r) {
+        const std::int32_t n = r->last - r->first;
+        ++hits.draws;
+        if (n <= 40)
+            hits.length[n] = true;
+        hits.alignment[reinterpret_cast<std::uintptr_t>(span.target->color_row(r->y) + 2 * r->first) / 2 %
+                       8] = true;
+    }
+    under_test(span, row, end);
 }
 
-void expect_equal(const FusedSpan& fused, SpanFunction run, const char* name) {
+void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* name) {
     const StateOfKey of(fused.key);
     const DepthFormat depth =
         fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
@@ -75,7 +78,7 @@ void expect_equal(const FusedSpan& fused, SpanFunction run, const char* name) {
         fused_canvas(width, height, fused.key.format, depth);
     DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface);
     const auto kind = static_cast<unsigned>(fused.key.kind);
-    ASSERT_EQ(reinterpret_cast<SpanFunction>(state.variant[kind].run), fused.run)
+    ASSERT_EQ(reinterpret_cast<RowsFunction<Fixed>>(state.variant[kind].run), fused.run)
         << "the key is not the state's: " << name;
     DrawState chained = state;
     for (int i = 0; i < kind_count; ++i)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "raster/span/rows.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "tests/span/sweep.hpp"
 
@@ -93,7 +94,7 @@ template <class N> Worst sweep(Tier tier, Kind kind, int rounds, double aspect_l
     state.depth_test = true;
     DrawState draw_state = compile<FixedVertex>(state, canvas.surface);
     for (auto& variant : draw_state.variant)
-        variant.run = reinterpret_cast<AnyFunction>(&measure<N>);
+        variant.run = reinterpret_cast<AnyFunction>(&by_row<Fixed, &measure<N>>);
     RandomVertices source(5);
     worst = {};
     for (int i = 0; i < rounds; ++i) {
@@ -176,7 +177,7 @@ TEST(Interpolation, SteepPlanesOfTwentyFourBitsStayInTheRange) {
     state.depth_test = true;
     DrawState draw_state = compile<FixedVertex>(state, canvas.surface);
     for (auto& variant : draw_state.variant)
-        variant.run = reinterpret_cast<AnyFunction>(&measure_depth24);
+        variant.run = reinterpret_cast<AnyFunction>(&by_row<Fixed, &measure_depth24>);
     RandomVertices source(12);
     worst_code = 0;
     for (int i = 0; i < 60000; ++i) {
