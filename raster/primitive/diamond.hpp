@@ -24,6 +24,8 @@ class DiamondWalk {
     std::int32_t count;        ///< fragments left, this one included
     bool along_x;
 
+    static constexpr std::int32_t small_length = 64 * subpixel_one; ///< up to which 32 bits are enough
+
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
     DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
         const std::int32_t dx = bx - ax, dy = by - ay;
@@ -116,8 +118,6 @@ class DiamondWalk {
         }
         minor = (start_minor_ >> subpixel_bits) + whole;
     }
-
-    static constexpr std::int32_t small_length = 64 * subpixel_one; ///< up to which 32 bits are enough
 
     std::int32_t start_major_, start_minor_, length_, rise_, denominator_, remainder_, lower_tie_;
 };

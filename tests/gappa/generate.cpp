@@ -9,6 +9,7 @@
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/numeric/rsqrt.hpp"
+#include "raster/primitive/diamond.hpp"
 #include "raster/primitive/edge.hpp"
 
 namespace {
@@ -81,7 +82,7 @@ void reciprocal_second() {
     std::printf("a = fixed<-32, dn>(A_);\n"
                 "r = fixed<-30, dn>(R_);\n"
                 "E = 1 - a * r;\n"
-                "d fixed<-48, dn>= E;\n"
+                "d = fixed<-48, dn>(E);\n"
                 "r2 fixed<-30, ne>= r + r * d;\n"
                 "M = r + r * E;\n"
                 "{ a in [0.5, 1] /\\ r in [0.99, 2.0001] /\\ (r - 1/a) / (1/a) "
@@ -102,7 +103,7 @@ void rsqrt_second() {
                 "T = 1 / sqrt(a);\n"
                 "s fixed<-30, ne>= r * r;\n"
                 "F = (1 - a * s) / 2;\n"
-                "d fixed<-48, dn>= F;\n"
+                "d = fixed<-48, dn>(F);\n"
                 "r2 fixed<-30, ne>= r + r * d;\n"
                 "M = r + r * ((1 - a * (r * r)) / 2);\n"
                 "Q = (r - T) / T;\n"
@@ -114,12 +115,12 @@ void rsqrt_second() {
                 bound(rsqrt_1_accuracy), bound(rsqrt_accuracy), bound(rsqrt_accuracy));
 }
 
-/// Set-up and walk of an edge: `extent` is the largest |difference| of coordinates, `most` the largest
-/// integer in use.
-void edge(const char* what, long long guard, long long extent, const char* most) {
+/// Set-up and walk of an edge, anything in the guard band.
+void edge_wide() {
     using namespace spangle::raster;
-    std::printf("# %s\n"
-                "@whole = fixed<0, ne>;\n"
+    static_assert(edge_max_denominator == std::int64_t{2} * guard_band * subpixel_one);
+    const long long guard = guard_band, extent = 2 * guard;
+    std::printf("@whole = fixed<0, ne>;\n"
                 "dx = whole(DX); dy = whole(DY); above = whole(AB); inside = whole(IN);\n"
                 "part = whole(PA); rest = whole(RE); x0 = whole(X0);\n"
                 "numerator = above * dx + inside * dy;\n"
@@ -127,22 +128,45 @@ void edge(const char* what, long long guard, long long extent, const char* most)
                 "stepped = rest + part * %d;\n"
                 "{ x0 in [-%lld, %lld] /\\ dx in [-%lld, %lld] /\\ dy in [1, %lld] /\\ above in [0, %lld]\n"
                 "  /\\ inside in [-%d, %d] /\\ part in [0, %lld] /\\ rest in [-%lld, 0]\n"
-                "  -> numerator in [-%s, %s] /\\ denominator in [1, 2147483647] /\\ stepped in [-2147483648, "
-                "2147483647] }\n",
-                what, subpixel_one, subpixel_one, guard, guard, extent, extent, extent, extent + subpixel_one,
-                subpixel_one / 2, subpixel_one / 2, extent - 1, extent * subpixel_one, most, most);
+                "  -> |numerator| <= 9223372036854775807 /\\ denominator in [1, 2147483647]\n"
+                "  /\\ stepped in [-2147483648, 2147483647] }\n",
+                subpixel_one, subpixel_one, guard, guard, extent, extent, extent, extent + subpixel_one,
+                subpixel_one / 2, subpixel_one / 2, extent - 1, extent * subpixel_one);
 }
 
-void edge_wide() {
-    using namespace spangle::raster;
-    static_assert(edge_max_denominator == std::int64_t{2} * guard_band * subpixel_one);
-    edge("64-bit numerators: anything in the guard band", guard_band, std::int64_t{2} * guard_band,
-         "9223372036854775807");
-}
-
+/// SmallEdge: how far the column at any of its rows is short of the exact one; the bias tells an edge that
+/// meets a centre from one that passes it by 1 / (256 dy) when that is less than 2^-24 and 2^-22 at least.
 void edge_small() {
     using namespace spangle::raster;
-    edge("32-bit numerators: small triangles", guard_band, small_extent, "2147483647");
+    const int most = SmallEdge::extent, rows = most / subpixel_one + 1;
+    std::printf("@whole = fixed<0, ne>;\n"
+                "dx = whole(DX); dy = whole(DY); above = whole(AB); n = whole(N);\n"
+                "slope = dx / dy;\n"
+                "step = fixed<-32, dn>(slope);\n"
+                "up = fixed<-32, dn>(step * above / %d);\n"
+                "rows = above / %d + n;\n"
+                "short = slope * rows - (up + n * step);\n"
+                "lifted = dx + dy * 16384;\n"
+                "finest = 1 / (%d * dy);\n"
+                "{ |dx| <= %d /\\ dy in [1, %d] /\\ above in [0, %d] /\\ n in [0, %d] /\\ rows in [0, %d]\n"
+                "  -> short in [0, 1b-25] /\\ lifted in [0, 4294967295] /\\ finest in [1b-22, 1]\n"
+                "  /\\ (dy - 1) * 262144 in [0, 4294967295] }\n"
+                "short -> (slope - step) * rows + (step * above / %d - up);\n",
+                subpixel_one, subpixel_one, subpixel_one, most, most, most, rows, rows, subpixel_one);
+}
+
+/// DiamondWalk::place() in 32 bits.
+void diamond_small() {
+    using namespace spangle::raster;
+    const int most = DiamondWalk::small_length;
+    std::printf(
+        "@whole = fixed<0, ne>;\n"
+        "from = whole(FR); rise = whole(RI); inside = whole(IN); length = whole(LE);\n"
+        "tie = whole(TI);\n"
+        "numerator = from * rise + inside * length - tie;\n"
+        "{ |from| <= %d /\\ |rise| <= %d /\\ inside in [0, %d] /\\ length in [1, %d] /\\ tie in [0, 1]\n"
+        "  -> |numerator| <= 2147483647 }\n",
+        most + subpixel_one, most, subpixel_one - 1, most);
 }
 
 } // namespace
@@ -159,6 +183,7 @@ constexpr Obligation obligations[] = {
     {"rsqrt_second", rsqrt_second},
     {"edge_wide", edge_wide},
     {"edge_small", edge_small},
+    {"diamond_small", diamond_small},
 };
 
 int main(int argc, char** argv) {
