@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "gl/context/limits.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::egl {
@@ -39,7 +40,7 @@ struct Attribute {
 /// EGL 1.4, table 3.1.
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
     const FormatInfo info = format_info(c.format);
-    constexpr EGLint largest = 2048;
+    constexpr EGLint largest = gl::max_viewport_dim;
     switch (name) {
     case EGL_BUFFER_SIZE:
         return {true, info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits};

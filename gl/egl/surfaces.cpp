@@ -1,5 +1,6 @@
 // Windows, pbuffers, and what SwapBuffers does (EGL 1.4, 3.5, 3.9).
 #include "gl/context/error.hpp"
+#include "gl/context/limits.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
 
@@ -9,7 +10,7 @@ namespace spangle::egl {
 
 namespace {
 
-constexpr std::int32_t largest_pbuffer = 2048;
+constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 
 std::int32_t bytes_per_depth(DepthFormat format) {
     return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;

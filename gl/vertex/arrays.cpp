@@ -88,8 +88,7 @@ void point(ClientArray& array, GLint size, GLenum type, GLsizei stride, const vo
 }
 
 bool is_position_type(GLenum type) {
-    return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED ||
-           type == GL_BYTE;
+    return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED;
 }
 
 } // namespace
@@ -120,7 +119,7 @@ void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, co
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
-    if (!is_position_type(type))
+    if (!is_position_type(type) && type != GL_BYTE)
         return error(context, GL_INVALID_ENUM);
     point(context.arrays.normal, 3, type, stride, pointer);
 }

@@ -15,6 +15,7 @@ struct DoubleMath {
         double v[4];
     };
     using Eye = Clip;
+    using Depth = double;
     using Parameter = double;
     struct Matrix {
         double m[4][4]; ///< row, column
@@ -95,7 +96,6 @@ struct DoubleMath {
             out.color[c] = mix(a.color[c], b.color[c], t);
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
-        out.fog = mix(a.fog, b.fog, t);
         for (int u = 0; u < texture_units; ++u) {
             out.tex[u].s = mix(a.tex[u].s, b.tex[u].s, t);
             out.tex[u].t = mix(a.tex[u].t, b.tex[u].t, t);
@@ -123,7 +123,8 @@ struct DoubleMath {
         const Clip v = times(t.texture, stq);
         out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
     }
-    static void set_fog(const Eye& eye, Window& out) { out.fog = std::fabs(eye.v[2]); }
+    static Depth depth(const Eye& eye) { return eye.v[2]; }
+    static void set_fog(Depth eye_z, Window& out) { out.fog = std::fabs(eye_z); }
 
   private:
     static std::int32_t snap(double v) {

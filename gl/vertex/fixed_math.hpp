@@ -16,6 +16,7 @@ struct FixedMath {
     using Window = raster::FixedVertex;
     using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
     using Eye = numeric::Block4;
+    using Depth = numeric::Block;
     using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
 
     /// Block forms of the matrices and the viewport, derived when something changed.
@@ -92,8 +93,6 @@ struct FixedMath {
             out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
-        const numeric::Block fog = mix(fog_block(a), fog_block(b), t);
-        set_fog(out, fog);
         for (int u = 0; u < texture_units; ++u) {
             const auto part = [&](std::int32_t Window::TexCoord::*m) {
                 return mix(numeric::make_block(a.tex[u].*m, a.tex[u].exponent),
@@ -151,14 +150,11 @@ struct FixedMath {
     }
 
     /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
-    static void set_fog(const Eye& eye, Window& out) {
-        const numeric::Block z = numeric::component(eye, 2);
-        set_fog(out, numeric::Block{z.m < 0 ? -z.m : z.m, z.e});
+    static void set_fog(Depth eye_z, Window& out) {
+        out.fog_mantissa = static_cast<std::uint32_t>(eye_z.m < 0 ? -eye_z.m : eye_z.m);
+        out.fog_exponent = eye_z.e;
     }
-    static void no_fog(Window& out) {
-        out.fog_mantissa = 0;
-        out.fog_exponent = 0;
-    }
+    static Depth depth(const Eye& eye) { return numeric::component(eye, 2); }
 
     /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
     static std::uint32_t color_units(Real component) {
@@ -198,13 +194,6 @@ struct FixedMath {
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
     }
 
-    static numeric::Block fog_block(const Window& v) {
-        return {static_cast<std::int32_t>(v.fog_mantissa), v.fog_exponent};
-    }
-    static void set_fog(Window& out, numeric::Block distance) {
-        out.fog_mantissa = static_cast<std::uint32_t>(distance.m < 0 ? 0 : distance.m);
-        out.fog_exponent = distance.e;
-    }
     static void set_texture(Window& out, int unit, const numeric::Block3& stq) {
         out.tex[unit].s = stq.m[0];
         out.tex[unit].t = stq.m[1];

@@ -46,6 +46,7 @@ template <class M, class L> class Pipeline {
     struct Vertex {
         typename M::Clip clip;
         Window window;
+        typename M::Depth eye_z;  ///< with its sign: clipping mixes it, fog takes its size
         typename L::Input light;  ///< what lighting needs, kept until the colour is
         std::uint8_t outside = 0; ///< view-volume planes it lies outside of
         std::uint8_t beyond = 0;  ///< planes (guard band, near, far) it must be clipped by
@@ -90,8 +91,10 @@ template <class M, class L> class Pipeline {
                 M::set_texture(transforms_, current.tex_coord[u], u, v.window);
         if (needs_eye_) {
             const typename M::Eye eye = M::to_eye(transforms_, position);
-            if (context.fog.fog)
-                M::set_fog(eye, v.window);
+            if (context.fog.fog) {
+                v.eye_z = M::depth(eye);
+                M::set_fog(v.eye_z, v.window);
+            }
             lighting_.take(context, eye, v.light);
         } else {
             lighting_.take(context, v.light);
@@ -323,6 +326,10 @@ template <class M, class L> class Pipeline {
         const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane);
         out.clip = M::mix(inside.clip, outside.clip, t);
         M::mix(inside.window, outside.window, t, out.window);
+        if (context_->fog.fog) {
+            out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
+            M::set_fog(out.eye_z, out.window);
+        }
         L::mix(inside.light, outside.light, t, out.light);
         out.projected = false;
         out.colored = true;

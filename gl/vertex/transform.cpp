@@ -2,14 +2,12 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
+#include "gl/context/limits.hpp"
 #include "raster/numeric/matrix_build.hpp"
 
 namespace spangle::gl {
 
 namespace {
-
-/// The largest drawable a viewport serves: MAX_VIEWPORT_DIMS.
-constexpr GLint max_viewport = 2048;
 
 /// The stack a token names: its entries, how many it may hold, and which is the top.
 struct StackRef {
@@ -136,10 +134,10 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
         return error(context, GL_INVALID_VALUE);
     const auto silently = [](GLint v, GLint low, GLint high) { return v < low ? low : v > high ? high : v; };
     GLint* v = context.transform.viewport;
-    v[0] = silently(x, -max_viewport, max_viewport); // keeps 4 x the viewport within raster::guard_band
-    v[1] = silently(y, -max_viewport, max_viewport);
-    v[2] = silently(width, 0, max_viewport);
-    v[3] = silently(height, 0, max_viewport);
+    v[0] = silently(x, -max_viewport_dim, max_viewport_dim);
+    v[1] = silently(y, -max_viewport_dim, max_viewport_dim);
+    v[2] = silently(width, 0, max_viewport_dim);
+    v[3] = silently(height, 0, max_viewport_dim);
     context.changed(dirty_vertex);
 }
 
