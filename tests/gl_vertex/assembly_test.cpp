@@ -191,22 +191,6 @@ TEST_F(Vertices, ClippedFansLeaveNoCracks) {
         ASSERT_EQ(image[p], 16) << "pixel " << p / 4 % size << ", " << p / 4 / size;
 }
 
-TEST_F(Vertices, MatrixStacksHaveTheirDepths) {
-    for (const auto& [mode, depth] :
-         {std::pair<GLenum, int>{GL_MODELVIEW, 32}, {GL_PROJECTION, 2}, {GL_TEXTURE, 2}}) {
-        glMatrixMode(mode);
-        for (int i = 1; i < depth; ++i)
-            glPushMatrix();
-        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-        glPushMatrix();
-        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_OVERFLOW));
-        for (int i = 1; i < depth; ++i)
-            glPopMatrix();
-        glPopMatrix();
-        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_STACK_UNDERFLOW));
-    }
-}
-
 TEST_F(Vertices, ExtremesAreHarmless) {
     const float extreme[] = {NAN, INFINITY, -INFINITY, 3e38f, -3e38f, 1e-45f, 0.0f, 1.0f};
     glEnable(GL_LIGHTING);

@@ -1,0 +1,269 @@
+// Rows A02, B05 to B07, B12, B13, B19: every form of the attribute commands, rectangles, what arrays leave
+// behind.
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/gl_vertex/canvas.hpp"
+#include "tests/gl_vertex/window_recorder.hpp"
+
+namespace spangle::test {
+namespace {
+
+class Attributes : public Canvas {
+  protected:
+    /// What the last command left, against these numbers as floats: half a unit of the last place.
+    static void current_is(const char* command, GLenum name, std::vector<double> expected) {
+        GLdouble got[4] = {};
+        glGetDoublev(name, got);
+        for (std::size_t c = 0; c < expected.size(); ++c)
+            EXPECT_NEAR(got[c], expected[c], std::ldexp(std::fabs(expected[c]), -24)) << command << ' ' << c;
+    }
+};
+
+/// Table 2.6: unsigned c / (2^b - 1), signed (2c + 1) / (2^b - 1).
+template <class T> double fraction(T c) {
+    using U = std::make_unsigned_t<T>;
+    const double most = static_cast<double>(std::numeric_limits<U>::max());
+    return std::is_signed_v<T> ? (2.0 * static_cast<double>(c) + 1) / most : static_cast<double>(c) / most;
+}
+double as_is(double v) {
+    return v;
+}
+double from_fixed(GLfixed v) {
+    return v / 65536.0;
+}
+
+#define SPANGLE_CASE(name, T, meaning, current, count, rest)                                                 \
+    {                                                                                                        \
+        const T v[4] = {values<T>(0), values<T>(1), values<T>(2), values<T>(3)};                             \
+        std::vector<double> expected rest;                                                                   \
+        for (std::size_t c = 0; c < count; ++c)                                                              \
+            expected[c] = meaning(v[c]);                                                                     \
+        name##v(v);                                                                                          \
+        current_is(#name "v", current, expected);                                                            \
+    }
+
+/// Least, most and something between.
+template <class T> T values(int i) {
+    using L = std::numeric_limits<T>;
+    if constexpr (std::is_floating_point_v<T>)
+        return static_cast<T>(i == 0 ? -2.5 : i == 1 ? 0.1 : i == 2 ? 7 : 0.75);
+    else
+        return static_cast<T>(i == 0 ? L::min() : i == 1 ? L::max() : i == 2 ? 77 : L::max() / 3);
+}
+
+#define SPANGLE_COLOR(suffix, T, meaning)                                                                    \
+    SPANGLE_CASE(glColor3##suffix, T, meaning, GL_CURRENT_COLOR, 3, ({9, 9, 9, 1}))                          \
+    SPANGLE_CASE(glColor4##suffix, T, meaning, GL_CURRENT_COLOR, 4, ({9, 9, 9, 9})) {                        \
+        const T a = values<T>(0), b = values<T>(1), c = values<T>(2), d = values<T>(3);                      \
+        glColor4##suffix(a, b, c, d);                                                                        \
+        current_is("glColor4" #suffix, GL_CURRENT_COLOR, {meaning(a), meaning(b), meaning(c), meaning(d)});  \
+        glColor3##suffix(c, a, b);                                                                           \
+        current_is("glColor3" #suffix, GL_CURRENT_COLOR, {meaning(c), meaning(a), meaning(b), 1});           \
+    }
+
+TEST_F(Attributes, EveryFormOfColor) {
+    SPANGLE_COLOR(b, GLbyte, fraction);
+    SPANGLE_COLOR(s, GLshort, fraction);
+    SPANGLE_COLOR(i, GLint, fraction);
+    SPANGLE_COLOR(f, GLfloat, as_is);
+    SPANGLE_COLOR(d, GLdouble, as_is);
+    SPANGLE_COLOR(ub, GLubyte, fraction);
+    SPANGLE_COLOR(us, GLushort, fraction);
+    SPANGLE_COLOR(ui, GLuint, fraction);
+    const GLfixed v[4] = {-0x18000, 0x8000, 0x10000, 0x4000};
+    glColor4xvOES(v);
+    current_is("glColor4xvOES", GL_CURRENT_COLOR, {-1.5, 0.5, 1, 0.25});
+    glColor3xOES(v[1], v[2], v[3]);
+    current_is("glColor3xOES", GL_CURRENT_COLOR, {0.5, 1, 0.25, 1});
+}
+
+#define SPANGLE_NORMAL(suffix, T, meaning)                                                                   \
+    SPANGLE_CASE(glNormal3##suffix, T, meaning, GL_CURRENT_NORMAL, 3, ({9, 9, 9})) {                         \
+        const T a = values<T>(3), b = values<T>(1), c = values<T>(0);                                        \
+        glNormal3##suffix(a, b, c);                                                                          \
+        current_is("glNormal3" #suffix, GL_CURRENT_NORMAL, {meaning(a), meaning(b), meaning(c)});            \
+    }
+
+TEST_F(Attributes, EveryFormOfNormal) {
+    SPANGLE_NORMAL(b, GLbyte, fraction);
+    SPANGLE_NORMAL(s, GLshort, fraction);
+    SPANGLE_NORMAL(i, GLint, fraction);
+    SPANGLE_NORMAL(f, GLfloat, as_is);
+    SPANGLE_NORMAL(d, GLdouble, as_is);
+    const GLfixed v[3] = {-0x18000, 0x8000, 0x10000};
+    glNormal3xvOES(v);
+    current_is("glNormal3xvOES", GL_CURRENT_NORMAL, {-1.5, 0.5, 1});
+}
+
+#define SPANGLE_TEX_COORD(suffix, tail, T, meaning)                                                          \
+    {                                                                                                        \
+        const T v[4] = {values<T>(0), values<T>(1), values<T>(2), values<T>(3)};                             \
+        const double e[4] = {meaning(v[0]), meaning(v[1]), meaning(v[2]), meaning(v[3])};                    \
+        glTexCoord4##suffix##v##tail(v);                                                                     \
+        current_is("glTexCoord4" #suffix "v", GL_CURRENT_TEXTURE_COORDS, {e[0], e[1], e[2], e[3]});          \
+        glTexCoord3##suffix##v##tail(v);                                                                     \
+        current_is("glTexCoord3" #suffix "v", GL_CURRENT_TEXTURE_COORDS, {e[0], e[1], e[2], 1});             \
+        glTexCoord2##suffix##v##tail(v);                                                                     \
+        current_is("glTexCoord2" #suffix "v", GL_CURRENT_TEXTURE_COORDS, {e[0], e[1], 0, 1});                \
+        glTexCoord1##suffix##v##tail(v);                                                                     \
+        current_is("glTexCoord1" #suffix "v", GL_CURRENT_TEXTURE_COORDS, {e[0], 0, 0, 1});                   \
+        glTexCoord4##suffix##tail(v[1], v[2], v[3], v[0]);                                                   \
+        current_is("glTexCoord4" #suffix, GL_CURRENT_TEXTURE_COORDS, {e[1], e[2], e[3], e[0]});              \
+        glTexCoord3##suffix##tail(v[1], v[2], v[3]);                                                         \
+        current_is("glTexCoord3" #suffix, GL_CURRENT_TEXTURE_COORDS, {e[1], e[2], e[3], 1});                 \
+        glTexCoord2##suffix##tail(v[1], v[2]);                                                               \
+        current_is("glTexCoord2" #suffix, GL_CURRENT_TEXTURE_COORDS, {e[1], e[2], 0, 1});                    \
+        glTexCoord1##suffix##tail(v[1]);                                                                     \
+        current_is("glTexCoord1" #suffix, GL_CURRENT_TEXTURE_COORDS, {e[1], 0, 0, 1});                       \
+    }
+
+TEST_F(Attributes, EveryFormOfTexCoord) {
+    SPANGLE_TEX_COORD(s, , GLshort, as_is);
+    SPANGLE_TEX_COORD(i, , GLint, as_is);
+    SPANGLE_TEX_COORD(f, , GLfloat, as_is);
+    SPANGLE_TEX_COORD(d, , GLdouble, as_is);
+    SPANGLE_TEX_COORD(x, OES, GLfixed, from_fixed);
+}
+
+/// GL 1.3, 2.9: Begin(POLYGON), (x1, y1), (x2, y1), (x2, y2), (x1, y2), End.
+TEST_F(Attributes, EveryFormOfRect) {
+    glMatrixMode(GL_PROJECTION);
+    glOrtho(0, size, 0, size, -1, 1);
+    const auto is = [](const char* command, auto draw) {
+        WindowRecorder recorder;
+        draw();
+        ASSERT_EQ(recorder.primitives.size(), 2u) << command;
+        const int corner[2][3][2] = {{{3, 5}, {20, 5}, {20, 40}}, {{3, 5}, {20, 40}, {3, 40}}};
+        for (std::size_t t = 0; t < 2; ++t)
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_EQ(recorder.primitives[t].corner[c].x, corner[t][c][0] * 256) << command << t << c;
+                EXPECT_EQ(recorder.primitives[t].corner[c].y, corner[t][c][1] * 256) << command << t << c;
+            }
+    };
+    const GLshort s[4] = {3, 5, 20, 40};
+    const GLint i[4] = {3, 5, 20, 40};
+    const GLfloat f[4] = {3, 5, 20, 40};
+    const GLdouble d[4] = {3, 5, 20, 40};
+    const GLfixed x[4] = {3 << 16, 5 << 16, 20 << 16, 40 << 16};
+    is("s", [&] { glRects(s[0], s[1], s[2], s[3]); });
+    is("sv", [&] { glRectsv(s, s + 2); });
+    is("i", [&] { glRecti(i[0], i[1], i[2], i[3]); });
+    is("iv", [&] { glRectiv(i, i + 2); });
+    is("f", [&] { glRectf(f[0], f[1], f[2], f[3]); });
+    is("fv", [&] { glRectfv(f, f + 2); });
+    is("d", [&] { glRectd(d[0], d[1], d[2], d[3]); });
+    is("dv", [&] { glRectdv(d, d + 2); });
+    is("x", [&] { glRectxOES(x[0], x[1], x[2], x[3]); });
+    is("xv", [&] { glRectxvOES(x, x + 2); });
+    glEnable(GL_CULL_FACE);
+    WindowRecorder recorder;
+    glRecti(20, 5, 3, 40); // turned over
+    EXPECT_TRUE(recorder.primitives.empty());
+}
+
+/// GL 1.3, 2.8: ArrayElement outside of Begin and End sets current values and draws nothing.
+TEST_F(Attributes, ArrayElementSetsCurrentValues) {
+    const GLubyte color[2][3] = {{1, 2, 3}, {51, 102, 204}};
+    const GLshort normal[2][3] = {{0, 0, 0}, {32767, -32768, 100}};
+    const GLdouble tex[2][2] = {{0, 0}, {0.5, 2.5}};
+    const GLfloat position[2][2] = {{0, 0}, {0.25f, 0.25f}};
+    glColorPointer(3, GL_UNSIGNED_BYTE, 0, color);
+    glNormalPointer(GL_SHORT, 0, normal);
+    glTexCoordPointer(2, GL_DOUBLE, 0, tex);
+    glVertexPointer(2, GL_FLOAT, 0, position);
+    for (const GLenum array : {GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_VERTEX_ARRAY})
+        glEnableClientState(array);
+    WindowRecorder recorder;
+    glArrayElement(1);
+    EXPECT_TRUE(recorder.primitives.empty());
+    current_is("colour", GL_CURRENT_COLOR, {0.2, 0.4, 0.8, 1});
+    current_is("normal", GL_CURRENT_NORMAL, {1, -1, 201.0 / 65535});
+    current_is("texture coordinate", GL_CURRENT_TEXTURE_COORDS, {0.5, 2.5, 0, 1});
+    glDisableClientState(GL_VERTEX_ARRAY);
+    glDrawArrays(GL_POINTS, 0, 2);
+    EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
+}
+
+/// Colour and normal arrays of every type become what the commands of that type make of them.
+TEST_F(Attributes, ArraysOfEveryTypeEqualTheCommands) {
+    const GLubyte ub[4] = {0, 255, 77, 99};
+    const GLbyte b[4] = {-128, 127, 77, 5};
+    const GLushort us[4] = {0, 65535, 7777, 99};
+    const GLshort s[4] = {-32768, 32767, 7777, 99};
+    const GLuint ui[4] = {0, 0xFFFFFFFF, 777777777, 99};
+    const GLint i[4] = {INT32_MIN, INT32_MAX, 777777777, 99};
+    const GLfloat f[4] = {-3, 0.3f, 1, 9};
+    const GLdouble d[4] = {-3, 0.3, 1, 9};
+    const GLfixed x[4] = {-0x10000, 0x3000, 0x10000, 7};
+    const auto value = [](GLenum name) {
+        std::array<GLdouble, 4> v{};
+        glGetDoublev(name, v.data());
+        return v;
+    };
+    const auto same = [&](GLenum type, const void* array, auto color, auto normal, bool has_normal) {
+        glDisableClientState(GL_NORMAL_ARRAY);
+        color();
+        const auto four = value(GL_CURRENT_COLOR);
+        glColor3f(0, 0, 0);
+        glColorPointer(4, type, 0, array);
+        glEnableClientState(GL_COLOR_ARRAY);
+        glArrayElement(0);
+        EXPECT_EQ(value(GL_CURRENT_COLOR), four) << type;
+        glColorPointer(3, type, 0, array);
+        glArrayElement(0);
+        EXPECT_EQ(value(GL_CURRENT_COLOR)[2], four[2]) << type;
+        EXPECT_EQ(value(GL_CURRENT_COLOR)[3], 1.0) << type;
+        if (!has_normal)
+            return;
+        normal();
+        const auto three = value(GL_CURRENT_NORMAL);
+        glNormal3f(0, 0, 0);
+        glNormalPointer(type, 0, array);
+        glEnableClientState(GL_NORMAL_ARRAY);
+        glArrayElement(0);
+        EXPECT_EQ(value(GL_CURRENT_NORMAL), three) << type;
+    };
+    const auto none = [] {};
+    same(
+        GL_UNSIGNED_BYTE, ub, [&] { glColor4ubv(ub); }, none, false);
+    same(
+        GL_BYTE, b, [&] { glColor4bv(b); }, [&] { glNormal3bv(b); }, true);
+    same(
+        GL_UNSIGNED_SHORT, us, [&] { glColor4usv(us); }, none, false);
+    same(
+        GL_SHORT, s, [&] { glColor4sv(s); }, [&] { glNormal3sv(s); }, true);
+    same(
+        GL_UNSIGNED_INT, ui, [&] { glColor4uiv(ui); }, none, false);
+    same(
+        GL_INT, i, [&] { glColor4iv(i); }, [&] { glNormal3iv(i); }, true);
+    same(
+        GL_FLOAT, f, [&] { glColor4fv(f); }, [&] { glNormal3fv(f); }, true);
+    same(
+        GL_DOUBLE, d, [&] { glColor4dv(d); }, [&] { glNormal3dv(d); }, true);
+    same(
+        GL_FIXED, x, [&] { glColor4xvOES(x); }, [&] { glNormal3xvOES(x); }, true);
+}
+
+/// GL 1.3, 2.8, the table of array sizes and types: what it does not list is refused.
+TEST_F(Attributes, PointersOfOtherTypes) {
+    const auto refused = [](const char* what) {
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << what;
+    };
+    for (const GLenum type : {GL_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_2_BYTES}) {
+        glVertexPointer(2, type, 0, nullptr);
+        refused("vertices");
+        glTexCoordPointer(2, type, 0, nullptr);
+        refused("texture coordinates");
+        if (type == GL_BYTE)
+            continue;
+        glNormalPointer(type, 0, nullptr);
+        refused("normals");
+    }
+    glColorPointer(3, GL_2_BYTES, 0, nullptr);
+    refused("colours");
+}
+
+} // namespace
+} // namespace spangle::test
