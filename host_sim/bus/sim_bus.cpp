@@ -161,10 +161,15 @@ void SimBus::read(const hal::Op& op) {
 
 void SimBus::wait_te(const hal::Op& op) {
     const Time step = controller_.chip().line_ns, deadline = wire_ + static_cast<Time>(op.micros) * 1000;
-    while (wire_ < deadline && controller_.te(wire_))
+    // No command comes while the bus waits: an edge that two refreshes do not bring never comes.
+    const Time refresh = step * Time(controller_.chip().height + controller_.chip().porch_lines);
+    const Time last_look = std::min(deadline, wire_ + 2 * refresh);
+    while (wire_ < last_look && controller_.te(wire_))
         wire_ += step; // an edge, not a level
-    while (wire_ < deadline && !controller_.te(wire_))
+    while (wire_ < last_look && !controller_.te(wire_))
         wire_ += step;
+    if (wire_ >= last_look)
+        wire_ = std::max(wire_, deadline);
 }
 
 } // namespace spangle::sim

@@ -87,6 +87,7 @@ void DcsController::power_on_registers() {
     scroll_height_ = chip_.height;
     has_command_ = false;
     pixel_fill_ = 0;
+    forget_read();
 }
 
 void DcsController::report(Rule rule, const std::string& text, Time at) {
@@ -111,30 +112,44 @@ void DcsController::reset(bool low, Time now) {
     sleep_out_allowed_at_ = now + 120 * ms;
 }
 
-void DcsController::select(bool chip_select, Time) {
-    selected_ = chip_select; // between bytes a raised CS cancels nothing (fact of these controllers)
+/// Between bytes a raised CS ends no command (a fact of these controllers): parameters and pixels may go on.
+/// It does end an answer: the line is let go.
+void DcsController::select(bool chip_select, Time now) {
+    selected_ = chip_select;
+    if (chip_select)
+        return;
+    end_read(now);
+    forget_read();
 }
 
 void DcsController::write(std::uint8_t byte, bool data, Time now, unsigned period_ns) {
-    const unsigned shortest = parallel_ ? chip_.parallel_write_ns : chip_.serial_write_got_ns;
-    if (period_ns < shortest)
-        report(Rule::write_clock,
-               "a write cycle of " + std::to_string(period_ns) + " ns; this controller takes " +
-                   std::to_string(shortest) + " ns",
-               now);
     if (!selected_ || in_reset_)
         return;
     if (!data) {
         end_command(now);
         begin_command(byte, now);
-        return;
     }
+    check_write_clock(now, period_ns);
+    if (!data)
+        return;
     if (!has_command_)
         return;
     if (is_write(command_))
         pixel_byte(byte, now);
     else
         parameter(byte, now);
+}
+
+/// Once a command: a frame at the wrong clock is one mistake.
+void DcsController::check_write_clock(Time now, unsigned period_ns) {
+    const unsigned shortest = parallel_ ? chip_.parallel_write_ns : chip_.serial_write_got_ns;
+    if (period_ns >= shortest || write_too_fast_)
+        return;
+    write_too_fast_ = true;
+    report(Rule::write_clock,
+           "a write cycle of " + std::to_string(period_ns) + " ns; this controller takes " +
+               std::to_string(shortest) + " ns",
+           now);
 }
 
 // --- commands
@@ -149,7 +164,7 @@ void DcsController::begin_command(std::uint8_t command, Time now) {
     parameter_count_ = 0;
     stream_pixels_ = stream_bytes_ = 0;
     pixel_fill_ = 0;
-    stream_tore_ = false;
+    stream_tore_ = write_too_fast_ = false;
     if (is_write(command))
         begin_write(command == 0x2C, now);
     else if (expected_parameters(command) == 0)
@@ -167,18 +182,36 @@ void DcsController::end_command(Time now) {
                "command " + hex(command_) + " got " + std::to_string(parameter_count_) +
                    " parameters instead of " + std::to_string(expected),
                now);
+    end_read(now);
+    end_write(now);
+}
+
+/// Exactly the dummy clocks are missing: the host took the first of them for data. (More clocks than an
+/// answer has are no fault: some hosts read whole bytes and shift.)
+void DcsController::end_read(Time now) {
+    if (!answering_ || read_dummies_ == 0 || read_clocks_ == 0)
+        return;
+    const bool slipped = reads_memory() ? read_clocks_ % 24 == 0 && (read_clocks_ - read_dummies_) % 24 != 0
+                                        : read_clocks_ + read_dummies_ == read_bits_.size();
+    if (slipped)
+        report(Rule::read, "command " + hex(command_) + " was read without its dummy clocks", now);
+}
+
+void DcsController::end_write(Time now) {
     if (!is_write(command_) || stream_bytes_ == 0)
         return;
     const std::uint64_t window = window_pixels();
-    for (const int other : {2, 3})
-        if (other != pixel_size() && stream_bytes_ == window * static_cast<unsigned>(other)) {
+    for (const unsigned other : {2u, 3u})
+        if (bytes_of(window) != window * other && stream_bytes_ == window * other) {
             report(Rule::color_format,
-                   "the window was filled with " + std::to_string(other) + " bytes a pixel, COLMOD says " +
-                       std::to_string(pixel_size()),
+                   "the window was filled with " + std::to_string(other) + " bytes a pixel, COLMOD is " +
+                       hex(colmod_),
                    now);
             return;
         }
-    if (pixel_fill_ != 0)
+    // Two bytes of 12-bit pixels are one pixel and the latched half of a pair: the end of an odd count.
+    const bool half = format() == Format::rgb444 ? pixel_fill_ == 1 : pixel_fill_ != 0;
+    if (half)
         report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
     if (stream_pixels_ % window != 0 || stream_pixels_ > window)
         report(Rule::pixel_count,
@@ -280,8 +313,9 @@ void DcsController::execute(Time now) {
         break;
     case 0x3A:
         colmod_ = p[0];
-        if ((colmod_ & 7) != 3 && (colmod_ & 7) != 5 && (colmod_ & 7) != 6)
-            report(Rule::color_format, "COLMOD " + hex(colmod_) + " names no format", now);
+        pixel_fill_ = 0;
+        if (static_cast<unsigned>(format()) != (colmod_ & 7u))
+            report(Rule::color_format, "COLMOD " + hex(colmod_) + " names no format of this controller", now);
         break;
     case 0x44:
         te_line_ = word(0);
@@ -309,8 +343,21 @@ void DcsController::set_window(bool columns, Time now) {
 
 // --- pixels
 
-int DcsController::pixel_size() const {
-    return (colmod_ & 7) == 6 ? 3 : 2; // the half pairs of 12 bits count as two bytes a pixel here
+/// COLMOD values that name no format have been reported; the model goes on with 16 bits.
+DcsController::Format DcsController::format() const {
+    const unsigned f = colmod_ & 7u;
+    return f == 6 ? Format::rgb666 : f == 3 && chip_.takes_444 ? Format::rgb444 : Format::rgb565;
+}
+
+std::uint64_t DcsController::bytes_of(std::uint64_t pixels) const {
+    switch (format()) {
+    case Format::rgb444:
+        return (pixels * 3 + 1) / 2;
+    case Format::rgb565:
+        return pixels * 2;
+    default:
+        return pixels * 3;
+    }
 }
 
 std::uint64_t DcsController::window_pixels() const {
@@ -352,21 +399,29 @@ void DcsController::begin_write(bool restart, Time now) {
 void DcsController::pixel_byte(std::uint8_t byte, Time now) {
     ++stream_bytes_;
     pixel_bytes_[static_cast<std::size_t>(pixel_fill_++)] = byte;
-    if (pixel_fill_ < pixel_size())
+    const Format f = format();
+    const int whole = f == Format::rgb565 ? 2 : 3;
+    if (f == Format::rgb444 && pixel_fill_ == 2) // RRRRGGGG BBBBRRRR GGGGBBBB
+        put_pixel(decode(0), now);
+    if (pixel_fill_ < whole)
         return;
     pixel_fill_ = 0;
-    put_pixel(decode(), now);
+    put_pixel(decode(3), now);
 }
 
-Rgb666 DcsController::decode() const {
+/// `nibble`: where the red of a 12-bit pixel stands.
+Rgb666 DcsController::decode(int nibble) const {
     const auto six = [](int v) { return static_cast<std::uint8_t>(v & 63); };
-    if (pixel_size() == 3)
+    if (format() == Format::rgb666)
         return {six(pixel_bytes_[0] >> 2), six(pixel_bytes_[1] >> 2), six(pixel_bytes_[2] >> 2)};
-    const int word = pixel_bytes_[0] << 8 | pixel_bytes_[1];
-    if ((colmod_ & 7) == 3) { // 0RGB nibbles, as two bytes a pixel
-        const int r = word >> 8 & 15, g = word >> 4 & 15, b = word & 15;
-        return {six(r << 2 | r >> 2), six(g << 2 | g >> 2), six(b << 2 | b >> 2)};
+    if (format() == Format::rgb444) {
+        const auto four = [this, six](int n) {
+            const int v = pixel_bytes_[static_cast<std::size_t>(n / 2)] >> (n % 2 == 0 ? 4 : 0) & 15;
+            return six(v << 2 | v >> 2);
+        };
+        return {four(nibble), four(nibble + 1), four(nibble + 2)};
     }
+    const int word = pixel_bytes_[0] << 8 | pixel_bytes_[1];
     const int green = word >> 5 & 63, low = chip_.low_bit_from_green ? green & 1 : 0;
     return {six(word >> 11 << 1 | low), six(green), six((word & 31) << 1 | low)};
 }
@@ -404,16 +459,24 @@ void DcsController::push_read(std::initializer_list<std::uint8_t> bytes, int dum
     // On a parallel bus one dummy byte, on a serial one as many clocks as the chip takes to turn the line
     // round.
     const int dummies = parallel_ ? 8 : dummy_bits;
-    read_bits_.assign(static_cast<std::size_t>(dummies), false);
+    answering_ = true;
+    read_dummies_ = static_cast<std::size_t>(dummies);
+    read_bits_.assign(read_dummies_, false);
     for (const std::uint8_t byte : bytes)
         for (int bit = 7; bit >= 0; --bit)
             read_bits_.push_back((byte >> bit & 1) != 0);
     read_at_ = 0;
 }
 
-void DcsController::prepare_read(Time now) {
+void DcsController::forget_read() {
     read_bits_.clear();
-    read_at_ = 0;
+    read_at_ = read_dummies_ = 0;
+    read_clocks_ = 0;
+    answering_ = read_too_fast_ = false;
+}
+
+void DcsController::prepare_read(Time now) {
+    forget_read();
     const auto bit = [](bool on, int position) { return static_cast<unsigned>(on ? 1 : 0) << position; };
     const auto byte = [](unsigned v) { return static_cast<std::uint8_t>(v); };
     switch (command_) {
@@ -459,7 +522,14 @@ void DcsController::prepare_read(Time now) {
     case 0x2E:
         read_x_ = xs_;
         read_y_ = ys_;
+        [[fallthrough]];
+    case 0x3E:
         push_read({}, chip_.pixel_dummy_bits);
+        break;
+    case 0xDA:
+    case 0xDB:
+    case 0xDC:
+        push_read({chip_.id[command_ - 0xDAu]}, 0);
         break;
     default:
         break;
@@ -482,16 +552,33 @@ void DcsController::push_pixels() {
         read_y_ = ys_;
 }
 
-bool DcsController::read_bit(Time now, unsigned period_ns) {
-    const unsigned shortest = parallel_ ? chip_.parallel_read_ns : chip_.serial_read_ns;
-    if (period_ns < shortest && read_at_ == 0)
-        report(Rule::read,
-               "read with a cycle of " + std::to_string(period_ns) + " ns; this controller answers in " +
-                   std::to_string(shortest) + " ns",
-               now);
-    if (command_ == 0x2E && read_at_ >= read_bits_.size())
+bool DcsController::drive_bit() {
+    if (!answers())
+        return false;
+    if (read_at_ >= read_bits_.size()) {
+        read_bits_.clear();
+        read_at_ = 0;
         push_pixels();
-    return read_at_ < read_bits_.size() ? read_bits_[read_at_++] : false;
+    }
+    return read_bits_[read_at_++];
+}
+
+void DcsController::read_clock(Time now, unsigned period_ns) {
+    ++read_clocks_;
+    const unsigned shortest = parallel_ ? chip_.parallel_read_ns : chip_.serial_read_ns;
+    if (period_ns >= shortest || read_too_fast_)
+        return;
+    read_too_fast_ = true;
+    report(Rule::read,
+           "read with a cycle of " + std::to_string(period_ns) + " ns; this controller answers in " +
+               std::to_string(shortest) + " ns",
+           now);
+}
+
+bool DcsController::read_bit(Time now, unsigned period_ns) {
+    const bool bit = drive_bit();
+    read_clock(now, period_ns);
+    return bit;
 }
 
 std::uint8_t DcsController::read_byte(Time now, unsigned period_ns) {

@@ -39,7 +39,12 @@ class DcsController {
     /// One byte clocked in, `data`: D/C as sampled with its last bit; `period_ns`: of the clock that carried
     /// it.
     void write(std::uint8_t byte, bool data, Time now, unsigned period_ns);
-    /// The next bit (serial) or byte (parallel) the controller drives after a read command.
+    /// A read command is being answered: the controller drives its data line.
+    bool answers() const { return answering_ && (read_at_ < read_bits_.size() || reads_memory()); }
+    /// The next bit onto the line; the host then takes it with a clock of that period.
+    bool drive_bit();
+    void read_clock(Time now, unsigned period_ns);
+    /// Both at once; a byte is eight clocks of a serial bus, one of a parallel one.
     bool read_bit(Time now, unsigned period_ns);
     std::uint8_t read_byte(Time now, unsigned period_ns);
     bool te(Time now);
@@ -91,9 +96,11 @@ class DcsController {
     std::array<std::uint8_t, 3> pixel_bytes_{};
     int pixel_fill_ = 0, x_ = 0, y_ = 0;
     std::uint64_t stream_pixels_ = 0, stream_bytes_ = 0, pixels_written_ = 0;
-    bool stream_tore_ = false;
+    bool stream_tore_ = false, write_too_fast_ = false;
     std::vector<bool> read_bits_;
-    std::size_t read_at_ = 0;
+    std::size_t read_at_ = 0, read_dummies_ = 0;
+    std::uint64_t read_clocks_ = 0; ///< bits the host took
+    bool answering_ = false, read_too_fast_ = false;
     int read_x_ = 0, read_y_ = 0;
 
     // time
@@ -101,8 +108,11 @@ class DcsController {
          scanned_to_ = 0;
 
     void power_on_registers();
+    void check_write_clock(Time now, unsigned period_ns);
     void begin_command(std::uint8_t command, Time now);
     void end_command(Time now);
+    void end_read(Time now);
+    void end_write(Time now);
     void parameter(std::uint8_t byte, Time now);
     void execute(Time now);
     void set_window(bool columns, Time now);
@@ -110,11 +120,15 @@ class DcsController {
     void pixel_byte(std::uint8_t byte, Time now);
     void put_pixel(Rgb666 color, Time now);
     void prepare_read(Time now);
+    void forget_read();
     void push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits);
     void push_pixels();
+    bool reads_memory() const { return command_ == 0x2E || command_ == 0x3E; }
     bool locate(int x, int y, int& column, int& row) const;
-    int pixel_size() const;
-    Rgb666 decode() const;
+    enum class Format : std::uint8_t { rgb444 = 3, rgb565 = 5, rgb666 = 6 };
+    Format format() const;
+    std::uint64_t bytes_of(std::uint64_t pixels) const;
+    Rgb666 decode(int nibble) const;
     std::uint64_t window_pixels() const;
     void scan_until(Time now);
     void scan_row(int row);

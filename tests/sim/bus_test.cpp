@@ -68,6 +68,9 @@ TEST(Board, AFailedTransferIsReportedAndLosesNothing) {
         ASSERT_TRUE(present(sim, 1));
         sim.fail_next(fault);
         EXPECT_FALSE(present(sim, 2)) << int(fault);
+        if (fault != hal::Fault::timeout) {
+            EXPECT_FALSE(glass_shows(sim, 2)) << int(fault) << ": not all of it arrived";
+        }
         const auto again = sim.display().acquire();
         // A late transfer may still read the frame: it is not handed out.
         EXPECT_EQ(again.ok(), fault != hal::Fault::timeout) << int(fault);

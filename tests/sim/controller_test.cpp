@@ -145,6 +145,25 @@ TEST(Controller, ColorModes) {
     EXPECT_EQ(st.cell(1, 0), (Rgb666{63, 1, 63}));
 }
 
+TEST(Controller, TwelveBitPairs) {
+    Host st(chips[1]);
+    st.wake();
+    st.send(0x3A, {0x53});
+    st.window(0, 2, 0, 0);
+    st.send(0x2C, {0xF0, 0x00, 0xF0, 0x00, 0xF0}); // three pixels: a pair and a half
+    st.send(0x00);
+    EXPECT_EQ(st.cell(0, 0), (Rgb666{63, 0, 0}));
+    EXPECT_EQ(st.cell(1, 0), (Rgb666{0, 63, 0}));
+    EXPECT_EQ(st.cell(2, 0), (Rgb666{0, 0, 63}));
+    EXPECT_TRUE(st.chip.violations().empty()) << st.chip.violations().front().text;
+    st.send(0x2C, {0x12, 0x34, 0x56, 0x78}); // one byte of the next pair
+    st.send(0x00);
+    EXPECT_TRUE(st.reported(Rule::half_pixel));
+    Host ili(chips[0]); // has no 12-bit format
+    ili.send(0x3A, {0x53});
+    EXPECT_TRUE(ili.reported(Rule::color_format));
+}
+
 TEST(Controller, ResetsKeepMemoryAndRestoreRegisters) {
     Host h(chips[0]);
     h.wake();
@@ -174,7 +193,12 @@ TEST(Controller, AnswersWhatItIs) {
     st.window(4, 5, 9, 9);
     st.pixels(0x2C, {red, green});
     EXPECT_EQ(st.read(0x2E, 16, 6), (std::vector<int>{0xF8, 0, 0, 0x04, 0xFC, 0x04})); // EPF: green's low bit
+    EXPECT_EQ(st.read(0x3E, 16, 3), (std::vector<int>{0xF8, 0, 0})) << "the window is read over and over";
+    EXPECT_EQ(st.read(0xDB, 0, 1)[0], 0x85);
+    EXPECT_EQ(st.read(0xDC, 0, 1)[0], 0x52);
     EXPECT_TRUE(st.chip.violations().empty());
+    st.send(0x04);
+    EXPECT_FALSE(st.chip.read_bit(st.now, 200)) << "CS rose: the line is let go";
     const std::vector<int> line = st.read(0x45, 1, 2);
     EXPECT_NEAR(line[0] << 8 | line[1], st.chip.scan_line(st.now), 1);
 }
@@ -330,6 +354,28 @@ TEST(Rules, ClocksAndColorFormat) {
     EXPECT_TRUE(mix.reported(Rule::color_format));
     quick.read(0x04, 1, 3, 50); // 150 ns is the shortest
     EXPECT_TRUE(quick.reported(Rule::read));
+}
+
+TEST(Rules, ManyBytesTooFastAreOneMistake) {
+    Host h(chips[0]);
+    h.wake();
+    h.period = 5;
+    h.window(0, 239, 0, 0);
+    h.pixels(0x2C, std::vector<int>(240, red));
+    EXPECT_EQ(h.chip.violations().size(), 3u) << "one for each command";
+}
+
+TEST(Rules, MissingDummyClocks) {
+    for (const Chip& chip : chips) {
+        Host right(chip), id(chip), pixels(chip);
+        right.read(0x04, 1, 3);
+        right.read(0x2E, chip.pixel_dummy_bits, 3);
+        EXPECT_FALSE(right.reported(Rule::read)) << chip.name;
+        id.read(0x04, 0, 3);
+        EXPECT_TRUE(id.reported(Rule::read)) << chip.name;
+        pixels.read(0x2E, 0, 3);
+        EXPECT_TRUE(pixels.reported(Rule::read)) << chip.name;
+    }
 }
 
 TEST(Rules, Tear) {

@@ -1,0 +1,78 @@
+// A controller at its pins: levels in, at virtual times; bits and bytes to the model. What drives pins is
+// held to one rule more than what hands over bytes: D/C may not change while a byte is under way.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "host_sim/controller/dcs_controller.hpp"
+
+namespace spangle::sim {
+
+/// Times between edges of a clock; the first edge after a pause of unknown length has no period.
+class ClockPeriod {
+  public:
+    void restart() { running_ = false; }
+    unsigned edge(Time now) {
+        const Time since = now - last_;
+        const bool known = running_ && since < unknown;
+        last_ = now;
+        running_ = true;
+        return known ? static_cast<unsigned>(since) : unknown;
+    }
+    static constexpr unsigned unknown = std::numeric_limits<unsigned>::max();
+
+  private:
+    Time last_ = 0;
+    bool running_ = false;
+};
+
+/// 4-wire SPI with a D/C pin (MIPI DBI type C, option 3): bits are taken at rising clocks, D/C with the last
+/// bit of a byte, answers change at falling clocks. That is SPI mode 0 and mode 3 alike; they differ in where
+/// the clock rests.
+class SerialPins {
+  public:
+    enum class Pin : std::uint8_t { reset, select, data, clock, mosi };
+
+    explicit SerialPins(DcsController& controller) : controller_(controller) {}
+    /// Times never go back. Reset and select are low when active; both start high, the others low.
+    void set(Pin pin, bool level, Time now);
+    /// The answer line; low while nothing is driven onto it.
+    bool miso() const { return miso_; }
+
+  private:
+    DcsController& controller_;
+    bool levels_[5] = {true, true, false, false, false};
+    bool miso_ = false, answering_ = false;
+    unsigned shift_ = 0, bits_ = 0, shortest_ = ClockPeriod::unknown;
+    ClockPeriod period_;
+
+    bool level(Pin pin) const { return levels_[static_cast<unsigned>(pin)]; }
+    void begin_byte();
+    void rise(Time now);
+    void fall();
+};
+
+/// The 8-bit 8080 bus (MIPI DBI type B): bytes are taken at rising WRX, answers stand on the lines from
+/// falling to rising RDX.
+class ParallelPins {
+  public:
+    enum class Pin : std::uint8_t { reset, select, data, write, read };
+
+    explicit ParallelPins(DcsController& controller) : controller_(controller) {}
+    void set(Pin pin, bool level, Time now);
+    /// What the host drives onto D[7:0].
+    void drive(std::uint8_t value) { lines_ = value; }
+    /// What the controller drives onto D[7:0]; 0 while RDX is high.
+    std::uint8_t answer() const { return answer_; }
+
+  private:
+    DcsController& controller_;
+    bool levels_[5] = {true, true, false, true, true};
+    std::uint8_t lines_ = 0, answer_ = 0;
+    ClockPeriod write_cycle_, read_cycle_;
+
+    bool level(Pin pin) const { return levels_[static_cast<unsigned>(pin)]; }
+};
+
+} // namespace spangle::sim
