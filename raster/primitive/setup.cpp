@@ -210,13 +210,13 @@ bool Setup<Fixed>::weights() {
     return q_range_ == 0;
 }
 
-SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& provoking) {
+SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& painted) {
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
     constexpr int up = 24 - color_fraction_bits;
     for (int i = 0; i < 4; ++i)
-        span_.color_value[i] = {(provoking.color[i] << up) + bias, 0, 0};
+        span_.color_value[i] = {(painted.color[i] << up) + bias, 0, 0};
     for (int i = 0; i < 3; ++i)
-        span_.secondary[i] = {(provoking.secondary[i] << up) + bias, 0, 0};
+        span_.secondary[i] = {(painted.secondary[i] << up) + bias, 0, 0};
 }
 
 // --- the cheapest kind within the tier's bounds
@@ -260,7 +260,7 @@ bool Setup<Fixed>::same_colors() const {
 }
 
 /// With neither textures nor fog.
-SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& provoking) {
+SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& painted) {
     const bool one_color = state_.fragment.flat || same_colors();
     Kind kind = Kind::affine;
     if (one_color)
@@ -274,22 +274,22 @@ SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& provoking) {
     if (kind == Kind::full)
         span_.q_dy = add_projective(span_.q, q_);
     if (kind == Kind::flat)
-        constant_word(provoking);
+        constant_word(painted);
     else
-        colors(one_color, provoking);
+        colors(one_color, painted);
 }
 
 /// As stored in a 16-bit surface.
-SPANGLE_INLINE void Setup<Fixed>::constant_word(const Vertex& provoking) {
+SPANGLE_INLINE void Setup<Fixed>::constant_word(const Vertex& painted) {
     const auto to8 = [&](int i) {
-        return (provoking.color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
+        return (painted.color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     };
     span_.flat_word = (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
 }
 
-void Setup<Fixed>::colors(bool one_color, const Vertex& provoking) {
+void Setup<Fixed>::colors(bool one_color, const Vertex& painted) {
     if (one_color)
-        return constant_colors(provoking);
+        return constant_colors(painted);
     const Needs& needs = state_.needs;
     if (needs.rgb)
         add_colors(primary(), span_.color_value, span_.color_q, needs.alpha ? 4 : 3);
@@ -298,10 +298,13 @@ void Setup<Fixed>::colors(bool one_color, const Vertex& provoking) {
 }
 
 void Setup<Fixed>::attributes(const Vertex& provoking) {
+    // One colour is, in smooth shading, the one its corners share: the provoking vertex need not be a corner
+    // (quads and clipped polygons are drawn in parts).
+    const Vertex& painted = state_.fragment.flat ? provoking : *v_[0];
     if (state_.textured_or_fogged)
-        with_coordinates(provoking);
+        with_coordinates(painted);
     else
-        plain(provoking);
+        plain(painted);
 }
 
 } // namespace spangle::raster

@@ -59,8 +59,8 @@ template <> class Setup<Fixed> {
     void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
     void in_plane(std::int64_t area2);
     void attributes(const Vertex& provoking);
-    void plain(const Vertex& provoking);
-    void with_coordinates(const Vertex& provoking);
+    void plain(const Vertex& painted);
+    void with_coordinates(const Vertex& painted);
     bool weights();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
@@ -80,9 +80,9 @@ template <> class Setup<Fixed> {
                              int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
-    void constant_word(const Vertex& provoking);
-    void constant_colors(const Vertex& provoking);
-    void colors(bool one_color, const Vertex& provoking);
+    void constant_word(const Vertex& painted);
+    void constant_colors(const Vertex& painted);
+    void colors(bool one_color, const Vertex& painted);
     void add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
                     int count);
     void add_unit(int unit, const UnitValues& u);

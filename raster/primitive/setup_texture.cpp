@@ -184,7 +184,7 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool one_c
     return affine ? Kind::affine : Kind::textured;
 }
 
-void Setup<Fixed>::with_coordinates(const Vertex& provoking) {
+void Setup<Fixed>::with_coordinates(const Vertex& painted) {
     const Needs& needs = state_.needs;
     UnitValues units[max_texture_units];
     std::int32_t fog[3];
@@ -208,7 +208,7 @@ void Setup<Fixed>::with_coordinates(const Vertex& provoking) {
         add_depth();
     if (span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, q_);
-    colors(one_color, provoking);
+    colors(one_color, painted);
     if (needs.fog) {
         if (span_.kind == Kind::affine) {
             add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);

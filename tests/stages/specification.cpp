@@ -427,5 +427,39 @@ TEST(Specification, AlphaTest) {
             }
 }
 
+/// 2.13.7: only flat shading takes the provoking vertex's colour, which need not be a corner: parts of quads
+/// and of clipped polygons keep the colour their corners share.
+template <class V> void expect_provoking_color(PixelFormat format, bool fog, bool flat) {
+    Canvas c(format, 8, 8);
+    FragmentState f = plain_state(c);
+    f.flat = flat;
+    f.fog = fog;
+    f.fog_mode = FogMode::exp; // of density 0: no fog, by the longer way
+    f.color_sum = fog;
+    Point corner[4];
+    for (int i = 0; i < 4; ++i) {
+        Point& p = corner[i];
+        p.x = 16 * (i == 1), p.y = 16 * (i == 2);
+        p.w = 1 + 0.5 * i;
+        p.color[0] = i == 3 ? 1 : 0;
+        p.color[1] = p.color[2] = 0;
+        p.secondary[2] = i == 3 && fog ? 1 : 0;
+    }
+    const Surface surface = c.surface();
+    const DrawState state = compile<V>(f, surface);
+    draw_triangle<V>(state, surface, make<V>(corner[0]), make<V>(corner[1]), make<V>(corner[2]),
+                     make<V>(corner[3]), signed_area(0, 0, 16 * 256, 0, 0, 16 * 256));
+    EXPECT_EQ(c.at(1, 1).c[0].k != 0, flat) << "fog " << fog;
+    EXPECT_EQ(c.at(1, 1).c[2].k != 0, flat && fog) << "fog " << fog;
+}
+TEST(Specification, TheProvokingVertexColorsOnlyFlatShading) {
+    for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgba8888})
+        for (const bool fog : {false, true})
+            for (const bool flat : {false, true}) {
+                expect_provoking_color<FixedVertex>(format, fog, flat);
+                expect_provoking_color<DoubleVertex>(format, fog, flat);
+            }
+}
+
 } // namespace
 } // namespace spangle::raster::test
