@@ -6,6 +6,7 @@ namespace spangle::egl {
 
 void use_reference_engines() {
     register_engine(EGL_PRECISION_DOUBLE_SPANGLE, &gl::double_engine);
+    register_engine(EGL_PRECISION_SHADOW_SPANGLE, &gl::shadow_engine);
 }
 
 } // namespace spangle::egl

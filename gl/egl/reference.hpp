@@ -3,7 +3,8 @@
 
 namespace spangle::egl {
 
-/// Makes EGL_PRECISION_DOUBLE_SPANGLE exist. Call it before contexts of that precision are made.
+/// Makes EGL_PRECISION_DOUBLE_SPANGLE and EGL_PRECISION_SHADOW_SPANGLE exist. Call it before contexts of
+/// those precisions are made.
 void use_reference_engines();
 
 } // namespace spangle::egl

@@ -1,4 +1,4 @@
-// The reference engine: the same pipeline over double.
+// The reference engines: the same pipeline over double, and over integers with a double twin beside them.
 #include <new>
 
 #include "gl/vertex/double_lighting.hpp"
@@ -6,31 +6,37 @@
 #include "gl/vertex/engine.hpp"
 #include "gl/vertex/pipeline.hpp"
 #include "gl/vertex/reference.hpp"
+#include "gl/vertex/shadow_lighting.hpp"
+#include "gl/vertex/shadow_math.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
-using DoublePipeline = Pipeline<DoubleMath, DoubleLighting>;
+template <class P> P& pipeline(Context& context) {
+    return *static_cast<P*>(context.pipeline);
+}
 
-DoublePipeline& pipeline(Context& context) {
-    return *static_cast<DoublePipeline*>(context.pipeline);
+template <class M, class L> constexpr Engine engine_of() {
+    using P = Pipeline<M, L>;
+    return {
+        sizeof(P),
+        [](void* memory) { new (memory) P; },
+        [](const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
+            out = raster::compile<typename M::Window>(fragment, target);
+        },
+        [](Context& context, GLenum mode) { pipeline<P>(context).begin(context, mode); },
+        [](Context& context, Real x, Real y, Real z, Real w) {
+            pipeline<P>(context).vertex(context, {x, y, z, w});
+        },
+        [](Context& context) { pipeline<P>(context).end(); },
+        [](Context& context) { pipeline<P>(context).settle_colors(); },
+    };
 }
 
 } // namespace
 
-const Engine double_engine = {
-    sizeof(DoublePipeline),
-    [](void* memory) { new (memory) DoublePipeline; },
-    [](const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
-        out = raster::compile<raster::DoubleVertex>(fragment, target);
-    },
-    [](Context& context, GLenum mode) { pipeline(context).begin(context, mode); },
-    [](Context& context, Real x, Real y, Real z, Real w) {
-        pipeline(context).vertex(context, {x, y, z, w});
-    },
-    [](Context& context) { pipeline(context).end(); },
-    [](Context& context) { pipeline(context).settle_colors(); },
-};
+const Engine double_engine = engine_of<DoubleMath, DoubleLighting>();
+const Engine shadow_engine = engine_of<ShadowMath, ShadowLighting>();
 
 } // namespace spangle::gl

@@ -276,7 +276,9 @@ template <class M, class L> class Pipeline {
             project(*corners[i]);
         }
         for (int i = 1; i + 1 < n; ++i) {
-            const auto &a = corners[0]->window, &b = corners[i]->window, &c = corners[i + 1]->window;
+            const raster::Position a = raster::position(corners[0]->window),
+                                   b = raster::position(corners[i]->window),
+                                   c = raster::position(corners[i + 1]->window);
             part[i] = raster::signed_area(a.x, a.y, b.x, b.y, c.x, c.y);
             area += part[i];
         }

@@ -6,5 +6,6 @@
 namespace spangle::gl {
 
 extern const Engine double_engine;
+extern const Engine shadow_engine;
 
 } // namespace spangle::gl

@@ -29,7 +29,8 @@ int refuse(const std::string& why) {
 const std::map<std::string, Precision> precisions = {{"exact", Precision::exact},
                                                      {"balanced", Precision::balanced},
                                                      {"fast", Precision::fast},
-                                                     {"double", Precision::reference}};
+                                                     {"double", Precision::reference},
+                                                     {"shadow", Precision::shadow}};
 
 /// "320x240", both sides 1 to 2048.
 std::string read_size(const std::string& text, int& width, int& height) {
@@ -193,7 +194,9 @@ int spangle_main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board");
-    run->add_option("--precision", options.precision, "exact, balanced, fast, or double: the reference")
+    run->add_option("--precision", options.precision,
+                    "exact, balanced, fast; double: the reference; shadow: exact, with every stage "
+                    "held against a double beside it, and an error report")
         ->transform(CLI::CheckedTransformer(precisions))
         ->default_str("exact");
     run->add_option("--dither", dither, "GL_DITHER")

@@ -6,7 +6,7 @@
 
 namespace spangle::cli {
 
-enum class Precision : std::uint8_t { exact, balanced, fast, reference };
+enum class Precision : std::uint8_t { exact, balanced, fast, reference, shadow };
 
 struct RunOptions {
     std::string scene; ///< id of a scene; empty when a model is drawn

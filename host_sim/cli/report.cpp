@@ -31,6 +31,15 @@ std::string to_json(const Report& r) {
         out["coverage_mismatches"] = r.coverage_mismatches;
         out["coverage_unsnapped"] = r.coverage_unsnapped;
     }
+    for (const StageError& s : r.stages)
+        out["stages"].push_back({{"stage", s.stage},
+                                 {"unit", s.unit},
+                                 {"count", s.count},
+                                 {"max", s.max},
+                                 {"rms", s.rms},
+                                 {"least", s.least},
+                                 {"greatest", s.greatest},
+                                 {"saturated", s.saturated}});
     return out.dump(2) + "\n";
 }
 
@@ -55,6 +64,12 @@ std::string to_table(const Report& r) {
             "  coverage    {:>10} pixels off brute force on snapped vertices, {} off unsnapped ones\n",
             r.identical_565_percent, r.covered, r.max_lsb, r.psnr_565_db, r.coverage_mismatches,
             r.coverage_unsnapped);
+    if (!r.stages.empty())
+        out += fmt::format("  {:<13} {:>10} {:>11} {:>11}  {:<12} {:>10}   {}\n", "integers", "values",
+                           "max error", "rms error", "unit", "saturated", "range");
+    for (const StageError& s : r.stages)
+        out += fmt::format("  {:<13} {:>10} {:>11.2e} {:>11.2e}  {:<12} {:>10}   {:.6g} .. {:.6g}\n", s.stage,
+                           s.count, s.max, s.rms, s.unit, s.saturated, s.least, s.greatest);
     return out;
 }
 

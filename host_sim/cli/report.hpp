@@ -3,8 +3,18 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace spangle::cli {
+
+/// One stage of the pipeline in integers, held against its double twin (raster/span/shadow.hpp).
+struct StageError {
+    std::string stage, unit;
+    std::uint64_t count;     ///< values compared
+    double max, rms;         ///< of |fixed - double|
+    double least, greatest;  ///< range of the double values
+    std::uint64_t saturated; ///< fixed values at a limit of their range
+};
 
 struct Report {
     std::string scene, board, precision;
@@ -21,6 +31,7 @@ struct Report {
     std::uint64_t full_frame_bytes = 0; ///< of one whole frame without commands
     double fps_at_bus_clock = 0.0;      ///< 0 without a board
     std::string picture_hash;           ///< of the last frame
+    std::vector<StageError> stages;     ///< of a run in shadow precision, in the order of the pipeline
 };
 
 /// One JSON object, keys as the fields are called.

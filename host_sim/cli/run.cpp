@@ -16,6 +16,7 @@
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
+#include "raster/span/shadow.hpp"
 #include <spangle/boards/boards.hpp>
 
 namespace spangle::cli {
@@ -30,7 +31,7 @@ struct Program {
 };
 
 const char* name_of(Precision p) {
-    constexpr const char* names[] = {"exact", "balanced", "fast", "double"};
+    constexpr const char* names[] = {"exact", "balanced", "fast", "double", "shadow"};
     return names[static_cast<unsigned>(p)];
 }
 
@@ -116,6 +117,31 @@ class Comparison {
     sim::Image picture_;
 };
 
+/// Collects what shadow draws report while it exists.
+class ShadowSession {
+  public:
+    explicit ShadowSession(bool wanted)
+        : wanted_(wanted), old_(raster::report_shadow(wanted ? &report_ : nullptr)) {}
+    ~ShadowSession() { raster::report_shadow(old_); }
+    ShadowSession(const ShadowSession&) = delete;
+    ShadowSession& operator=(const ShadowSession&) = delete;
+
+    void finish(Report& report) const {
+        for (int i = 0; wanted_ && i < raster::shadow_stages; ++i) {
+            const raster::ShadowRecord& r = report_.stage[i];
+            const auto stage = static_cast<raster::ShadowStage>(i);
+            if (r.count != 0)
+                report.stages.push_back({raster::name_of(stage), raster::unit_of(stage), r.count, r.worst,
+                                         r.rms(), r.least, r.greatest, r.saturated});
+        }
+    }
+
+  private:
+    bool wanted_;
+    raster::ShadowReport report_;
+    raster::ShadowReport* old_;
+};
+
 /// A line that is rewritten, on terminals and for runs that take a while.
 void progress(int frame, int frames) {
     if (frames < 30 || isatty(STDERR_FILENO) == 0)
@@ -141,7 +167,7 @@ RunResult run(const RunOptions& options) {
         result.error = "no board '" + options.board + "'; `spangle boards` lists them";
         return result;
     }
-    if (options.precision == Precision::reference)
+    if (options.precision == Precision::reference || options.precision == Precision::shadow)
         egl::use_reference_engines();
     std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(*description) : nullptr;
     Session session;
@@ -161,6 +187,7 @@ RunResult run(const RunOptions& options) {
     if (options.compare)
         counters.observer = &coverage;
     session.observe(&counters);
+    const ShadowSession shadow(options.precision == Precision::shadow);
     Comparison comparison;
     if (options.compare) {
         result.error = comparison.open(session, program, options.dither);
@@ -219,6 +246,7 @@ RunResult run(const RunOptions& options) {
         result.picture = board->glass();
         result.violations = board->violations_text();
     }
+    shadow.finish(report);
     if (options.compare) {
         comparison.finish(report, coverage);
         result.difference = comparison.picture();

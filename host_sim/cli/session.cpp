@@ -28,7 +28,8 @@ std::string egl_problem(const char* call) {
 
 EGLint token_of(Precision precision) {
     constexpr EGLint tokens[] = {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE,
-                                 EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_DOUBLE_SPANGLE};
+                                 EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_DOUBLE_SPANGLE,
+                                 EGL_PRECISION_SHADOW_SPANGLE};
     return tokens[static_cast<unsigned>(precision)];
 }
 

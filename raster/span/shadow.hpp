@@ -15,13 +15,21 @@ struct Shadow {
 /// The product's span, which draws, and its twin.
 template <> struct Span<Shadow> : Span<Fixed> { Span<Double> twin; };
 
-/// What is compared, in the order of the pipeline.
+/// What is compared, in the order of the pipeline. The vertex stages are reported by the vertex pipeline.
 enum class ShadowStage : std::uint8_t {
-    depth,    ///< 0 .. 1
-    primary,  ///< largest difference of a component, 0 .. 1; so are all colours
-    coord0,   ///< texels of the base level; repeats are equal
-    lod0,     ///< levels
-    texture0, ///< colour after the unit
+    vertex_color, ///< largest difference of a component, 0 .. 1
+    vertex_coord, ///< s / q, t / q of a unit, repeats of the texture
+    vertex_fog,   ///< eye distance, relative
+    window_x,     ///< pixels, against the unsnapped position: half a step of n.8 is 0.00195
+    window_y,
+    snapping,  ///< steps of n.8 from the double position snapped to nearest, x and y
+    window_z,  ///< 0 .. 1
+    inverse_w, ///< relative
+    depth,     ///< 0 .. 1
+    primary,   ///< component, 0 .. 1; so are all colours
+    coord0,    ///< texels of the base level; repeats are equal
+    lod0,      ///< levels
+    texture0,  ///< colour after the unit
     coord1,
     lod1,
     texture1,
@@ -30,16 +38,22 @@ enum class ShadowStage : std::uint8_t {
     fog,        ///< colour
     blend,      ///< colour
 };
-inline constexpr int shadow_stages = 12;
+inline constexpr int shadow_stages = 20;
 const char* name_of(ShadowStage stage);
+const char* unit_of(ShadowStage stage);
 
 struct ShadowRecord {
     std::uint64_t count = 0;
+    std::uint64_t saturated = 0;    ///< of these, fixed values at a limit of their range (0 is none)
     double worst = 0;               ///< largest |fixed - double|
+    double squares = 0;             ///< sum of (fixed - double)^2
     double least = 0, greatest = 0; ///< range of the double values
 
     void add(double fixed, double exact) { add_difference(fixed - exact, exact); }
+    /// The same where the fixed value cannot lie beyond +-limit.
+    void add(double fixed, double exact, double limit);
     void add_difference(double difference, double exact);
+    double rms() const;
 };
 
 struct ShadowReport {
@@ -49,5 +63,8 @@ struct ShadowReport {
 
 /// Where shadow draws of this thread report to; null (the initial state) draws only. Returns the old one.
 ShadowReport* report_shadow(ShadowReport* report);
+
+/// That report, or null: for the stages before the fragments.
+ShadowReport* shadow_report();
 
 } // namespace spangle::raster

@@ -30,6 +30,8 @@ template <class N> class Fragment {
             rest(state);
         } else if (state.needs.unit[0]) {
             coord<0>(state, ShadowStage::coord0);
+        } else if (fixed_.kind == Kind::affine) { // of one colour there is nothing to compare
+            raw_primary();
         }
     }
 
@@ -54,7 +56,7 @@ template <class N> class Fragment {
 
     void colors(ShadowStage stage) {
         const auto one = [&](auto fixed, double exact) {
-            report_[stage].add(static_cast<double>(fixed) / static_cast<double>(N::one), exact);
+            report_[stage].add(static_cast<double>(fixed) / static_cast<double>(N::one), exact, 1.0);
         };
         one(f_.color.r, d_.color.r);
         one(f_.color.g, d_.color.g);
@@ -65,7 +67,7 @@ template <class N> class Fragment {
     void depth(const DrawState& state) {
         const int bits = state.depth_format == DepthFormat::z16 ? 16 : 24;
         const double code = DepthValue<Exact>(fixed_, x_).z >> (32 - bits);
-        report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.z.at(x_)));
+        report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.z.at(x_)), 1.0);
     }
 
     void primary(const DrawState& state) {
@@ -81,6 +83,18 @@ template <class N> class Fragment {
         colors(ShadowStage::primary);
     }
 
+    /// Before the low bits go: 8.24, with the half that rounds to 8 bits.
+    void raw_primary() {
+        const Gouraud<N, false> fixed(fixed_, x_);
+        run<Gouraud<N, false>, Gouraud<Reference, false>>();
+        const auto one = [&](std::uint32_t v, double exact) {
+            report_[ShadowStage::primary].add((v * 0x1p-24 - 0.5) / 255.0, exact, 1.0);
+        };
+        one(fixed.r, d_.color.r);
+        one(fixed.g, d_.color.g);
+        one(fixed.b, d_.color.b);
+    }
+
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
         if (fixed_.kind >= Kind::textured)
             run<Coord<N, Unit, true>, Coord<Reference, Unit, true>>();
@@ -90,6 +104,7 @@ template <class N> class Fragment {
             const double size = 1 << log2_size;
             const double repeats = wraps ? fixed * 0x1p-32 : static_cast<std::int32_t>(fixed) * 0x1p-28;
             double difference = repeats - exact;
+            report_[stage].saturated += !wraps && std::fabs(repeats) > 8.0 - 0x1p-27 ? 1 : 0;
             if (wraps)
                 difference -= std::floor(difference + 0.5);
             report_[stage].add_difference(difference * size, exact * size);
@@ -157,7 +172,7 @@ template <class N> class Fragment {
 
 /// Compares before anything is drawn: the destination of blending is still the old one.
 template <class N> void shadow_span(const Span<Shadow>& span) {
-    if (ShadowReport* const report = current_report; report != nullptr && span.kind != Kind::flat) {
+    if (ShadowReport* const report = current_report; report != nullptr) {
         Span<Double> twin = span.twin;
         twin.color = span.color;
         twin.depth = span.depth;
@@ -192,23 +207,61 @@ AnyFunction shadow_runner(Number number) {
 } // namespace
 
 const char* name_of(ShadowStage stage) {
-    constexpr const char* names[shadow_stages] = {"depth",     "primary",    "coord 0", "lod 0",
-                                                  "texture 0", "coord 1",    "lod 1",   "texture 1",
-                                                  "color sum", "fog factor", "fog",     "blend"};
+    constexpr const char* names[shadow_stages] = {
+        "vertex color", "vertex coord", "vertex fog", "window x",   "window y", "snapping",  "window z",
+        "1/w",          "depth",        "primary",    "coord 0",    "lod 0",    "texture 0", "coord 1",
+        "lod 1",        "texture 1",    "color sum",  "fog factor", "fog",      "blend"};
     return names[static_cast<unsigned>(stage)];
+}
+
+const char* unit_of(ShadowStage stage) {
+    switch (stage) {
+    case ShadowStage::vertex_coord:
+        return "repeats";
+    case ShadowStage::vertex_fog:
+    case ShadowStage::inverse_w:
+        return "relative";
+    case ShadowStage::window_x:
+    case ShadowStage::window_y:
+        return "pixels";
+    case ShadowStage::snapping:
+        return "1/256 pixel";
+    case ShadowStage::coord0:
+    case ShadowStage::coord1:
+        return "texels";
+    case ShadowStage::lod0:
+    case ShadowStage::lod1:
+        return "levels";
+    default:
+        return "of 1";
+    }
 }
 
 void ShadowRecord::add_difference(double difference, double exact) {
     least = count == 0 || exact < least ? exact : least;
     greatest = count == 0 || exact > greatest ? exact : greatest;
     worst = std::fabs(difference) > worst ? std::fabs(difference) : worst;
+    squares += difference * difference;
     ++count;
+}
+
+void ShadowRecord::add(double fixed, double exact, double limit) {
+    saturated += std::fabs(fixed) >= limit ? 1 : 0;
+    add(fixed, exact);
+}
+
+double ShadowRecord::rms() const {
+    return count == 0 ? 0.0 : std::sqrt(squares / static_cast<double>(count));
 }
 
 ShadowReport* report_shadow(ShadowReport* report) {
     ShadowReport* const old = current_report;
     current_report = report;
     return old;
+}
+
+ShadowReport* shadow_report() {
+    return current_report;
 }
 
 template <> DrawState compile<ShadowVertex>(const FragmentState& state, const Surface& target) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests the command line as a user meets it.
 
-usage: cli_test.py SPANGLE accuracy|errors|outputs
+usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs
 """
 import json
 import os
@@ -50,6 +50,30 @@ def accuracy():
                 check(r["coverage_mismatches"] == 0, f"{scene} {precision}: coverage differs from brute force")
 
 
+# Bounds of the stages in the exact tier (design of the numbers; half a step of n.8, of a 16-bit depth).
+STAGE_BOUNDS = {"vertex color": 2**-19, "vertex coord": 2**-20, "vertex fog": 2**-27, "window x": 0.5 / 256 + 1e-6, "window y": 0.5 / 256 + 1e-6, "snapping": 1,
+                "window z": 2**-27, "1/w": 2**-27, "depth": 0.5 / 65535 + 1e-7, "primary": 2**-18, "coord 0": 1 / 64, "texture 0": 1 / 255, "fog factor": 2**-21,
+                "fog": 1 / 255, "blend": 1 / 255}
+
+
+def shadow():
+    """Shadow precision draws the exact tier's picture and reports every stage within its bound, worst and RMS."""
+    worst = {}
+    for scene in scenes():
+        exact, r = report(scene, "--dither", "off"), report(scene, "--dither", "off", "--precision", "shadow")
+        check(r["precision"] == "shadow" and r["picture_hash"] == exact["picture_hash"], f"{scene}: the picture of the exact tier")
+        check("stages" not in exact, f"{scene}: no stages without the twin")
+        check(list(r)[:len(KEYS)] == KEYS, f"{scene}: the usual keys first")
+        for s in r.get("stages", []):
+            check(s["count"] > 0 and 0 <= s["rms"] <= s["max"] <= STAGE_BOUNDS[s["stage"]], f"{scene} {s['stage']}: worst {s['max']}, RMS {s['rms']}")
+            worst[s["stage"]] = max(s["max"], worst.get(s["stage"], 0))
+    check(set(worst) == set(STAGE_BOUNDS), f"every stage is seen: {sorted(set(STAGE_BOUNDS) ^ set(worst))}")
+    for stage, error in worst.items():
+        print(f"{stage:<14}{error:.2e}")
+    table = run("run", "S6", "--precision", "shadow").stdout
+    check(all(word in table for word in ("max error", "rms error", "saturated", "window x", "1/256 pixel")), "a table for people")
+
+
 def errors():
     """One line that says what to do, exit status 2, nothing written."""
     with tempfile.TemporaryDirectory() as folder:
@@ -90,7 +114,7 @@ def outputs():
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "errors", "outputs"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()

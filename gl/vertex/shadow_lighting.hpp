@@ -1,0 +1,66 @@
+// Both lightings at once. Hosts only.
+#pragma once
+
+#include "gl/context/features.hpp"
+#include "gl/vertex/double_lighting.hpp"
+#include "gl/vertex/shadow_math.hpp"
+#if SPANGLE_FEATURE_LIGHTING
+#include "gl/vertex/fixed_lighting.hpp"
+#else
+#include "gl/vertex/no_lighting.hpp"
+#endif
+
+namespace spangle::gl {
+
+class ShadowLighting {
+  public:
+#if SPANGLE_FEATURE_LIGHTING
+    using Product = FixedLighting;
+#else
+    using Product = NoLighting<FixedMath>;
+#endif
+    using Input = Both<Product::Input, DoubleLighting::Input>;
+
+    void derive(const Context& context) {
+        fixed_.derive(context);
+        twin_.derive(context);
+    }
+    void materials_changed() {
+        fixed_.materials_changed();
+        twin_.materials_changed();
+    }
+    /// The twin looks at the position also where the integers need not.
+    bool needs_eye() const {
+        return fixed_.needs_eye() || twin_.needs_eye();
+    }
+    bool two_sided() const {
+        return fixed_.two_sided();
+    }
+    bool tracks_color() const {
+        return fixed_.tracks_color();
+    }
+
+    void take(const Context& context, const ShadowMath::Eye& eye, Input& out) {
+        fixed_.take(context, eye.fixed, out.fixed);
+        twin_.take(context, eye.twin, out.twin);
+    }
+    void take(const Context& context, Input& out) {
+        fixed_.take(context, out.fixed);
+        twin_.take(context, out.twin);
+    }
+    void light(const Context& context, const Input& vertex, int side, raster::ShadowVertex& out) {
+        fixed_.light(context, vertex.fixed, side, out.fixed);
+        twin_.light(context, vertex.twin, side, out.twin);
+        ShadowMath::report_color(out);
+    }
+    static void mix(const Input& a, const Input& b, const ShadowMath::Parameter& t, Input& out) {
+        Product::mix(a.fixed, b.fixed, t.fixed, out.fixed);
+        DoubleLighting::mix(a.twin, b.twin, t.twin, out.twin);
+    }
+
+  private:
+    Product fixed_;
+    DoubleLighting twin_;
+};
+
+} // namespace spangle::gl

@@ -1,0 +1,142 @@
+// Both arithmetics of the vertex pipeline at once: the integers decide and draw, their double twin is held
+// against them (design 2). Hosts only.
+#pragma once
+
+#include "gl/vertex/double_math.hpp"
+#include "gl/vertex/fixed_math.hpp"
+#include "raster/span/shadow.hpp"
+
+namespace spangle::gl {
+
+template <class F, class D> struct Both {
+    F fixed;
+    D twin;
+};
+
+struct ShadowMath {
+    using Window = raster::ShadowVertex;
+    using Clip = Both<FixedMath::Clip, DoubleMath::Clip>;
+    using Eye = Both<FixedMath::Eye, DoubleMath::Eye>;
+    using Depth = Both<FixedMath::Depth, DoubleMath::Depth>;
+    using Parameter = Both<FixedMath::Parameter, DoubleMath::Parameter>;
+    using Transforms = Both<FixedMath::Transforms, DoubleMath::Transforms>;
+
+    static void derive(const TransformState& state, Transforms& out) {
+        FixedMath::derive(state, out.fixed);
+        DoubleMath::derive(state, out.twin);
+    }
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::to_clip(t.fixed, v), DoubleMath::to_clip(t.twin, v)};
+    }
+    static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::to_eye(t.fixed, v), DoubleMath::to_eye(t.twin, v)};
+    }
+
+    // What is decided, the integers decide.
+    static std::int64_t volume_distance(const Clip& c, int plane) {
+        return FixedMath::volume_distance(c.fixed, plane);
+    }
+    static std::int64_t distance(const Clip& c, int plane) { return FixedMath::distance(c.fixed, plane); }
+    static bool in_front(const Clip& c) { return FixedMath::in_front(c.fixed); }
+
+    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
+        const FixedMath::Parameter fixed = FixedMath::intersect(inside.fixed, outside.fixed, plane);
+        const double twin = DoubleMath::intersect(inside.twin, outside.twin, plane);
+        return {fixed, twin >= 0.0 && twin <= 1.0 ? twin : fixed * 0x1p-30};
+    }
+    static Clip mix(const Clip& a, const Clip& b, const Parameter& t) {
+        return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
+    }
+    static Depth mix(const Depth& a, const Depth& b, const Parameter& t) {
+        return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
+    }
+    static void mix(const Window& a, const Window& b, const Parameter& t, Window& out) {
+        FixedMath::mix(a.fixed, b.fixed, t.fixed, out.fixed);
+        DoubleMath::mix(a.twin, b.twin, t.twin, out.twin);
+    }
+
+    /// The twin goes on from the integers' snapped position: beyond it, only arithmetic differs.
+    static void project(const Transforms& t, const Clip& c, Window& out) {
+        FixedMath::project(t.fixed, c.fixed, out.fixed);
+        const bool sound = c.twin.v[3] > 0.0;
+        if (sound) {
+            DoubleMath::project(t.twin, c.twin, out.twin);
+            report_position(out);
+        } else { // the twin of a vertex at the very edge of the eye's plane
+            out.twin.x_exact = out.fixed.x / double{raster::subpixel_one};
+            out.twin.y_exact = out.fixed.y / double{raster::subpixel_one};
+            out.twin.z = out.fixed.z / double{raster::depth_one};
+            out.twin.inv_w = inverse_w(out.fixed);
+        }
+        out.twin.x = out.fixed.x;
+        out.twin.y = out.fixed.y;
+    }
+
+    static void set_color(Window& out, const Real (&rgba)[4]) {
+        FixedMath::set_color(out.fixed, rgba);
+        DoubleMath::set_color(out.twin, rgba);
+        report_color(out);
+    }
+    static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
+        FixedMath::set_texture(t.fixed, stq, unit, out.fixed);
+        DoubleMath::set_texture(t.twin, stq, unit, out.twin);
+        report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
+    }
+    static Depth depth(const Eye& eye) { return {FixedMath::depth(eye.fixed), DoubleMath::depth(eye.twin)}; }
+    static void set_fog(const Depth& eye_z, Window& out) {
+        FixedMath::set_fog(eye_z.fixed, out.fixed);
+        DoubleMath::set_fog(eye_z.twin, out.twin);
+        relative(raster::ShadowStage::vertex_fog,
+                 std::ldexp(static_cast<double>(out.fixed.fog_mantissa), out.fixed.fog_exponent),
+                 out.twin.fog);
+    }
+
+    /// Primary and secondary colour, once they are set.
+    static void report_color(const Window& v) {
+        raster::ShadowReport* const report = raster::shadow_report();
+        if (report == nullptr)
+            return;
+        raster::ShadowRecord& record = (*report)[raster::ShadowStage::vertex_color];
+        for (int c = 0; c < 4; ++c)
+            record.add(v.fixed.color[c] / double{raster::color_one}, v.twin.color[c], 1.0);
+        for (int c = 0; c < 3; ++c)
+            record.add(v.fixed.secondary[c] / double{raster::color_one}, v.twin.secondary[c], 1.0);
+    }
+
+  private:
+    static double inverse_w(const raster::FixedVertex& v) {
+        return std::ldexp(static_cast<double>(v.w_mantissa), v.w_exponent);
+    }
+
+    static void relative(raster::ShadowStage stage, double fixed, double exact) {
+        raster::ShadowReport* const report = raster::shadow_report();
+        if (report != nullptr && exact != 0.0)
+            (*report)[stage].add_difference((fixed - exact) / exact, exact);
+    }
+
+    static void report_position(const Window& v) {
+        raster::ShadowReport* const report = raster::shadow_report();
+        if (report == nullptr)
+            return;
+        constexpr double one = raster::subpixel_one, band = 4 * 2048 - 1 / one;
+        (*report)[raster::ShadowStage::window_x].add(v.fixed.x / one, v.twin.x_exact, band);
+        (*report)[raster::ShadowStage::window_y].add(v.fixed.y / one, v.twin.y_exact, band);
+        (*report)[raster::ShadowStage::snapping].add(v.fixed.x, v.twin.x);
+        (*report)[raster::ShadowStage::snapping].add(v.fixed.y, v.twin.y);
+        (*report)[raster::ShadowStage::window_z].add(v.fixed.z / double{raster::depth_one}, v.twin.z, 1.0);
+        relative(raster::ShadowStage::inverse_w, inverse_w(v.fixed), v.twin.inv_w);
+    }
+
+    static void report_texture(const raster::FixedVertex::TexCoord& fixed,
+                               const raster::DoubleVertex::TexCoord& twin) {
+        raster::ShadowReport* const report = raster::shadow_report();
+        const double q = fixed.q_is_one != 0 ? std::ldexp(1.0, -fixed.exponent) : fixed.q;
+        if (report == nullptr || !(q > 0.0) || !(twin.q > 0.0))
+            return;
+        (*report)[raster::ShadowStage::vertex_coord].add(fixed.s / q, twin.s / twin.q);
+        (*report)[raster::ShadowStage::vertex_coord].add(fixed.t / q, twin.t / twin.q);
+    }
+};
+
+} // namespace spangle::gl
