@@ -13,8 +13,8 @@ using numeric::clz64;
 
 /// The anchor: the pixel that the lowest vertex (x, y) lies in.
 SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
-    span_.x = x >> subpixel_bits;
-    span_.y = y >> subpixel_bits;
+    span_.anchor_x = x >> subpixel_bits;
+    span_.anchor_y = y >> subpixel_bits;
     const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
     const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
     for (int i = 0; i < 2; ++i) // |cx ox + cy oy| <= 2^30 256

@@ -38,15 +38,15 @@ void Setup<Double>::add(Interpolant<double>& at, double v0, double v1, double v2
     const double d1 = v1 - v0, d2 = v2 - v0;
     at.dx = d1 * x1_ + d2 * x2_;
     at.dy = d1 * y1_ + d2 * y2_;
-    at.value = v0 + at.dx * (span_.x + 0.5 - origin_x_) + at.dy * (span_.y + 0.5 - origin_y_);
+    at.value = v0 + at.dx * (span_.anchor_x + 0.5 - origin_x_) + at.dy * (span_.anchor_y + 0.5 - origin_y_);
     if (dy != nullptr)
         *dy = at.dy;
 }
 
 void Setup<Double>::attributes(const Vertex& provoking) {
     const DrawState& state = *span_.state;
-    span_.x = v_[0]->x >> subpixel_bits;
-    span_.y = v_[0]->y >> subpixel_bits;
+    span_.anchor_x = v_[0]->x >> subpixel_bits;
+    span_.anchor_y = v_[0]->y >> subpixel_bits;
     span_.kind = Kind::full;
     double w[3];
     for (int i = 0; i < 3; ++i)

@@ -148,7 +148,8 @@ template <class Case, int Wide = host_lanes>
             left = row->left;
             span.length = row->right - left;
         }
-        move(span, Case::needs, Case::key.kind, left, row->y);
+        span.x = left;
+        span.y = row->y;
         point_at(span.color, span.depth, *span.target, first, row->y,
                  format_info(Case::key.format).bytes_per_pixel, 1);
         fused_row<Case, Wide>(span, first - left, n);

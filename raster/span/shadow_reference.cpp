@@ -67,7 +67,7 @@ template <class N> class Fragment {
     void depth(const DrawState& state) {
         const int bits = state.depth_format == DepthFormat::z16 ? 16 : 24;
         const double code = DepthValue<Exact>(fixed_, x_).z >> (32 - bits);
-        report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.z.at(x_)), 1.0);
+        report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.at(x_, twin_.z)), 1.0);
     }
 
     void primary(const DrawState& state) {
@@ -187,7 +187,8 @@ template <class N> void shadow_span(const Span<Shadow>& span) {
 
 template <class N> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
-        move(span.twin, span.state->needs, Kind::full, row->left, row->y);
+        span.twin.x = row->left;
+        span.twin.y = row->y;
         enter<Fixed>(span, *row);
         shadow_span<N>(span);
     }

@@ -29,14 +29,12 @@ inline constexpr int guard_bits = 16;
 /// Fraction bits of texture coordinates that do not wrap (number.hpp, TexCoords).
 inline constexpr int clamped_coord_bits = 28;
 
-/// A plane: value at the centre of pixel 0 (the anchor), differences from pixel to pixel and from row to row.
+/// A plane: value at the centre of the anchor pixel, differences from pixel to pixel and from row to row.
 /// `at` is exact: no error accumulates and any pixel can be first.
 template <class T> struct Interpolant {
     T value, dx, dy;
-    constexpr T at(std::int32_t x) const { return value + static_cast<T>(x) * dx; }
-    /// The anchor moves.
-    constexpr void move(std::int32_t columns, std::int32_t rows) {
-        value = value + static_cast<T>(columns) * dx + static_cast<T>(rows) * dy;
+    constexpr T at(std::int32_t columns, std::int32_t rows) const {
+        return value + static_cast<T>(columns) * dx + static_cast<T>(rows) * dy;
     }
 };
 
@@ -59,11 +57,12 @@ template <class P> struct Span {
 
     const DrawState* state;
     const Surface* target;
-    std::uint8_t* color;     ///< pixel `begin` of the span in memory
-    std::uint8_t* depth;     ///< same, in the depth plane; null without one
-    std::int32_t begin, end; ///< pixels to draw, 0 <= begin < end <= length
-    std::int32_t length;     ///< of the unscissored row
-    std::int32_t x, y;       ///< window position of pixel 0
+    std::uint8_t* color;             ///< pixel `begin` of the span in memory
+    std::uint8_t* depth;             ///< same, in the depth plane; null without one
+    std::int32_t begin, end;         ///< pixels to draw, 0 <= begin < end <= length
+    std::int32_t length;             ///< of the unscissored row
+    std::int32_t x, y;               ///< window position of pixel 0
+    std::int32_t anchor_x, anchor_y; ///< window position that the planes start from
     Kind kind;
     std::uint32_t flat_word; ///< Kind::flat: the colour as stored in a 16-bit surface
 
@@ -88,6 +87,11 @@ template <class P> struct Span {
     } unit[max_texture_units];
     typename P::Projective q_dy;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
+
+    /// A plane at pixel `column`.
+    template <class T> constexpr T at(std::int32_t column, const Interpolant<T>& plane) const {
+        return plane.at(column + (x - anchor_x), y - anchor_y);
+    }
 };
 
 } // namespace spangle::raster

@@ -59,7 +59,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
   private:
     SPANGLE_INLINE static void start(const Span<Fixed>& s, std::int32_t x, int c, U32& v, U32& dv) {
         const auto& interpolant = s.color_value[c];
-        v = N::L::ramp(interpolant.at(x), interpolant.dx);
+        v = N::L::ramp(s.at(x, interpolant), interpolant.dx);
         dv = N::L::splat32(interpolant.dx * static_cast<std::uint32_t>(N::lanes));
     }
 };
@@ -82,9 +82,9 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     typename N::L::U32 r, g, b, dr, dg, db;
 
     SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
-        : r(N::L::ramp(s.color_value[0].at(x), s.color_value[0].dx)),
-          g(N::L::ramp(s.color_value[1].at(x), s.color_value[1].dx)),
-          b(N::L::ramp(s.color_value[2].at(x), s.color_value[2].dx)),
+        : r(N::L::ramp(s.at(x, s.color_value[0]), s.color_value[0].dx)),
+          g(N::L::ramp(s.at(x, s.color_value[1]), s.color_value[1].dx)),
+          b(N::L::ramp(s.at(x, s.color_value[2]), s.color_value[2].dx)),
           dr(N::L::splat32(s.color_value[0].dx * Count)), dg(N::L::splat32(s.color_value[1].dx * Count)),
           db(N::L::splat32(s.color_value[2].dx * Count)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -119,9 +119,9 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     static constexpr int channels = Alpha ? 4 : 3;
     std::uint64_t q, dq, c[channels], dc[channels];
 
-    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t x) : q(s.q.at(x)), dq(s.q.dx) {
+    SPANGLE_INLINE GouraudQ(const Span<Fixed>& s, std::int32_t x) : q(s.at(x, s.q)), dq(s.q.dx) {
         for (int i = 0; i < channels; ++i)
-            c[i] = s.color_q[i].at(x), dc[i] = s.color_q[i].dx;
+            c[i] = s.at(x, s.color_q[i]), dc[i] = s.color_q[i].dx;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Inverse inverse(unguarded(q));
@@ -150,12 +150,12 @@ template <class N, bool Projective> struct ColorSum : StageBase {
     SPANGLE_INLINE ColorSum(const Span<Fixed>& s, std::int32_t x) {
         for (int i = 0; i < 3; ++i) {
             if constexpr (Projective)
-                c[i] = s.secondary_q[i].at(x), dc[i] = s.secondary_q[i].dx;
+                c[i] = s.at(x, s.secondary_q[i]), dc[i] = s.secondary_q[i].dx;
             else
-                c[i] = s.secondary[i].at(x), dc[i] = s.secondary[i].dx;
+                c[i] = s.at(x, s.secondary[i]), dc[i] = s.secondary[i].dx;
         }
         if constexpr (Projective)
-            q = s.q.at(x), dq = s.q.dx;
+            q = s.at(x, s.q), dq = s.q.dx;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (Projective) {
@@ -190,7 +190,7 @@ template <class N> struct FogCoord<N, false> : StageBase {
     static constexpr unsigned out = field_fog;
     typename N::L::U32 v, dv;
     SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
-        : v(N::L::ramp(s.fog.at(x), s.fog.dx)),
+        : v(N::L::ramp(s.at(x, s.fog), s.fog.dx)),
           dv(N::L::splat32(s.fog.dx * static_cast<std::uint32_t>(N::lanes))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.fog = v;
@@ -205,7 +205,7 @@ template <class N> struct FogCoord<N, true> : StageBase {
     std::uint64_t q, dq, f, df;
     int exponent;
     SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
-        : q(s.q.at(x)), dq(s.q.dx), f(s.fog_q.at(x)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
+        : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Inverse inverse(unguarded(q));
         const std::int64_t product = std::int64_t{unguarded(f)} * inverse.mantissa; // f/q 2^(62 - zeros)

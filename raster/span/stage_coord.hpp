@@ -13,7 +13,8 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     static constexpr unsigned out = field_coord << Unit;
     std::uint32_t s, t, ds, dt;
     SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
-        : s(span.s[Unit].at(x)), t(span.t[Unit].at(x)), ds(span.s[Unit].dx), dt(span.t[Unit].dx) {}
+        : s(span.at(x, span.s[Unit])), t(span.at(x, span.t[Unit])), ds(span.s[Unit].dx), dt(span.t[Unit].dx) {
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         for (std::uint32_t lane = 0; lane < N::lanes; ++lane) {
             p.coord[Unit].s[lane] = s + lane * ds;
@@ -29,12 +30,24 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
 
 namespace detail {
 
-/// The projective interpolants of one unit at one pixel of a span.
-struct Homogeneous {
-    std::int32_t s, t, q;
-    SPANGLE_INLINE Homogeneous(const Span<Fixed>& span, int unit, std::int32_t x)
-        : s(unguarded(span.unit[unit].s.at(x))), t(unguarded(span.unit[unit].t.at(x))),
-          q(unguarded(span.unit[unit].shares_q ? span.q.at(x) : span.unit[unit].q.at(x))) {}
+/// The projective interpolants of one unit along a span.
+struct HomogeneousRow {
+    std::uint64_t s0, t0, q0, ds, dt, dq;
+    SPANGLE_INLINE HomogeneousRow(const Span<Fixed>& span, int unit)
+        : s0(span.at(0, span.unit[unit].s)), t0(span.at(0, span.unit[unit].t)), ds(span.unit[unit].s.dx),
+          dt(span.unit[unit].t.dx) {
+        const auto& plane = span.unit[unit].shares_q ? span.q : span.unit[unit].q;
+        q0 = span.at(0, plane);
+        dq = plane.dx;
+    }
+    SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return at(x, s0, ds); }
+    SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
+    SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
+
+  private:
+    SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
+        return unguarded(v + static_cast<std::uint64_t>(std::int64_t{x}) * dv);
+    }
 };
 
 /// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
@@ -69,12 +82,12 @@ template <int Unit> struct Coord<Exact, Unit, true> : StageBase {
     bool s_wraps, t_wraps;
 
     SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
-        : s(span.unit[Unit].s.at(x)), t(span.unit[Unit].t.at(x)),
-          q(span.unit[Unit].shares_q ? span.q.at(x) : span.unit[Unit].q.at(x)), ds(span.unit[Unit].s.dx),
-          dt(span.unit[Unit].t.dx), dq(span.unit[Unit].shares_q ? span.q.dx : span.unit[Unit].q.dx),
-          inverse(unguarded(q)), exponent(span.unit[Unit].exponent), s_base(span.unit[Unit].s_base),
-          t_base(span.unit[Unit].t_base), s_wraps(span.state->wraps[Unit].s),
-          t_wraps(span.state->wraps[Unit].t) {}
+        : s(span.at(x, span.unit[Unit].s)), t(span.at(x, span.unit[Unit].t)),
+          q(span.unit[Unit].shares_q ? span.at(x, span.q) : span.at(x, span.unit[Unit].q)),
+          ds(span.unit[Unit].s.dx), dt(span.unit[Unit].t.dx),
+          dq(span.unit[Unit].shares_q ? span.q.dx : span.unit[Unit].q.dx), inverse(unguarded(q)),
+          exponent(span.unit[Unit].exponent), s_base(span.unit[Unit].s_base), t_base(span.unit[Unit].t_base),
+          s_wraps(span.state->wraps[Unit].s), t_wraps(span.state->wraps[Unit].t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         if (dq != 0)
             inverse = Inverse(unguarded(q));
@@ -103,7 +116,8 @@ template <int Unit> class CoordRuns {
   public:
     std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
 
-    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x) : span_(span), next_(x), log2_(-1) {}
+    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
+        : span_(span), row_(span, Unit), next_(x), log2_(-1) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -119,10 +133,10 @@ template <int Unit> class CoordRuns {
             log2_ = choose_log2();
         const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_.length - 1;
         const std::int32_t to = from + length < limit ? from + length : limit;
-        const Sample start = first ? Sample(span_, from) : last_;
-        last_ = Sample(span_, to);
-        next_ = from + length;
         const auto& unit = span_.unit[Unit];
+        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
+        last_ = Sample(row_, to, unit.exponent);
+        next_ = from + length;
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
             v = detail::to_coord(v0, wraps, base);
@@ -144,11 +158,10 @@ template <int Unit> class CoordRuns {
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         Sample() = default;
-        SPANGLE_INLINE Sample(const Span<Fixed>& span, std::int32_t x) {
-            const detail::Homogeneous h(span, Unit, x);
-            const Inverse inverse(h.q);
-            s = detail::to_repeats(h.s, inverse, span.unit[Unit].exponent);
-            t = detail::to_repeats(h.t, inverse, span.unit[Unit].exponent);
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) {
+            const Inverse inverse(row.q(x));
+            s = detail::to_repeats(row.s(x), inverse, exponent);
+            t = detail::to_repeats(row.t(x), inverse, exponent);
         }
     };
 
@@ -167,24 +180,22 @@ template <int Unit> class CoordRuns {
 
     int choose_log2() const {
         const auto& unit = span_.unit[Unit];
-        const auto& q = unit.shares_q ? span_.q : unit.q;
-        if (q.dx == 0)
+        if (row_.dq == 0)
             return row_log2;
         if (span_.state->tier == Tier::fast)
             return 4;
-        const detail::Homogeneous at(span_, Unit, 0);
-        const std::int32_t end = unguarded(q.at(span_.length - 1));
-        const std::int32_t least = at.q < end ? at.q : end;
+        const std::int32_t s0 = row_.s(0), t0 = row_.t(0), q0 = row_.q(0), end = row_.q(span_.length - 1);
+        const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return 0;
         // What the gradients lost below their last bit is at most Q + |S| in N.
-        const std::int64_t dq = unguarded(q.dx);
+        const std::int64_t dq = unguarded(row_.dq);
         const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
-            return numeric::abs_u64(unguarded(dv) * std::int64_t{at.q} - v * dq) + (std::uint64_t{1} << 31);
+            return numeric::abs_u64(unguarded(dv) * std::int64_t{q0} - v * dq) + (std::uint64_t{1} << 31);
         };
         const int width = span_.state->log2_width[Unit], height = span_.state->log2_height[Unit];
-        const std::int32_t ns = log2_fraction8(numerator(unit.s.dx, at.s)) + (width << 8);
-        const std::int32_t nt = log2_fraction8(numerator(unit.t.dx, at.t)) + (height << 8);
+        const std::int32_t ns = log2_fraction8(numerator(row_.ds, s0)) + (width << 8);
+        const std::int32_t nt = log2_fraction8(numerator(row_.dt, t0)) + (height << 8);
         constexpr std::int32_t margin = 6; // of three logarithms within 1/256 each
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) -
                                     (ns > nt ? ns : nt) - log2_fraction8(numeric::abs_u64(dq) + 1) -
@@ -194,6 +205,7 @@ template <int Unit> class CoordRuns {
     }
 
     const Span<Fixed>& span_;
+    detail::HomogeneousRow row_;
     Sample last_;
     std::int32_t next_;
     int log2_;

@@ -42,8 +42,8 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
 template <class N> struct DepthValue : StageBase {
     typename N::L::U32 z, dz;
     SPANGLE_INLINE DepthValue(const Span<Fixed>& s, std::int32_t x)
-        : z(N::L::ramp(s.z.at(x), s.z.dx)), dz(N::L::splat32(s.z.dx * static_cast<std::uint32_t>(N::lanes))) {
-    }
+        : z(N::L::ramp(s.at(x, s.z), s.z.dx)),
+          dz(N::L::splat32(s.z.dx * static_cast<std::uint32_t>(N::lanes))) {}
     /// The code of 24 bits (one lane).
     SPANGLE_INLINE std::uint32_t code24() const { return z >> 8; }
     SPANGLE_INLINE void step() { z += dz; }

@@ -45,7 +45,7 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
 
     SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(make(span, x)) {
         if constexpr (!Projective)
-            walk(span.s[Unit].at(x), span.t[Unit].at(x), span.s[Unit].dx, span.t[Unit].dx);
+            walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
         const std::int32_t end = run.begin(x);

@@ -20,7 +20,7 @@ struct ReferenceStage : StageBase {
     ReferenceStage(const Span<Double>& s, std::int32_t first) : span(s), x(first) {}
     void step() { ++x; }
     /// Perspective-correct (GL 1.3, equation 3.6).
-    double divided(const Interpolant<double>& v) const { return v.at(x) / span.q.at(x); }
+    double divided(const Interpolant<double>& v) const { return span.at(x, v) / span.at(x, span.q); }
 };
 
 /// Nearest code k of k / (2^m - 1), in the top bits as DepthGeneral and StencilDepth take it.
@@ -41,7 +41,7 @@ template <> struct DepthValue<Reference> : StageBase {
 
   private:
     void code() {
-        const auto k = static_cast<std::uint32_t>(clamp01(span.z.at(x)) * max + 0.5);
+        const auto k = static_cast<std::uint32_t>(clamp01(span.at(x, span.z)) * max + 0.5);
         z = max < 65536 ? k << 16 : k << 8;
     }
 };
@@ -122,8 +122,8 @@ template <int Unit> struct ReferenceCoord : ReferenceStage {
     using ReferenceStage::ReferenceStage;
     bool operator()(Px<Reference>& p) const {
         const auto& unit = span.unit[Unit];
-        p.coord[Unit].s[0] = tame(unit.s.at(x) / unit.q.at(x));
-        p.coord[Unit].t[0] = tame(unit.t.at(x) / unit.q.at(x));
+        p.coord[Unit].s[0] = tame(span.at(x, unit.s) / span.at(x, unit.q));
+        p.coord[Unit].t[0] = tame(span.at(x, unit.t) / span.at(x, unit.q));
         return true;
     }
 };
@@ -141,7 +141,7 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
     using ReferenceStage::ReferenceStage;
     bool operator()(Px<Reference>& p) const {
         const auto& unit = span.unit[Unit];
-        const double s = unit.s.at(x), t = unit.t.at(x), q = unit.q.at(x);
+        const double s = span.at(x, unit.s), t = span.at(x, unit.t), q = span.at(x, unit.q);
         const auto slope = [&](double v, double dv, double dq) {
             return std::fabs(dv * q - v * dq) / (q * q);
         };

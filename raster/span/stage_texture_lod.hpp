@@ -47,8 +47,8 @@ template <class N, int Unit> struct Lod : StageBase {
         const auto& unit = span.unit[Unit];
         const auto& q = unit.shares_q ? span.q : unit.q;
         const std::uint64_t q_dy = unit.shares_q ? span.q_dy : unit.q_dy;
-        const std::int64_t at_q = positive(q.at(x)), at_s = unguarded(unit.s.at(x)),
-                           at_t = unguarded(unit.t.at(x));
+        const std::int64_t at_q = positive(span.at(x, q)), at_s = unguarded(span.at(x, unit.s)),
+                           at_t = unguarded(span.at(x, unit.t));
         const auto numerator = [&](std::uint64_t dv, std::int64_t v, std::uint64_t dq) {
             return numeric::abs_u64(unguarded(dv) * at_q - v * unguarded(dq));
         };

@@ -54,12 +54,12 @@ template <class N> void measure(const Span<Fixed>& span) {
     for (std::int32_t x = span.begin; x < span.end; ++x) {
         const Barycentric at(current, span.x + x, span.y);
         const double z = at(v[0].z, v[1].z, v[2].z) / depth_one;
-        const double code = span.z.at(x) / 65536. - .5; // before rounding to nearest
+        const double code = span.at(x, span.z) / 65536. - .5; // before rounding to nearest
         worst.depth = std::max(worst.depth, std::abs(code - z * 65535));
         if (span.kind <= Kind::affine) {
             const double red = at(v[0].color[0], v[1].color[0], v[2].color[0]) / (1 << 20);
-            worst.color = std::max(worst.color,
-                                   std::abs((span.color_value[0].at(x) - double(1 << 15)) / (1 << 24) - red));
+            worst.color = std::max(
+                worst.color, std::abs((span.at(x, span.color_value[0]) - double(1 << 15)) / (1 << 24) - red));
         }
         Px<N> p;
         if (projective) {
@@ -165,7 +165,7 @@ void measure_depth24(const Span<Fixed>& span) {
     for (std::int32_t x = span.begin; x < span.end; ++x) {
         const Barycentric at(current, span.x + x, span.y);
         const double z = at(current.v[0].z, current.v[1].z, current.v[2].z) / depth_one;
-        worst_code = std::max(worst_code, std::abs(span.z.at(x) / 256. - .5 - z * 16777215));
+        worst_code = std::max(worst_code, std::abs(span.at(x, span.z) / 256. - .5 - z * 16777215));
     }
 }
 
