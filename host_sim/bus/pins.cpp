@@ -20,7 +20,7 @@ void SerialPins::set(Pin pin, bool high, Time now) {
         miso_ = answering_ = false;
         break;
     case Pin::data:
-        if (!level(Pin::select) && bits_ != 0)
+        if (!level(Pin::select) && bits_ != 0 && !three_wire_)
             controller_.report(Rule::dc_in_byte,
                                "D/C changed after " + std::to_string(bits_) + " bits of a byte", now);
         break;
@@ -41,18 +41,36 @@ void SerialPins::begin_byte() {
 void SerialPins::rise(Time now) {
     const unsigned period = period_.edge(now);
     shortest_ = std::min(shortest_, period);
-    if (answering_)
+    if (answering_) {
         controller_.read_clock(now, period);
-    shift_ = shift_ << 1 | (level(Pin::mosi) ? 1u : 0u);
-    if (++bits_ < 8)
         return;
-    controller_.write(static_cast<std::uint8_t>(shift_), level(Pin::data), now, shortest_);
+    }
+    shift_ = shift_ << 1 | (level(Pin::mosi) ? 1u : 0u);
+    if (++bits_ < (three_wire_ ? 9u : 8u))
+        return;
+    const bool data = three_wire_ ? (shift_ >> 8 & 1) != 0 : level(Pin::data);
+    controller_.write(static_cast<std::uint8_t>(shift_), data, now, shortest_);
     begin_byte();
 }
 
 void SerialPins::fall() {
     answering_ = controller_.answers();
     miso_ = answering_ && controller_.drive_bit();
+}
+
+bool ParallelPins::two_bytes() const {
+    const bool memory = command_ == 0x2C || command_ == 0x3C || command_ == 0x2E || command_ == 0x3E;
+    return wide_ && memory;
+}
+
+void ParallelPins::write(Time now) {
+    const bool data = level(Pin::data);
+    const unsigned period = write_cycle_.edge(now);
+    if (!data)
+        command_ = static_cast<std::uint8_t>(lines_);
+    else if (two_bytes())
+        controller_.write(static_cast<std::uint8_t>(lines_ >> 8), true, now, period);
+    controller_.write(static_cast<std::uint8_t>(lines_), data, now, period);
 }
 
 void ParallelPins::set(Pin pin, bool high, Time now) {
@@ -75,17 +93,17 @@ void ParallelPins::set(Pin pin, bool high, Time now) {
         break;
     case Pin::write:
         if (selected && high)
-            controller_.write(lines_, level(Pin::data), now, write_cycle_.edge(now));
+            write(now);
         break;
     case Pin::read:
         answer_ = 0;
         if (selected && high) {
             const unsigned period = read_cycle_.edge(now);
-            for (int bit = 0; bit < 8; ++bit)
+            for (int bit = 0; bit < (two_bytes() ? 16 : 8); ++bit)
                 controller_.read_clock(now, period);
         } else if (selected) {
-            for (int bit = 0; bit < 8; ++bit)
-                answer_ = static_cast<std::uint8_t>(answer_ << 1 | (controller_.drive_bit() ? 1 : 0));
+            for (int bit = 0; bit < (two_bytes() ? 16 : 8); ++bit)
+                answer_ = answer_ << 1 | (controller_.drive_bit() ? 1u : 0u);
         }
         break;
     }

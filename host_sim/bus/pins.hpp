@@ -29,12 +29,14 @@ class ClockPeriod {
 
 /// 4-wire SPI with a D/C pin (MIPI DBI type C, option 3): bits are taken at rising clocks, D/C with the last
 /// bit of a byte, answers change at falling clocks. That is SPI mode 0 and mode 3 alike; they differ in where
-/// the clock rests.
+/// the clock rests. 3-wire SPI (option 1) has words of nine bits, D/C first. While the controller answers it
+/// takes no bits.
 class SerialPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, clock, mosi };
 
-    explicit SerialPins(DcsController& controller) : controller_(controller) {}
+    explicit SerialPins(DcsController& controller, bool three_wire = false)
+        : controller_(controller), three_wire_(three_wire) {}
     /// Times never go back. Reset and select are low when active; both start high, the others low.
     void set(Pin pin, bool level, Time now);
     /// The answer line; low while nothing is driven onto it.
@@ -42,6 +44,7 @@ class SerialPins {
 
   private:
     DcsController& controller_;
+    bool three_wire_;
     bool levels_[5] = {true, true, false, false, false};
     bool miso_ = false, answering_ = false;
     unsigned shift_ = 0, bits_ = 0, shortest_ = ClockPeriod::unknown;
@@ -53,26 +56,32 @@ class SerialPins {
     void fall();
 };
 
-/// The 8-bit 8080 bus (MIPI DBI type B): bytes are taken at rising WRX, answers stand on the lines from
-/// falling to rising RDX.
+/// The 8080 bus (MIPI DBI type B) of 8 or 16 lines: bytes are taken at rising WRX, answers stand on the lines
+/// from falling to rising RDX. On 16 lines a cycle carries two bytes of pixels, the first on D[15:8], or one
+/// of anything else.
 class ParallelPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, write, read };
 
-    explicit ParallelPins(DcsController& controller) : controller_(controller) {}
+    explicit ParallelPins(DcsController& controller, unsigned lines = 8)
+        : controller_(controller), wide_(lines == 16) {}
     void set(Pin pin, bool level, Time now);
-    /// What the host drives onto D[7:0].
-    void drive(std::uint8_t value) { lines_ = value; }
-    /// What the controller drives onto D[7:0]; 0 while RDX is high.
-    std::uint8_t answer() const { return answer_; }
+    /// What the host drives onto the data lines.
+    void drive(unsigned value) { lines_ = value; }
+    /// What the controller drives onto them; 0 while RDX is high.
+    unsigned answer() const { return answer_; }
 
   private:
     DcsController& controller_;
     bool levels_[5] = {true, true, false, true, true};
-    std::uint8_t lines_ = 0, answer_ = 0;
+    bool wide_;
+    unsigned lines_ = 0, answer_ = 0;
+    std::uint8_t command_ = 0; ///< the last one
     ClockPeriod write_cycle_, read_cycle_;
 
     bool level(Pin pin) const { return levels_[static_cast<unsigned>(pin)]; }
+    bool two_bytes() const;
+    void write(Time now);
 };
 
 } // namespace spangle::sim

@@ -1,0 +1,21 @@
+// What a display module is made of, from the panel's data, and what is seen on it.
+#pragma once
+
+#include <vector>
+
+#include <spangle/hal/orientation.hpp>
+#include <spangle/hal/panel.hpp>
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/controller/dcs_controller.hpp"
+
+namespace spangle::sim {
+
+const Chip& chip_of(hal::Controller controller);
+/// How the module is built.
+GlassMount mount_of(const hal::PanelDesc& panel);
+Image picture_of(const std::vector<Rgb666>& pixels, int width, int height);
+/// The picture as it was drawn: turned back, then mirrored back.
+Image upright(const Image& glass, hal::Orientation o);
+
+} // namespace spangle::sim
