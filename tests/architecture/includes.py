@@ -21,8 +21,9 @@ HAL_PANEL = HAL_BUS | {"hal/panel"}
 HAL_DISPLAY = HAL_PANEL | {"hal/display"}
 HAL = HAL_DISPLAY | {"hal/include"}
 GL = RASTER | {"gl/api", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/include"}
-PUBLIC = {"gl/include", "hal/include", "raster/include", "raster/format", "hal/bus", "hal/panel", "hal/display"}
-EVERYTHING = GL | HAL | {"gl/egl", "boards", "boards/scenes", "host_sim"}
+PUBLIC = {"gl/include", "hal/include", "raster/include", "raster/format", "hal/bus", "hal/panel", "hal/display",
+          "hal/linux"}
+EVERYTHING = GL | HAL | {"hal/linux", "gl/egl", "boards", "boards/scenes", "host_sim"}
 
 MAY_INCLUDE = {
     "raster/numeric": NUMERIC,
@@ -33,9 +34,11 @@ MAY_INCLUDE = {
     "hal/bus": HAL_BUS | {"hal/include"},
     "hal/panel": HAL_PANEL | {"hal/include"},
     "hal/display": HAL,
+    "hal/linux": HAL | {"hal/linux"},
     "gl/api": GL, "gl/context": GL, "gl/vertex": GL, "gl/pixel": GL, "gl/texture": GL, "gl/list": GL,
     "gl/egl": GL | {"gl/egl", "hal/bus", "hal/panel", "hal/display", "hal/include"},
     "boards/scenes": PUBLIC | {"boards/scenes"},
+    "boards/examples": PUBLIC | {"boards", "boards/scenes"},
     "boards": PUBLIC | {"boards", "boards/scenes"},
     "host_sim": EVERYTHING,
 }

@@ -15,13 +15,16 @@ enum class Fault : std::uint8_t {
     short_write,  ///< fewer bytes went out than were asked for
     gone,         ///< the device was removed
     wrong_device, ///< it answered, but as something else
+    denied,       ///< this user may not open the device
 };
 
-/// What went wrong and which rule it broke (a static string that names device, operation and cause).
+/// What went wrong and which rule it broke: a string that names device, operation and cause. It is static,
+/// or stays until the object that gave it fails often again or ends.
 struct Error {
     Fault fault = Fault::none;
     const char* rule = "";
-    std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest
+    std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest; system
+                              ///< errors: errno
 };
 
 /// A value or an error. `ok()` must be asked before `value()`.

@@ -1,0 +1,83 @@
+// Panels on GPIO lines alone: an 8080 bus of 8 or 16 lines, or SPI with 3 or 4 wires, clocked by system
+// calls. Slow, for bring-up and small windows: two calls a cycle, so a 320x240 frame takes seconds.
+#pragma once
+
+#include <spangle/hal/board.hpp>
+#include <spangle/linux/transfer_bus.hpp>
+
+namespace spangle::hal {
+
+enum class GpioWiring : std::uint8_t {
+    serial4,    ///< D/C has a line (MIPI DBI-C option 3)
+    serial3,    ///< D/C is the first of nine bits (option 1)
+    parallel8,  ///< DBI-B, one byte a cycle
+    parallel16, ///< two bytes of pixels a cycle, the first on D[15:8]; commands and parameters on D[7:0]
+};
+
+struct GpioBusConfig {
+    static constexpr unsigned none = ~0u;
+
+    GpioWiring wiring = GpioWiring::parallel8;
+    const char* chip = "/dev/gpiochip0"; ///< of all lines here; the pins may be elsewhere
+    unsigned select = none;              ///< CS; none: tied low, and the panel cannot be read
+    unsigned data_command = none;        ///< D/C; serial3 has none
+    unsigned clock = none;               ///< WR or SCK
+    unsigned answer = none;              ///< RD, or SDO; serial3: any other value, the answer comes on SDA
+    unsigned data[16] = {};              ///< D0 and up; serial: SDA first
+    PanelPins pins;
+    /// Cycles of WR or SCK a second, what deadlines are computed from: rather too few. Measured: 40 to 100
+    /// thousand pairs of calls in virtual machines.
+    std::uint32_t cycles_per_second = 40000;
+    bool asynchronous = true;
+};
+
+class GpioBus final : public TransferBus {
+  public:
+    explicit GpioBus(const GpioBusConfig& config);
+    ~GpioBus();
+
+    /// Requests the lines. Again, after a chip came back.
+    Result<void> open();
+    BusCaps caps() const override;
+
+  private:
+    GpioBusConfig config_;
+    /// Clock, D/C, CS, RD; and the data lines above them unless they must turn round.
+    Lines control_;
+    Lines data_;
+    std::uint32_t levels_ = 0; ///< of `control_`
+    std::uint32_t word_ = 0;   ///< on `data_`
+    bool levels_known_ = false, word_known_ = false;
+    bool floating_ = false;   ///< the data lines are inputs
+    unsigned upper_byte_ = 0; ///< of a 16-bit word whose second byte is to come
+    bool half_word_ = false;
+
+    bool serial() const {
+        return config_.wiring == GpioWiring::serial4 || config_.wiring == GpioWiring::serial3;
+    }
+    bool readable() const { return config_.answer != GpioBusConfig::none; }
+    bool turns_round() const { return readable() && config_.wiring != GpioWiring::serial4; }
+    unsigned width() const;
+    const char* flaw() const;
+    Result<void> open_lines();
+
+    const char* refusal(const Op& op) const override;
+    Result<void> begin() override;
+    Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) override;
+    Result<void> read(const Op& op) override;
+    Result<void> end() override;
+
+    Result<void> set_control(std::uint32_t levels);
+    Result<void> select(bool selected);
+    Result<void> set_data_command(bool data);
+    Result<void> set_data(unsigned word);
+    Result<void> cycle(unsigned word);
+    Result<void> put_byte(bool data, unsigned byte);
+    Result<void> put_pixel_byte(unsigned byte);
+    Result<void> drive_data();
+    Result<void> read_answer(const Op& op);
+    Result<unsigned> sample();
+    Result<unsigned> read_unit();
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,42 @@
+// OLED controllers on I2C behind the kernel's i2c-dev: every message begins with a control byte that says
+// whether commands or data follow (SSD1306 datasheet, 8.1.5.2).
+#pragma once
+
+#include <spangle/linux/transfer_bus.hpp>
+
+namespace spangle::hal {
+
+struct I2cConfig {
+    const char* device = "/dev/i2c-1";
+    std::uint8_t address = 0x3C;        ///< seven bits; 3Ch or 3Dh
+    std::uint32_t clock_hz = 400000;    ///< what the adapter runs at: for deadlines, it is set elsewhere
+    std::uint16_t message_bytes = 1024; ///< the longest message, control byte included; some adapters take 32
+    PanelPins pins;
+    bool asynchronous = true;
+};
+
+/// Parameters of a command go out as commands: that is how these controllers take them.
+class I2cBus final : public TransferBus {
+  public:
+    explicit I2cBus(const I2cConfig& config);
+    ~I2cBus();
+
+    /// Opens the adapter and addresses the controller. Again, after it came back.
+    Result<void> open();
+    BusCaps caps() const override;
+
+  private:
+    I2cConfig config_;
+    int device_ = -1;
+    std::vector<std::uint8_t> message_; ///< being filled, control byte first; empty: none
+    bool data_ = false;
+
+    void close_device();
+    Error failed(const char* operation, const char* cause = nullptr);
+    const char* refusal(const Op& op) const override;
+    Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) override;
+    Result<void> flush() override;
+    Result<void> end() override;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,91 @@
+// GPIO lines over libgpiod's C API. Version 1 or 2 was chosen when Spangle was configured.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <spangle/linux/error_text.hpp>
+
+namespace spangle::hal {
+
+/// One line: the chip's device file ("/dev/gpiochip0") or its label ("pinctrl-bcm2711"), and its offset
+/// there.
+struct LineRef {
+    const char* chip = nullptr; ///< null: not wired
+    unsigned offset = 0;
+    bool inverted = false; ///< a transistor sits between the line and the pin
+    bool wired() const { return chip != nullptr; }
+};
+
+/// Lines of one chip requested together: outputs that change in one system call, or inputs. Levels are bit
+/// sets, line n of the request in bit n, and physical.
+class Lines {
+  public:
+    static constexpr unsigned most = 32;
+
+    Lines();
+    ~Lines();
+    Lines(const Lines&) = delete;
+    Lines& operator=(const Lines&) = delete;
+
+    Result<void> open_outputs(const char* chip, std::span<const unsigned> offsets, std::uint32_t levels);
+    Result<void> open_inputs(const char* chip, std::span<const unsigned> offsets);
+    void close();
+    bool opened() const { return request_ != nullptr; }
+
+    Result<void> set(std::uint32_t levels);
+    Result<std::uint32_t> get();
+    /// All lines become outputs at these levels.
+    Result<void> drive(std::uint32_t levels);
+    /// All lines become inputs.
+    Result<void> float_lines();
+
+  private:
+    struct Request;
+    std::unique_ptr<Request> request_;
+    ErrorText error_;
+    char name_[96] = "";
+
+    Result<void> open_checked(const char* chip, std::span<const unsigned> offsets,
+                              const std::uint32_t* levels);
+    /// `levels`: of outputs; null: inputs. Chip and offsets were checked and are named.
+    Result<void> open(const char* chip, std::span<const unsigned> offsets, const std::uint32_t* levels);
+    template <class Call> Result<void> run(const char* operation, Call call);
+    Error failed(const char* operation);
+
+    // One call of the library each: negative on an error in errno.
+    int set_values(std::uint32_t levels);
+    int get_values(std::uint32_t& levels);
+    int make_outputs(std::uint32_t levels);
+    int make_inputs();
+};
+
+/// An input whose rising edges the kernel counts and stamps.
+class EdgeLine {
+  public:
+    EdgeLine();
+    ~EdgeLine();
+    EdgeLine(const EdgeLine&) = delete;
+    EdgeLine& operator=(const EdgeLine&) = delete;
+
+    Result<void> open(const LineRef& line);
+    void close();
+    bool opened() const { return request_ != nullptr; }
+
+    /// Waits for an edge that comes after this call, and returns the kernel's time of it in nanoseconds. None
+    /// in time: Fault::timeout.
+    Result<std::uint64_t> next_edge(std::uint32_t timeout_micros);
+
+  private:
+    struct Request;
+    std::unique_ptr<Request> request_;
+    ErrorText error_;
+    char name_[96] = "";
+
+    int wait(std::int64_t nanoseconds);
+    int take(std::uint64_t& time);
+    Error failed(const char* operation);
+};
+
+} // namespace spangle::hal

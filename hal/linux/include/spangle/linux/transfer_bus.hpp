@@ -1,0 +1,98 @@
+// What every Linux bus shares: tokens and the thread that carries transfers, buffers, and the lines beside
+// the data: reset, backlight, tearing effect.
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <spangle/hal/bus.hpp>
+#include <spangle/linux/lines.hpp>
+
+namespace spangle::hal {
+
+/// The lines of a panel module beside its bus. What is not wired stays empty.
+struct PanelPins {
+    LineRef reset;     ///< low resets
+    LineRef backlight; ///< high lights
+    LineRef te;        ///< rising edge: vertical blanking begins
+};
+
+class TransferBus : public Bus {
+  public:
+    TransferBus(const TransferBus&) = delete;
+    TransferBus& operator=(const TransferBus&) = delete;
+
+    Result<Buffer> acquire(std::size_t size) final;
+    /// One list is under way at a time: Fault::busy while one is.
+    Result<Token> submit(const Op* ops, std::size_t count) final;
+    bool done(Token token) const final;
+    /// After Fault::timeout the list is still under way. Outcomes of the last 16 lists are remembered.
+    Result<void> wait(Token token, std::uint32_t timeout_micros) final;
+
+    Result<void> backlight(bool on);
+
+  protected:
+    enum class Byte { command, parameter, pixel };
+
+    /// `asynchronous`: a thread carries the lists while the next frame is drawn; else submit() does.
+    TransferBus(const PanelPins& pins, bool asynchronous);
+    ~TransferBus();
+    /// Waits for the running list and ends the thread. First thing in a derived destructor.
+    void stop();
+    /// Requests the pins again; nothing may be under way.
+    Result<void> open_pins();
+    bool busy() const;
+    bool has_te() const { return pins_.te.wired(); }
+
+    /// The rule this op breaks on this bus, or null. Called before anything of the list is sent.
+    virtual const char* refusal(const Op& op) const = 0;
+    /// The chip is addressed from here to the end of the list.
+    virtual Result<void> begin() { return {}; }
+    virtual Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) = 0;
+    /// Returns when all bytes put are on the wire.
+    virtual Result<void> flush() { return {}; }
+    /// Only called where caps() has a read clock.
+    virtual Result<void> read(const Op&) { return {}; }
+    /// After the last op, or the one that failed: bytes that were put and not flushed are dropped.
+    virtual Result<void> end() { return {}; }
+
+    ErrorText error_;
+
+  private:
+    struct Outcome {
+        std::uint32_t token = 0; ///< 0: none yet
+        Error error;
+        std::array<char, 320> text{};
+    };
+
+    PanelPins pins_;
+    Lines reset_, backlight_;
+    EdgeLine te_;
+    bool asynchronous_;
+    std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
+
+    mutable std::mutex mutex_; ///< guards what follows
+    mutable std::condition_variable changed_;
+    std::vector<Op> ops_;
+    std::uint32_t last_token_ = 0;
+    bool running_ = false, stopping_ = false;
+    std::array<Outcome, 16> outcomes_;
+    std::thread thread_;
+
+    const char* refusal_of(const Op& op) const;
+    void carry();
+    void finish(const Result<void>& result);
+    Result<void> run_list();
+    Result<void> run(const Op& op);
+    Result<void> put_rows(const Op& op);
+    Result<void> put_repeat(const Op& op);
+    Result<void> pulse_reset(std::uint32_t micros);
+};
+
+} // namespace spangle::hal

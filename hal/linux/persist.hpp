@@ -1,0 +1,31 @@
+// System calls that were interrupted, or asked for patience.
+#pragma once
+
+#include <cerrno>
+#include <cstdint>
+
+namespace spangle::hal {
+
+/// Sleeps at least this long, whatever signals arrive.
+void pause_micros(std::uint32_t micros);
+
+inline constexpr int most_interruptions = 1000;
+inline constexpr int most_patience = 100; ///< waits of 1 ms
+
+/// Makes a call again while a signal interrupted it (EINTR) or the device was not ready (EAGAIN), within
+/// these bounds; its last answer, negative on an error in errno.
+template <class Call> auto persist(Call call) {
+    int interrupted = 0, waited = 0;
+    for (;;) {
+        const auto answer = call();
+        if (answer >= 0)
+            return answer;
+        if (errno == EINTR && ++interrupted < most_interruptions)
+            continue;
+        if (errno != EAGAIN || ++waited >= most_patience)
+            return answer;
+        pause_micros(1000);
+    }
+}
+
+} // namespace spangle::hal
