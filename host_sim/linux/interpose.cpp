@@ -1,0 +1,185 @@
+// The system calls that libgpiod and our buses make, defined in the program itself: the dynamic linker looks
+// there first, so the unmodified libraries call these. What is not modelled goes on to the C library.
+#include <cerrno>
+#include <cstdarg>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <string>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
+#include "host_sim/linux/kernel.hpp"
+
+namespace {
+
+using spangle::sim::Kernel;
+
+template <class Function> Function next(const char* name) {
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+/// As system calls answer: -1 and errno.
+template <class T = int> T user_answer(long answer) {
+    if (answer >= 0)
+        return static_cast<T>(answer);
+    errno = static_cast<int>(-answer);
+    return -1;
+}
+
+int open_file(const char* path, int flags, mode_t mode) {
+    long answer = 0;
+    if (Kernel::instance().open(path, answer))
+        return user_answer(answer);
+    static const auto real = next<int (*)(const char*, int, ...)>("open");
+    return real(path, flags, mode);
+}
+
+bool fake_stat(const char* path, struct stat* status) {
+    unsigned major = 0, minor = 0;
+    if (!Kernel::instance().device_number(path, major, minor))
+        return false;
+    *status = {};
+    status->st_mode = S_IFCHR | 0660;
+    status->st_rdev = makedev(major, minor);
+    return true;
+}
+
+} // namespace
+
+// Other names with the C library's symbols: its headers declare these functions with attributes of their own.
+#define SPANGLE_SYMBOL(name) __asm__(name) __attribute__((visibility("default"), used))
+
+extern "C" {
+
+int spangle_open(const char* path, int flags, ...) SPANGLE_SYMBOL("open");
+int spangle_open64(const char* path, int flags, ...) SPANGLE_SYMBOL("open64");
+int spangle_open_2(const char* path, int flags) SPANGLE_SYMBOL("__open_2");
+int spangle_close(int file) SPANGLE_SYMBOL("close");
+int spangle_ioctl(int file, unsigned long request, ...) SPANGLE_SYMBOL("ioctl");
+ssize_t spangle_read(int file, void* into, std::size_t count) SPANGLE_SYMBOL("read");
+ssize_t spangle_write(int file, const void* from, std::size_t count) SPANGLE_SYMBOL("write");
+int spangle_ppoll(pollfd* files, nfds_t count, const timespec* timeout, const sigset_t* mask)
+    SPANGLE_SYMBOL("ppoll");
+int spangle_stat(const char* path, struct stat* status) SPANGLE_SYMBOL("stat");
+int spangle_lstat(const char* path, struct stat* status) SPANGLE_SYMBOL("lstat");
+int spangle_access(const char* path, int mode) SPANGLE_SYMBOL("access");
+char* spangle_realpath(const char* path, char* resolved) SPANGLE_SYMBOL("realpath");
+int spangle_clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec* left)
+    SPANGLE_SYMBOL("clock_nanosleep");
+
+int spangle_open(const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    return open_file(path, flags, mode);
+}
+
+int spangle_open64(const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    return open_file(path, flags, mode);
+}
+
+int spangle_open_2(const char* path, int flags) {
+    return open_file(path, flags, 0);
+}
+
+int spangle_close(int file) {
+    Kernel::instance().close(file);
+    static const auto real = next<int (*)(int)>("close");
+    return real(file);
+}
+
+int spangle_ioctl(int file, unsigned long request, ...) {
+    va_list arguments;
+    va_start(arguments, request);
+    void* const argument = va_arg(arguments, void*);
+    va_end(arguments);
+    long answer = 0;
+    if (Kernel::instance().ioctl(file, request, argument, answer))
+        return user_answer(answer);
+    static const auto real = next<int (*)(int, unsigned long, ...)>("ioctl");
+    return real(file, request, argument);
+}
+
+ssize_t spangle_read(int file, void* into, std::size_t count) {
+    long answer = 0;
+    if (Kernel::instance().read(file, into, count, answer))
+        return user_answer<ssize_t>(answer);
+    static const auto real = next<ssize_t (*)(int, void*, std::size_t)>("read");
+    return real(file, into, count);
+}
+
+ssize_t spangle_write(int file, const void* from, std::size_t count) {
+    long answer = 0;
+    if (Kernel::instance().write(file, from, count, answer))
+        return user_answer<ssize_t>(answer);
+    static const auto real = next<ssize_t (*)(int, const void*, std::size_t)>("write");
+    return real(file, from, count);
+}
+
+int spangle_ppoll(pollfd* files, nfds_t count, const timespec* timeout, const sigset_t* mask) {
+    const std::int64_t wait =
+        timeout == nullptr ? -1 : std::int64_t{timeout->tv_sec} * 1000000000 + timeout->tv_nsec;
+    long answer = 0;
+    if (count == 1 && Kernel::instance().poll(files[0].fd, wait, answer)) {
+        files[0].revents = answer > 0 ? POLLIN : 0;
+        return user_answer(answer);
+    }
+    static const auto real = next<int (*)(pollfd*, nfds_t, const timespec*, const sigset_t*)>("ppoll");
+    return real(files, count, timeout, mask);
+}
+
+int spangle_stat(const char* path, struct stat* status) {
+    static const auto real = next<int (*)(const char*, struct stat*)>("stat");
+    return fake_stat(path, status) ? 0 : real(path, status);
+}
+
+int spangle_lstat(const char* path, struct stat* status) {
+    static const auto real = next<int (*)(const char*, struct stat*)>("lstat");
+    return fake_stat(path, status) ? 0 : real(path, status);
+}
+
+int spangle_access(const char* path, int mode) {
+    unsigned major = 0, minor = 0;
+    std::string target;
+    const Kernel& kernel = Kernel::instance();
+    if (kernel.text_exists(path) || kernel.link_target(path, target) ||
+        kernel.device_number(path, major, minor))
+        return 0;
+    static const auto real = next<int (*)(const char*, int)>("access");
+    return real(path, mode);
+}
+
+char* spangle_realpath(const char* path, char* resolved) {
+    std::string target;
+    if (Kernel::instance().link_target(path, target))
+        return resolved != nullptr
+                   ? static_cast<char*>(std::memcpy(resolved, target.c_str(), target.size() + 1))
+                   : strdup(target.c_str());
+    static const auto real = next<char* (*)(const char*, char*)>("realpath");
+    return real(path, resolved);
+}
+
+/// Sleep passes at once, on the virtual clock.
+int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* left) {
+    constexpr spangle::sim::Time second = 1000000000;
+    const auto whole = static_cast<spangle::sim::Time>(wanted->tv_sec) * second;
+    const spangle::sim::Time rest =
+        Kernel::instance().sleep(whole + static_cast<spangle::sim::Time>(wanted->tv_nsec));
+    if (rest == 0)
+        return 0;
+    *left = {static_cast<time_t>(rest / second), static_cast<long>(rest % second)};
+    return EINTR;
+}
+
+} // extern "C"

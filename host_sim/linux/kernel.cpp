@@ -1,0 +1,264 @@
+#include "host_sim/linux/kernel.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include <sys/eventfd.h>
+
+namespace spangle::sim {
+namespace {
+
+/// What a system call costs a program: the virtual clock never stands still.
+constexpr Time call_ns = 500;
+
+class TextFile final : public OpenFile {
+  public:
+    explicit TextFile(std::string text) : text_(std::move(text)) {}
+    long read(void* into, std::size_t count) override {
+        const std::size_t left = text_.size() - at_, taken = count < left ? count : left;
+        std::memcpy(into, text_.data() + at_, taken);
+        at_ += taken;
+        return static_cast<long>(taken);
+    }
+
+  private:
+    std::string text_;
+    std::size_t at_ = 0;
+};
+
+} // namespace
+
+long OpenFile::ioctl(unsigned long, void*, std::size_t) {
+    return -ENOTTY;
+}
+
+long OpenFile::read(void*, std::size_t) {
+    return -EINVAL;
+}
+
+long OpenFile::write(const void*, std::size_t, std::size_t) {
+    return -EINVAL;
+}
+
+Time OpenFile::readable(Time) {
+    return never;
+}
+
+Kernel& Kernel::instance() {
+    static Kernel& kernel = *new Kernel; // files are closed after the last destructor of the program
+    return kernel;
+}
+
+// --- What there is
+
+void Kernel::add_device(const std::string& path, Device& device, unsigned major, unsigned minor) {
+    const std::lock_guard lock(mutex_);
+    nodes_[path] = {&device, major, minor};
+}
+
+void Kernel::add_text(const std::string& path, const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    texts_[path] = text;
+}
+
+void Kernel::add_link(const std::string& path, const std::string& target) {
+    const std::lock_guard lock(mutex_);
+    links_[path] = target;
+}
+
+void Kernel::forget_all() {
+    const std::lock_guard lock(mutex_);
+    nodes_.clear();
+    texts_.clear();
+    links_.clear();
+    judge_ = nullptr;
+    for (auto& [number, entry] : files_)
+        entry.dead = true;
+}
+
+void Kernel::unplug(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    nodes_.at(path).present = false;
+    for (auto& [number, entry] : files_)
+        entry.dead = entry.dead || entry.path == path;
+}
+
+void Kernel::plug(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    nodes_.at(path).present = true;
+}
+
+int Kernel::open_files() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(files_.size());
+}
+
+bool Kernel::device_number(const char* path, unsigned& major, unsigned& minor) const {
+    const std::lock_guard lock(mutex_);
+    const auto it = nodes_.find(path);
+    if (it == nodes_.end() || !it->second.present)
+        return false;
+    major = it->second.major;
+    minor = it->second.minor;
+    return true;
+}
+
+bool Kernel::text_exists(const char* path) const {
+    const std::lock_guard lock(mutex_);
+    return texts_.count(path) != 0;
+}
+
+bool Kernel::link_target(const char* path, std::string& target) const {
+    const std::lock_guard lock(mutex_);
+    const auto it = links_.find(path);
+    if (it == links_.end())
+        return false;
+    target = it->second;
+    return true;
+}
+
+// --- Time and faults
+
+Time Kernel::now() const {
+    const std::lock_guard lock(mutex_);
+    return now_;
+}
+
+void Kernel::advance(Time ns) {
+    const std::lock_guard lock(mutex_);
+    now_ += ns;
+}
+
+Time Kernel::sleep(Time ns) {
+    const std::lock_guard lock(mutex_);
+    static const std::string no_path;
+    const bool interrupted = judge({Call::Kind::sleep, no_path}).error == EINTR;
+    const Time slept = interrupted ? ns / 2 : ns;
+    now_ += slept;
+    return ns - slept;
+}
+
+void Kernel::set_judge(Judge judge) {
+    const std::lock_guard lock(mutex_);
+    judge_ = std::move(judge);
+}
+
+void Kernel::release() {
+    {
+        const std::lock_guard lock(mutex_);
+        ++releases_;
+    }
+    released_.notify_all();
+}
+
+bool Kernel::stalled() const {
+    const std::lock_guard lock(mutex_);
+    return stalled_ != 0;
+}
+
+std::uint64_t Kernel::calls() const {
+    const std::lock_guard lock(mutex_);
+    return calls_;
+}
+
+Verdict Kernel::judge(const Call& call) {
+    ++calls_;
+    now_ += call_ns;
+    const Verdict verdict = judge_ ? judge_(call) : Verdict{};
+    if (verdict.stall) {
+        ++stalled_;
+        const std::uint64_t before = releases_;
+        std::unique_lock lock(mutex_);
+        mutex_.unlock(); // the one of the call itself
+        released_.wait(lock, [&] { return releases_ != before; });
+        mutex_.lock();
+        --stalled_;
+    }
+    return verdict;
+}
+
+// --- System calls
+
+bool Kernel::open(const char* path, long& answer) {
+    const std::lock_guard lock(mutex_);
+    if (const auto text = texts_.find(path); text != texts_.end()) {
+        answer = install(std::make_unique<TextFile>(text->second), path);
+        return true;
+    }
+    const auto node = nodes_.find(path);
+    if (node == nodes_.end())
+        return false;
+    const Verdict verdict = judge({Call::Kind::open, node->first});
+    if (!node->second.present || verdict.error != 0) {
+        answer = node->second.present ? -verdict.error : -ENOENT;
+        return true;
+    }
+    answer = install(node->second.device->open(), path);
+    return true;
+}
+
+int Kernel::install(std::unique_ptr<OpenFile> file, const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    const int number = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // a number nobody else gets
+    if (number < 0)
+        return -errno;
+    files_[number] = {std::move(file), path};
+    return number;
+}
+
+bool Kernel::close(int file) {
+    const std::lock_guard lock(mutex_);
+    return files_.erase(file) != 0;
+}
+
+Kernel::Entry* Kernel::find(int file) {
+    const auto it = files_.find(file);
+    return it != files_.end() ? &it->second : nullptr;
+}
+
+template <class Answer>
+bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer device, long& out) {
+    const std::lock_guard lock(mutex_);
+    Entry* const entry = find(file);
+    if (entry == nullptr)
+        return false;
+    const auto node = nodes_.find(entry->path);
+    const Verdict verdict = node != nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
+    if (entry->dead)
+        out = node != nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
+    else
+        out = verdict.error != 0 ? -verdict.error : device(*entry->file, verdict.limit);
+    return true;
+}
+
+bool Kernel::ioctl(int file, unsigned long request, void* argument, long& out) {
+    return answer(
+        file, Call::Kind::ioctl, request,
+        [&](OpenFile& f, std::size_t limit) { return f.ioctl(request, argument, limit); }, out);
+}
+
+bool Kernel::read(int file, void* into, std::size_t count, long& out) {
+    return answer(
+        file, Call::Kind::read, 0, [&](OpenFile& f, std::size_t) { return f.read(into, count); }, out);
+}
+
+bool Kernel::write(int file, const void* from, std::size_t count, long& out) {
+    return answer(
+        file, Call::Kind::write, 0,
+        [&](OpenFile& f, std::size_t limit) { return f.write(from, count, limit); }, out);
+}
+
+bool Kernel::poll(int file, std::int64_t timeout, long& out) {
+    const auto wait = [&](OpenFile& f, std::size_t) -> long {
+        const Time until = timeout < 0 ? OpenFile::never : now_ + static_cast<Time>(timeout);
+        const Time at = f.readable(until);
+        if (at != OpenFile::never)
+            now_ = at > now_ ? at : now_;
+        else if (timeout > 0)
+            now_ = until;
+        return at != OpenFile::never ? 1 : 0;
+    };
+    return answer(file, Call::Kind::poll, 0, wait, out);
+}
+
+} // namespace spangle::sim

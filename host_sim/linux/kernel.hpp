@@ -1,0 +1,130 @@
+// The part of a Linux kernel that display programs talk to, inside the program itself: device files that are
+// answered by models, and a clock that runs when they sleep. Programs linked with `spangle_linux_doubles`
+// open these instead of the machine's own (interpose.cpp).
+#pragma once
+
+#include <climits>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <spangle/sim/violations.hpp>
+
+namespace spangle::sim {
+
+/// One system call on a modelled device.
+struct Call {
+    enum class Kind { open, ioctl, read, write, poll, sleep };
+    Kind kind;
+    const std::string& path;   ///< of the device file; empty: sleep
+    unsigned long request = 0; ///< of an ioctl
+};
+
+/// What the kernel does to a call before the device sees it.
+struct Verdict {
+    int error = 0;                ///< errno it fails with; 0: the device answers
+    std::size_t limit = SIZE_MAX; ///< bytes of a transfer that still go out
+    bool stall = false;           ///< it returns no sooner than Kernel::release()
+};
+
+/// An open file of a device. Answers are as the kernel gives them inside: negative errno on failure.
+class OpenFile {
+  public:
+    virtual ~OpenFile() = default;
+    /// `limit`: bytes of a transfer after which it is cut short.
+    virtual long ioctl(unsigned long request, void* argument, std::size_t limit);
+    virtual long read(void* into, std::size_t count);
+    virtual long write(const void* from, std::size_t count, std::size_t limit);
+    /// The first time from now to `until` at which there is something to read, or `never`.
+    virtual Time readable(Time until);
+
+    static constexpr Time never = ~Time{0};
+};
+
+class Device {
+  public:
+    virtual ~Device() = default;
+    virtual std::unique_ptr<OpenFile> open() = 0;
+    /// errno of calls on files that were open when the device went.
+    virtual int gone_error() const = 0;
+};
+
+class Kernel {
+  public:
+    /// The one the interposed system calls reach.
+    static Kernel& instance();
+
+    // --- what there is
+    /// The device stays the caller's and must outlive the kernel's interest: forget_all().
+    void add_device(const std::string& path, Device& device, unsigned major, unsigned minor);
+    void add_text(const std::string& path, const std::string& text);
+    void add_link(const std::string& path, const std::string& target);
+    void forget_all();
+    /// As when the adapter is pulled: open files die, the path is no more, until plug().
+    void unplug(const std::string& path);
+    void plug(const std::string& path);
+    int open_files() const;
+
+    // --- time
+    Time now() const;
+    void advance(Time ns);
+    /// Sleeps `ns`, or as long as a signal lets it: what is left.
+    Time sleep(Time ns);
+
+    // --- faults
+    using Judge = std::function<Verdict(const Call&)>;
+    void set_judge(Judge judge);
+    /// Lets stalled calls go on.
+    void release();
+    bool stalled() const;
+    std::uint64_t calls() const;
+
+    // --- the system calls: false when the path or file is not ours. `answer` is negative errno on failure.
+    bool open(const char* path, long& answer);
+    bool close(int file);
+    bool ioctl(int file, unsigned long request, void* argument, long& answer);
+    bool read(int file, void* into, std::size_t count, long& answer);
+    bool write(int file, const void* from, std::size_t count, long& answer);
+    /// `timeout` in nanoseconds, negative: for ever.
+    bool poll(int file, std::int64_t timeout, long& answer);
+    bool device_number(const char* path, unsigned& major, unsigned& minor) const;
+    bool text_exists(const char* path) const;
+    bool link_target(const char* path, std::string& target) const;
+
+    /// For devices that answer with another open file. A file number, or negative errno.
+    int install(std::unique_ptr<OpenFile> file, const std::string& path);
+
+  private:
+    struct Node {
+        Device* device;
+        unsigned major, minor;
+        bool present = true;
+    };
+    struct Entry {
+        std::unique_ptr<OpenFile> file;
+        std::string path;
+        bool dead = false;
+    };
+
+    mutable std::recursive_mutex mutex_; ///< guards all of it: one call at a time
+    std::condition_variable_any released_;
+    std::map<std::string, Node> nodes_;
+    std::map<std::string, std::string> texts_, links_;
+    std::map<int, Entry> files_;
+    Judge judge_;
+    Time now_ = 0;
+    std::uint64_t calls_ = 0, releases_ = 0;
+    int stalled_ = 0;
+
+    Entry* find(int file);
+    Verdict judge(const Call& call);
+    template <class Answer>
+    bool answer(int file, Call::Kind kind, unsigned long request, Answer device, long& out);
+};
+
+} // namespace spangle::sim

@@ -1,0 +1,105 @@
+#include "host_sim/linux/panel_module.hpp"
+
+#include "host_sim/board/module.hpp"
+
+namespace spangle::sim {
+namespace {
+
+bool high(std::uint64_t levels, unsigned line) {
+    return (levels >> line & 1) != 0;
+}
+
+bool wired(unsigned line) {
+    return line != ModuleWiring::open;
+}
+
+} // namespace
+
+PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, GpioChip& chip,
+                         Kernel& kernel)
+    : panel_(panel), wiring_(wiring), kernel_(kernel) {
+    power_cycle();
+    chip.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
+    chip.input = [this](unsigned line, Time now) { return input(line, now); };
+}
+
+void PanelModule::power_cycle() {
+    controller_.emplace(chip_of(panel_.controller), mount_of(panel_), is_parallel());
+    serial_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::spi3);
+    parallel_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::parallel16 ? 16u : 8u);
+    if (!wired(wiring_.select) && is_parallel())
+        parallel_->set(ParallelPins::Pin::select, false, kernel_.now());
+    if (!wired(wiring_.select) && !is_parallel() && wired(wiring_.clock))
+        serial_->set(SerialPins::Pin::select, false, kernel_.now());
+}
+
+/// Data before clocks: one system call that changes both is the host's promise that the order does not
+/// matter.
+void PanelModule::lines_changed(std::uint64_t levels, Time now) {
+    if (wired(wiring_.backlight))
+        backlit_ = high(levels, wiring_.backlight);
+    if (is_parallel())
+        parallel_changed(levels, now);
+    else
+        serial_changed(levels, now);
+}
+
+void PanelModule::serial_changed(std::uint64_t levels, Time now) {
+    using Pin = SerialPins::Pin;
+    const auto set = [&](Pin pin, unsigned line) {
+        if (wired(line))
+            serial_->set(pin, high(levels, line), now);
+    };
+    set(Pin::reset, wiring_.reset);
+    set(Pin::select, wiring_.select);
+    set(Pin::data, wiring_.data_command);
+    if (!wired(wiring_.clock))
+        return;
+    set(Pin::mosi, wiring_.data[0]);
+    set(Pin::clock, wiring_.clock);
+}
+
+void PanelModule::parallel_changed(std::uint64_t levels, Time now) {
+    using Pin = ParallelPins::Pin;
+    const auto set = [&](Pin pin, unsigned line) {
+        if (wired(line))
+            parallel_->set(pin, high(levels, line), now);
+    };
+    set(Pin::reset, wiring_.reset);
+    set(Pin::select, wiring_.select);
+    set(Pin::data, wiring_.data_command);
+    unsigned value = 0;
+    const unsigned lines = wiring_.bus == ModuleWiring::Bus::parallel16 ? 16 : 8;
+    for (unsigned i = 0; i < lines; ++i)
+        value |= (high(levels, wiring_.data[i]) ? 1u : 0u) << i;
+    parallel_->drive(value);
+    set(Pin::write, wiring_.clock);
+    set(Pin::read, wiring_.answer);
+}
+
+bool PanelModule::input(unsigned line, Time now) {
+    if (line == wiring_.te)
+        return !te_cut_ && controller_->te(now);
+    if (!is_parallel())
+        return serial_->miso();
+    for (unsigned i = 0; i < wiring_.data.size(); ++i)
+        if (line == wiring_.data[i])
+            return (parallel_->answer() >> i & 1) != 0;
+    return true;
+}
+
+Image PanelModule::glass(hal::Orientation orientation) {
+    DcsController& c = *controller_;
+    kernel_.advance(2 * Time(c.chip().line_ns) * Time(c.chip().height + c.chip().porch_lines));
+    return upright(picture_of(c.glass(kernel_.now()), c.mount().width, c.mount().height), orientation);
+}
+
+std::string PanelModule::violations_text() const {
+    std::string text;
+    for (const Violation& v : controller_->violations())
+        text += "rule " + std::to_string(static_cast<int>(v.rule)) + " at " + std::to_string(v.at / 1000) +
+                " us: " + v.text + "\n";
+    return text;
+}
+
+} // namespace spangle::sim
