@@ -42,8 +42,9 @@ enum Dirty : std::uint8_t {
 
 /// What EGL knows about the drawable, read by DrawBuffer, ReadBuffer and the queries of bit depths.
 struct Drawable {
-    raster::Surface surface;
-    bool double_buffered = false;
+    raster::Surface surface; ///< drawn to
+    raster::Surface read;    ///< read from: the same, unless EGL was given two
+    bool double_buffered = false, read_double_buffered = false;
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };
 

@@ -80,6 +80,7 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     Drawable& drawable = context->drawable;
     drawable.surface = surface;
     drawable.double_buffered = double_buffered;
+    read_from(*context, surface, double_buffered);
     context->changed(dirty_all);
     if (drawable.bound_before)
         return;
@@ -91,6 +92,11 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
         (*box)[2] = surface.width;
         (*box)[3] = surface.height;
     }
+}
+
+void read_from(Context& context, const raster::Surface& surface, bool double_buffered) {
+    context.drawable.read = surface;
+    context.drawable.read_double_buffered = double_buffered;
 }
 
 } // namespace spangle::gl

@@ -22,4 +22,7 @@ void destroy_context(Context* context);
 /// (GL 1.3, 2.10.1, 4.1.2, 4.2.1). Null releases.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
+/// After that: pixels are read from another surface than they are drawn to (ReadPixels, ReadBuffer).
+void read_from(Context& context, const raster::Surface& surface, bool double_buffered);
+
 } // namespace spangle::gl

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "gl/context/error.hpp"
 #include "gl/context/limits.hpp"
 #include "gl/vertex/engine.hpp"
 
@@ -154,10 +155,6 @@ struct Wishes {
 bool read_wishes(const EGLint* list, Wishes& out) {
     for (int i = 0; i < wish_count; ++i)
         out.value[i] = defaults[i].value;
-    // A program that wants plain GL need not say so: there is nothing else here.
-    for (int i = 0; i < wish_count; ++i)
-        if (defaults[i].name == EGL_RENDERABLE_TYPE)
-            out.value[i] = EGL_OPENGL_BIT;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
         int i = 0;
         while (i < wish_count && defaults[i].name != list[0])
@@ -309,6 +306,10 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
             found[at] = found[at - 1];
         found[at] = id;
     }
+    if (n == 0 && wish_for(wishes, EGL_RENDERABLE_TYPE) == EGL_OPENGL_ES_BIT)
+        spangle::message(EGL_SUCCESS,
+                         SPANGLE_TEXT("eglChooseConfig: this is OpenGL; ask for EGL_RENDERABLE_TYPE, "
+                                      "EGL_OPENGL_BIT (EGL means OpenGL ES where nothing is said)"));
     if (configs != nullptr && n > config_size)
         n = config_size < 0 ? 0 : config_size;
     for (EGLint i = 0; configs != nullptr && i < n; ++i)

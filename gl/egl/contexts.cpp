@@ -15,7 +15,19 @@ bool compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth;
 }
 
+/// Whether another thread has it.
+bool elsewhere(const Surface* surface) {
+    return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
+}
+
 } // namespace
+
+void attach_surfaces() {
+    const Thread& t = thread();
+    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->window);
+    if (t.read != t.draw)
+        gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->window);
+}
 
 void release_current() {
     Thread& t = thread();
@@ -113,23 +125,25 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     Surface* const read_surface = find_surface(*display, read);
     if (draw_surface == nullptr || read_surface == nullptr)
         return EGL_FALSE;
-    if (draw_surface != read_surface)
+    if (!compatible(context->config, draw_surface->config) ||
+        !compatible(context->config, read_surface->config))
         return fail(EGL_BAD_MATCH,
-                    SPANGLE_TEXT("eglMakeCurrent: draw and read surface must be one in this version"));
-    if (!compatible(context->config, draw_surface->config))
-        return fail(EGL_BAD_MATCH);
+                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format "
+                                 "or depth buffer than the surface's"));
     if (context->current && thread().context != context)
         return fail(EGL_BAD_ACCESS);
-    if (draw_surface->bindings != 0 && thread().draw != draw_surface)
+    if (elsewhere(draw_surface) || elsewhere(read_surface))
         return fail(EGL_BAD_ACCESS);
     // Hold the new ones first: they may be what is released.
-    draw_surface->bindings += 2;
+    ++draw_surface->bindings;
+    ++read_surface->bindings;
     release_current();
     context->current = true;
     thread().display = display;
     thread().context = context;
-    thread().draw = thread().read = draw_surface;
-    spangle::gl::make_current(context->gl, pixels_of(*draw_surface), draw_surface->window);
+    thread().draw = draw_surface;
+    thread().read = read_surface;
+    attach_surfaces();
     return succeed();
 }
 

@@ -73,6 +73,9 @@ void release(Display& display, Context* context);
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
 raster::Surface pixels_of(const Surface& surface);
 
+/// Hands the surfaces of this thread to its context; again after a window got another buffer.
+void attach_surfaces();
+
 /// Undoes MakeCurrent on this thread.
 void release_current();
 

@@ -277,7 +277,7 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
         return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
     if (!next_frame(*display, *surface))
         return EGL_FALSE;
-    spangle::gl::make_current(thread().context->gl, pixels_of(*surface), true);
+    attach_surfaces();
     return succeed();
 }
 }

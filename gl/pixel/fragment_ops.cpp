@@ -48,8 +48,8 @@ unsigned buffers_of(GLenum mode) {
 }
 
 /// The one colour buffer a surface has: the back buffer of a window, the front buffer of a pbuffer.
-unsigned existing_buffer(const Context& context) {
-    return context.drawable.double_buffered ? back_buffer : front_buffer;
+unsigned existing_buffer(bool double_buffered) {
+    return double_buffered ? back_buffer : front_buffer;
 }
 
 } // namespace
@@ -147,7 +147,7 @@ void DrawBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
     if (asked == unknown_buffer)
         return error(context, GL_INVALID_ENUM);
-    if (mode != GL_NONE && (asked & existing_buffer(context)) == 0)
+    if (mode != GL_NONE && (asked & existing_buffer(context.drawable.double_buffered)) == 0)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glDrawBuffer: this surface has no such buffer"));
     context.fragment_ops.draw_buffer = mode;
@@ -158,7 +158,7 @@ void ReadBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
     if (asked == unknown_buffer || mode == GL_NONE || mode == GL_FRONT_AND_BACK)
         return error(context, GL_INVALID_ENUM);
-    if ((asked & existing_buffer(context)) == 0)
+    if ((asked & existing_buffer(context.drawable.read_double_buffered)) == 0)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glReadBuffer: this surface has no such buffer"));
     context.fragment_ops.read_buffer = mode;

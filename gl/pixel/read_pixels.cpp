@@ -105,7 +105,7 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
         return error(context, refused, SPANGLE_TEXT("glReadPixels: format and type do not go together"));
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
-    const raster::Surface& surface = context.drawable.surface;
+    const raster::Surface& surface = context.drawable.read;
     const Source source = source_of(layout);
     if ((source == Source::depth && surface.depth_format == DepthFormat::none) ||
         (source == Source::stencil && surface.depth_format != DepthFormat::z24s8))

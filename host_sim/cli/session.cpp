@@ -46,7 +46,9 @@ Session::~Session() {
 }
 
 EGLConfig Session::choose(Precision precision, bool window) const {
-    const EGLint wish[] = {EGL_SURFACE_TYPE,
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_SURFACE_TYPE,
                            window ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
                            EGL_DEPTH_SIZE,
                            16,

@@ -18,8 +18,9 @@ struct Headless {
         display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
             return false;
-        const EGLint wish[] = {EGL_SURFACE_TYPE,      EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 16,
-                               EGL_PRECISION_SPANGLE, precision,       EGL_NONE};
+        const EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
+                               EGL_PBUFFER_BIT,       EGL_DEPTH_SIZE, 16,
+                               EGL_PRECISION_SPANGLE, precision,      EGL_NONE};
         const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <string>
+
+#include <spangle/message.hpp>
 
 #include "tests/egl/fake_display.hpp"
 
@@ -32,10 +35,15 @@ struct Configs : testing::Test {
         EXPECT_EQ(static_cast<std::size_t>(n), out.size());
         return out;
     }
-    std::vector<EGLConfig> choose(const std::vector<EGLint>& wishes) {
+    /// Of OpenGL, unless the wishes say otherwise.
+    std::vector<EGLConfig> choose(std::vector<EGLint> wishes) {
+        wishes.insert(wishes.begin(), {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT});
+        return choose_of(wishes.data());
+    }
+    std::vector<EGLConfig> choose_of(const EGLint* wishes) {
         std::vector<EGLConfig> out(100);
         EGLint n = 0;
-        EXPECT_EQ(eglChooseConfig(display, wishes.data(), out.data(), 100, &n), EGLBoolean{EGL_TRUE});
+        EXPECT_EQ(eglChooseConfig(display, wishes, out.data(), 100, &n), EGLBoolean{EGL_TRUE});
         out.resize(static_cast<std::size_t>(n));
         return out;
     }
@@ -139,6 +147,26 @@ TEST_F(Configs, NothingMatchesWhatDoesNotExist) {
         EXPECT_TRUE(choose(wishes).empty()) << std::hex << wishes[0];
 }
 
+/// Table 3.4: where nothing is said about the renderable type it is OpenGL ES, which nothing here is.
+TEST_F(Configs, WhoeverDoesNotAskForOpenGLAsksForOpenGLES) {
+    static std::string told;
+    on_message([](unsigned, const char* text) { told = text; });
+    const EGLint empty[] = {EGL_NONE}, depth[] = {EGL_DEPTH_SIZE, 16, EGL_NONE},
+                 any[] = {EGL_RENDERABLE_TYPE, EGL_DONT_CARE, EGL_NONE},
+                 both[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT | EGL_OPENGL_ES_BIT, EGL_NONE};
+    EXPECT_TRUE(choose_of(nullptr).empty());
+    EXPECT_NE(told.find("EGL_OPENGL_BIT"), std::string::npos); // and is told
+    EXPECT_TRUE(choose_of(empty).empty());
+    EXPECT_TRUE(choose_of(depth).empty());
+    EXPECT_TRUE(choose_of(both).empty());
+    told.clear();
+    EXPECT_EQ(choose_of(any), choose({EGL_NONE}));
+    EXPECT_FALSE(choose({EGL_NONE}).empty());
+    EXPECT_EQ(told, "");
+    EXPECT_EQ(eglGetError(), EGL_SUCCESS); // nothing found is no error
+    on_message(nullptr);
+}
+
 TEST_F(Configs, AConfigIdDecidesAlone) {
     for (EGLConfig c : all()) {
         const auto found = choose({EGL_CONFIG_ID, get(c, EGL_CONFIG_ID), EGL_RED_SIZE, 31, EGL_NONE});
@@ -232,9 +260,10 @@ TEST_F(Configs, SmallArraysTakeWhatFits) {
     ASSERT_EQ(eglGetConfigs(display, out, 2, &n), EGLBoolean{EGL_TRUE});
     EXPECT_EQ(n, 2);
     EXPECT_EQ(out[2], &panel);
-    ASSERT_EQ(eglChooseConfig(display, nullptr, out, 1, &n), EGLBoolean{EGL_TRUE});
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    ASSERT_EQ(eglChooseConfig(display, wish, out, 1, &n), EGLBoolean{EGL_TRUE});
     EXPECT_EQ(n, 1);
-    ASSERT_EQ(eglChooseConfig(display, nullptr, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
+    ASSERT_EQ(eglChooseConfig(display, wish, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
     EXPECT_GT(n, 2); // how many there are
 }
 

@@ -22,10 +22,19 @@ struct Contexts : testing::Test {
 
     void SetUp() override {
         ASSERT_EQ(eglInitialize(display, nullptr, nullptr), yes);
-        const EGLint wishes[] = {
-            EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8,
-            EGL_NONE};
-        const EGLint small[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+        const EGLint wishes[] = {EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_DEPTH_SIZE,
+                                 24,
+                                 EGL_STENCIL_SIZE,
+                                 8,
+                                 EGL_NONE};
+        const EGLint small[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                                EGL_NONE};
         EGLint n = 0;
         ASSERT_EQ(eglChooseConfig(display, wishes, &config, 1, &n), yes);
         ASSERT_EQ(eglChooseConfig(display, small, &sixteen, 1, &n), yes);
@@ -109,7 +118,8 @@ TEST_F(Contexts, MakeCurrentErrors) {
         {flat, flat, c, EGL_BAD_MATCH},
         {c, c, c, EGL_BAD_SURFACE},
         {surface, surface, surface, EGL_BAD_CONTEXT},
-        {surface, second, c, EGL_BAD_MATCH},
+        {surface, flat, c, EGL_BAD_MATCH}, // what is read must fit the context, too
+        {flat, surface, c, EGL_BAD_MATCH},
     };
     for (const auto& bad : cases) {
         EXPECT_EQ(eglMakeCurrent(display, bad.draw, bad.read, bad.context), no) << &bad - cases;
@@ -124,6 +134,8 @@ TEST_F(Contexts, MakeCurrentErrors) {
         EXPECT_EQ(eglMakeCurrent(display, second, second, c), no); // current elsewhere
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
         EXPECT_EQ(eglMakeCurrent(display, surface, surface, d), no);
+        EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
+        EXPECT_EQ(eglMakeCurrent(display, second, surface, d), no);
         EXPECT_EQ(eglGetError(), EGL_BAD_ACCESS);
         EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
     }).join();
@@ -225,6 +237,38 @@ TEST_F(Contexts, PixelsStayInTheirSurface) {
         EXPECT_EQ(pixel[0], 255 * shade++);
         EXPECT_EQ(pixel[2], 255);
     }
+}
+
+/// EGL 1.4, 3.7.3: what is drawn goes to `draw`, what ReadPixels returns comes from `read`.
+TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
+    const EGLSurface from = pbuffer(8, 8), to = pbuffer(4, 4);
+    const EGLContext c = context(), d = context();
+    GLubyte pixel[4];
+    const auto fill = [](float red) {
+        glClearColor(red, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    };
+    const auto red_at = [&](GLint at) {
+        glReadPixels(at, at, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+        return int{pixel[0]};
+    };
+    ASSERT_EQ(eglMakeCurrent(display, from, from, c), yes);
+    fill(1);
+    ASSERT_EQ(eglMakeCurrent(display, to, from, c), yes);
+    EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), to);
+    EXPECT_EQ(eglGetCurrentSurface(EGL_READ), from);
+    fill(0.2f);
+    EXPECT_EQ(red_at(7), 255); // also where the drawn one is too small
+    // Both are held: destroyed, they last until they are released.
+    EXPECT_EQ(eglDestroySurface(display, from), yes);
+    EXPECT_EQ(red_at(0), 255);
+    const std::size_t before = memory_use().used;
+    ASSERT_EQ(eglMakeCurrent(display, to, to, c), yes);
+    EXPECT_LT(memory_use().used, before);
+    EXPECT_EQ(red_at(3), 51);
+    EXPECT_EQ(eglMakeCurrent(display, to, to, d), yes); // nothing of the old pair is left
+    EXPECT_EQ(red_at(3), 51);
+    std::thread([&] { EXPECT_EQ(eglMakeCurrent(display, to, to, c), no); }).join();
 }
 
 TEST_F(Contexts, EntryPointsByName) {

@@ -24,7 +24,7 @@ void remember(unsigned code, const char* text) {
 constexpr EGLBoolean yes = EGL_TRUE, no = EGL_FALSE;
 
 EGLConfig choose(EGLDisplay display, std::vector<EGLint> wishes) {
-    wishes.push_back(EGL_NONE);
+    wishes.insert(wishes.end(), {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE});
     EGLConfig config = nullptr;
     EGLint n = 0;
     EXPECT_EQ(eglChooseConfig(display, wishes.data(), &config, 1, &n), yes);
@@ -122,7 +122,7 @@ TEST(Displays, HandlesAndInitialisation) {
 TEST(Displays, OffScreenWithoutAPanel) {
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     ASSERT_EQ(eglInitialize(display, nullptr, nullptr), yes);
-    const EGLint wishes[] = {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_NONE};
+    const EGLint wishes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_NONE};
     EGLint n = -1;
     EXPECT_EQ(eglChooseConfig(display, wishes, nullptr, 0, &n), yes);
     EXPECT_EQ(n, 0);
@@ -347,6 +347,41 @@ TEST_F(Surfaces, ExhaustionAtEveryPoint) {
     EXPECT_GT(failures, 5u);
     EXPECT_GT(surfaces, 0u);
     EXPECT_GT(contexts, 0u);
+}
+
+/// A window that is drawn to while a pbuffer is read from, and the other way about: SwapBuffers changes the
+/// buffer of the one, ReadBuffer names that of the other.
+TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
+    const EGLConfig config = window_config(16);
+    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
+    const EGLint size[] = {EGL_WIDTH, 12, EGL_HEIGHT, 9, EGL_NONE};
+    const EGLSurface pbuffer = eglCreatePbufferSurface(display, config, size);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    GLubyte pixel[4] = {};
+    ASSERT_EQ(eglMakeCurrent(display, pbuffer, pbuffer, context), yes);
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ASSERT_EQ(eglMakeCurrent(display, window, pbuffer, context), yes);
+    for (int frame = 0; frame < 2; ++frame) {
+        glClearColor(1, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+        EXPECT_EQ(pixel[0], 0);
+        EXPECT_EQ(pixel[1], 255);
+        EXPECT_EQ(eglSwapBuffers(display, window), yes);
+        EXPECT_EQ(panel.shown[0], 0xF8); // red, big-endian
+    }
+    glReadBuffer(GL_FRONT);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    glReadBuffer(GL_BACK);
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a pbuffer has none
+    glDrawBuffer(GL_BACK);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    ASSERT_EQ(eglMakeCurrent(display, pbuffer, window, context), yes);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    EXPECT_EQ(pixel[0], 255);
+    EXPECT_EQ(eglSwapBuffers(display, window), no); // it is not what is drawn to
+    EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
 }
 
 } // namespace

@@ -33,6 +33,7 @@ struct BareContext {
         s.depth_format = depth;
         s.depth_stride = depth == DepthFormat::none ? 0 : width * (depth == DepthFormat::z16 ? 2 : 4);
         s.depth = depth == DepthFormat::none ? nullptr : planes.data();
+        context.drawable.read = s;
     }
 
     GLenum take_error() {

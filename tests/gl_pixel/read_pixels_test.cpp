@@ -130,7 +130,7 @@ TEST(ReadPixels, NegativeStridesReadBottomRowFirst) {
     SharedMemory memory(1 << 16);
     BareContext bare(memory, PixelFormat::rgba8888);
     fill_random(bare, 4);
-    raster::Surface& s = bare.context.drawable.surface; // stored top row first, as displays are
+    raster::Surface& s = bare.context.drawable.read; // stored top row first, as displays are
     s.color = &bare.color[5 * 8 * 4];
     s.color_stride = -8 * 4;
     unsigned char out[8 * 4];

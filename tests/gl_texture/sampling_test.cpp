@@ -15,7 +15,13 @@ struct Drawing : testing::Test {
 
     void SetUp() override {
         ASSERT_EQ(eglInitialize(display, nullptr, nullptr), EGLBoolean{EGL_TRUE});
-        const EGLint wishes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 8, EGL_NONE};
+        const EGLint wishes[] = {EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_NONE};
         const EGLint size[] = {EGL_WIDTH, 4, EGL_HEIGHT, 4, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint n = 0;

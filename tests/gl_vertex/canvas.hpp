@@ -14,7 +14,14 @@ class Canvas : public testing::Test {
     void SetUp() override {
         display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         ASSERT_TRUE(eglInitialize(display_, nullptr, nullptr));
-        const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24,
+        const EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                               EGL_OPENGL_BIT,
+                               EGL_SURFACE_TYPE,
+                               EGL_PBUFFER_BIT,
+                               EGL_ALPHA_SIZE,
+                               8,
+                               EGL_DEPTH_SIZE,
+                               24,
                                EGL_NONE};
         const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
         EGLConfig config = nullptr;

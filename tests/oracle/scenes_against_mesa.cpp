@@ -44,7 +44,9 @@ Picture draw_with_mesa(const char* scene, const char* driver) {
 Picture draw_with_spangle(const spangle::scenes::Scene& scene) {
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     eglInitialize(display, nullptr, nullptr);
-    const EGLint wish[] = {EGL_SURFACE_TYPE,
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_SURFACE_TYPE,
                            EGL_PBUFFER_BIT,
                            EGL_ALPHA_SIZE,
                            8,

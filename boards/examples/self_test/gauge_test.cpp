@@ -19,10 +19,11 @@ class Gauge : public testing::Test {
 
     void SetUp() override {
         display_ = eglGetDisplay(spangle::native(board.display()));
+        const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         ASSERT_TRUE(eglInitialize(display_, nullptr, nullptr));
-        ASSERT_TRUE(eglChooseConfig(display_, nullptr, &config, 1, &count));
+        ASSERT_TRUE(eglChooseConfig(display_, wish, &config, 1, &count));
         surface_ = eglCreateWindowSurface(display_, config, 0, nullptr);
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
         ASSERT_TRUE(eglMakeCurrent(display_, surface_, surface_, context_));

@@ -10,9 +10,10 @@
 int main() {
     spangle::sim::SimBoard board(spangle::boards::st7789_240);
     const EGLDisplay display = eglGetDisplay(spangle::native(board.display()));
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, nullptr, &config, 1, &count) ||
+    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count) ||
         count == 0)
         return 1;
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
