@@ -15,10 +15,11 @@ using namespace linux_test;
 /// False when EGL or GL refused anything.
 bool play(hal::Display& hal_display, const scenes::Scene& scene, int frames) {
     const EGLDisplay display = eglGetDisplay(native(hal_display));
+    const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     bool good = eglInitialize(display, nullptr, nullptr) != EGL_FALSE &&
-                eglChooseConfig(display, nullptr, &config, 1, &count) != EGL_FALSE && count == 1;
+                eglChooseConfig(display, wish, &config, 1, &count) != EGL_FALSE && count == 1;
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
     good = good && eglMakeCurrent(display, window, window, context) != EGL_FALSE;
