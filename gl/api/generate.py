@@ -465,7 +465,7 @@ def features(chapters, _tokens):
         missing = row.get("missing", "")
         state = "works" if complete and not missing and row["id"] in caught else "partly" if some else "not yet"
         note = missing or ("" if state != "partly" else
-                           f"{want - have} entry points to come" if have < want else "no seeded defect yet")
+                           f"{want - have} entry point{'s' if want - have > 1 else ''} to come" if have < want else "no seeded defect yet")
         counts[state] += 1
         out.append(f"| {row['id']} | {row['name']} | {f'{min(have, want)}/{want}' if want else '-'} | {state} | {note} |\n")
     out.append("\n" + ", ".join(f"{n} {s}" for s, n in counts.items()) + f" of {len(rows)} rows.\n")

@@ -131,8 +131,8 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return error(context, GL_INVALID_ENUM);
-    if (indices == nullptr)
-        return;
+    if (indices == nullptr && count > 0)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawElements: null pointer"));
     if (type == GL_UNSIGNED_BYTE)
         return draw(context, mode, count,
                     [indices](GLsizei i) { return index_at<std::uint8_t>(indices, i); });

@@ -271,6 +271,26 @@ TEST_F(Contexts, TwoSurfacesOneDrawnToOneReadFrom) {
     std::thread([&] { EXPECT_EQ(eglMakeCurrent(display, to, to, c), no); }).join();
 }
 
+/// What is drawn ends at the surface that is current, not at the one before.
+TEST_F(Contexts, EachSurfaceIsDrawnToItsEdges) {
+    const EGLSurface small = pbuffer(4, 5), large = pbuffer(30, 20);
+    const EGLContext c = context();
+    for (const EGLSurface surface : {small, large, small}) {
+        ASSERT_EQ(eglMakeCurrent(display, surface, surface, c), yes);
+        const bool is_large = surface == large;
+        const GLint width = is_large ? 30 : 4, height = is_large ? 20 : 5;
+        glViewport(0, 0, width, height);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glRectf(-1, -1, 1, 1);
+        for (const GLint x : {0, width - 1})
+            for (const GLint y : {0, height - 1}) {
+                GLubyte pixel[4] = {};
+                glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+                EXPECT_EQ(pixel[0], 255) << x << ' ' << y;
+            }
+    }
+}
+
 TEST_F(Contexts, EntryPointsByName) {
     const char* const names[] = {"eglGetError", "eglSwapBuffers", "eglGetProcAddress", "eglMakeCurrent",
                                  "glClear",     "glVertex3f",     "glTexImage2D",      "glReadPixels"};

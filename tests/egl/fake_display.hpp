@@ -13,7 +13,8 @@ class FakeDisplay final : public hal::Display {
     explicit FakeDisplay(PixelFormat format = PixelFormat::rgb565_be, std::int32_t width = 12,
                          std::int32_t height = 9)
         : pixels(static_cast<std::size_t>(width * height * format_info(format).bytes_per_pixel)),
-          rows(static_cast<std::size_t>(height)), format_(format), width_(width), height_(height) {
+          front(pixels.size()), rows(static_cast<std::size_t>(height)), format_(format), width_(width),
+          height_(height) {
         extents.rows = rows.data();
         extents.height = height;
     }
@@ -40,12 +41,14 @@ class FakeDisplay final : public hal::Display {
         for (RowSpan& row : rows)
             row = {};
         extents.cleared = false;
+        if (two_buffers)
+            pixels.swap(front);
         return {};
     }
 
-    bool fail_init = false, fail_acquire = false, fail_present = false;
+    bool fail_init = false, fail_acquire = false, fail_present = false, two_buffers = false;
     int inits = 0, acquires = 0, presents = 0;
-    std::vector<std::uint8_t> pixels, shown;
+    std::vector<std::uint8_t> pixels, front, shown; ///< the buffer drawn into, the other, what was presented
     std::vector<RowSpan> rows, shown_extents;
     RowExtents extents;
 

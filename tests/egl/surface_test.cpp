@@ -263,6 +263,21 @@ TEST_F(Surfaces, DrawingGoesStraightIntoTheFrameTopRowFirst) {
     EXPECT_FALSE(panel.extents.cleared);
 }
 
+TEST_F(Surfaces, EachFrameIsDrawnIntoItsOwnBuffer) {
+    panel.two_buffers = true;
+    EGLSurface surface;
+    current_window(surface);
+    for (int frame = 0; frame < 4; ++frame) {
+        constexpr std::uint8_t first_byte[] = {0xF8, 0x07, 0x00}; // red, green, blue
+        const int shade = frame % 3;
+        glClearColor(shade == 0 ? 1.0f : 0.0f, shade == 1 ? 1.0f : 0.0f, shade == 2 ? 1.0f : 0.0f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        EXPECT_EQ(panel.pixels[0], first_byte[shade]);
+        ASSERT_EQ(eglSwapBuffers(display, surface), yes);
+        EXPECT_EQ(panel.shown[0], first_byte[shade]);
+    }
+}
+
 TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     EGLSurface surface;
     current_window(surface);

@@ -271,6 +271,28 @@ TEST_F(Lists, NestingAndRedefinition) {
     EXPECT_EQ(drawn([] { glCallList(1); }).size(), 4u);
 }
 
+TEST_F(Lists, EachReturnsToItsCaller) {
+    const auto point = [](GLint x) {
+        glBegin(GL_POINTS);
+        glVertex2i(x, 0);
+        glEnd();
+    };
+    for (GLuint level = 4; level >= 1; --level) {
+        glNewList(level, GL_COMPILE);
+        point(static_cast<GLint>(level));
+        glCallList(level + 1);
+        point(static_cast<GLint>(10 * level));
+        glEndList();
+    }
+    std::vector<std::uint32_t> got, expected;
+    for (const auto& event : drawn([] { glCallList(1); }))
+        if (event.position[0] != 0)
+            got.push_back(event.position[0]);
+    for (const float x : {1.0f, 2.0f, 3.0f, 4.0f, 40.0f, 30.0f, 20.0f, 10.0f})
+        expected.push_back(std::bit_cast<std::uint32_t>(x));
+    EXPECT_EQ(got, expected);
+}
+
 TEST_F(Lists, OldContentUntilEndList) {
     glNewList(1, GL_COMPILE);
     glColor3f(1, 0, 0);

@@ -333,6 +333,22 @@ TEST_F(FragmentSetup, TextureUnitsAndEnvironments) {
     EXPECT_NE(state().unit[0].texture, nullptr);
 }
 
+TEST_F(FragmentSetup, Switches) {
+    const std::pair<GLenum, bool raster::FragmentState::*> switches[] = {
+        {GL_ALPHA_TEST, &raster::FragmentState::alpha_test},
+        {GL_STENCIL_TEST, &raster::FragmentState::stencil_test},
+        {GL_DEPTH_TEST, &raster::FragmentState::depth_test},
+        {GL_BLEND, &raster::FragmentState::blend},
+        {GL_DITHER, &raster::FragmentState::dither},
+        {GL_FOG, &raster::FragmentState::fog},
+    };
+    for (const auto& [name, member] : switches)
+        for (const bool on : {true, false, true}) {
+            (on ? cmd::Enable : cmd::Disable)(c, name);
+            EXPECT_EQ(state().*member, on) << std::hex << name;
+        }
+}
+
 /// Derived once after each change, and never otherwise.
 TEST_F(FragmentSetup, DerivedOncePerChange) {
     const GLuint name = 8;

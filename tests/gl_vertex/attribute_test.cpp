@@ -186,6 +186,38 @@ TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
 }
 
+/// GL 1.3, 2.8: the range is a promise; one that no index can keep is an error.
+TEST_F(Attributes, ElementsAndTheirErrors) {
+    const GLfloat position[3][2] = {{0, 0}, {0.5f, 0}, {0, 0.5f}};
+    const GLubyte index[4] = {2, 0, 1, 2};
+    glVertexPointer(2, GL_FLOAT, 0, position);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    const auto drawn = [](auto draw, GLenum code) {
+        WindowRecorder recorder;
+        draw();
+        EXPECT_EQ(glGetError(), code);
+        return recorder.primitives.size();
+    };
+    const GLenum byte = GL_UNSIGNED_BYTE, none = GL_NO_ERROR, value = GL_INVALID_VALUE,
+                 word = GL_INVALID_ENUM;
+    EXPECT_EQ(drawn([&] { glDrawRangeElements(GL_POINTS, 0, 2, 4, byte, index); }, none), 4u);
+    EXPECT_EQ(drawn([&] { glDrawRangeElements(GL_POINTS, 2, 2, 1, byte, index); }, none), 1u);
+    EXPECT_EQ(drawn([&] { glDrawRangeElements(GL_POINTS, 2, 1, 1, byte, index); }, value), 0u);
+    EXPECT_EQ(drawn([&] { glDrawElements(GL_POINTS, -1, byte, index); }, value), 0u);
+    EXPECT_EQ(drawn([&] { glDrawElements(GL_POINTS, 1, GL_INT, index); }, word), 0u);
+    EXPECT_EQ(drawn([&] { glDrawElements(GL_POLYGON + 1, 1, byte, index); }, word), 0u);
+    EXPECT_EQ(drawn([&] { glDrawElements(GL_POINTS, 1, byte, nullptr); }, value), 0u);
+    EXPECT_EQ(drawn([&] { glDrawElements(GL_POINTS, 0, byte, nullptr); }, none), 0u);
+    EXPECT_EQ(drawn([&] { glDrawArrays(GL_POINTS, 1, 2); }, none), 2u);
+    WindowRecorder recorder;
+    glDrawArrays(GL_POINTS, 1, 1);
+    ASSERT_EQ(recorder.primitives.size(), 1u);
+    EXPECT_EQ(recorder.primitives[0].corner[0].x, size * 3 / 4 * 256) << "the second one";
+    EXPECT_EQ(drawn([&] { glDrawArrays(GL_POINTS, -1, 2); }, value), 0u);
+    EXPECT_EQ(drawn([&] { glDrawArrays(GL_POINTS, 0, -2); }, value), 0u);
+    EXPECT_EQ(drawn([&] { glArrayElement(-1); }, value), 0u);
+}
+
 /// Colour and normal arrays of every type become what the commands of that type make of them.
 TEST_F(Attributes, ArraysOfEveryTypeEqualTheCommands) {
     const GLubyte ub[4] = {0, 255, 77, 99};

@@ -241,8 +241,14 @@ TEST(Controller, ScrollsAndShowsParts) {
     h.send(0x33, {0, 0, 320 >> 8, 320 & 255, 0, 0});
     h.send(0x37, {0, 1});
     EXPECT_EQ(first(0), green18);
+    h.send(0x33, {0, 1, 317 >> 8, 317 & 255, 0, 2}); // the first row stays, the next 317 turn
+    h.send(0x37, {0, 2});
+    EXPECT_EQ(first(0), red18);
+    EXPECT_EQ(first(1), blue18);
+    EXPECT_EQ(first(317), green18);
     h.send(0x13); // NORON ends scrolling too
     EXPECT_EQ(first(0), red18);
+    EXPECT_EQ(first(1), green18);
     h.send(0x30, {0, 1, 0, 1});
     h.send(0x12);
     EXPECT_EQ(first(0), Rgb666{});
@@ -326,7 +332,15 @@ TEST(Rules, Window) {
 }
 
 TEST(Rules, PixelCountAndHalfPixels) {
-    Host less(chips[0]), half(chips[0]);
+    Host less(chips[0]), half(chips[0]), twice(chips[0]);
+    twice.wake();
+    twice.window(0, 1, 0, 0);
+    twice.pixels(0x2C, {red, red});
+    twice.send(0x00);
+    EXPECT_FALSE(twice.reported(Rule::pixel_count));
+    twice.pixels(0x2C, {red, red, green, green});
+    twice.send(0x00);
+    EXPECT_TRUE(twice.reported(Rule::pixel_count));
     less.wake();
     less.window(0, 3, 0, 0);
     less.pixels(0x2C, {red, red, red});
