@@ -205,7 +205,7 @@ int spangle_main(int argc, char** argv) {
     run->add_option("--shot", options.shot, "write the last frame as PNG");
     run->add_flag("--compare", options.compare,
                   "draw with the double reference too: error figures and a difference picture");
-    run->add_flag("--stats", options.stats, "print the figures");
+    run->add_flag("--stats", options.stats, "print the figures, memory among them");
     run->add_option("--vcd", options.vcd, "record the bus for GTKWave or PulseView");
     run->add_flag("--window", options.window, "show the glass, its memory and the bus counters");
     run->add_flag("--json", options.json, "print the figures as one JSON object");

@@ -31,6 +31,11 @@ std::string to_json(const Report& r) {
         out["coverage_mismatches"] = r.coverage_mismatches;
         out["coverage_unsnapped"] = r.coverage_unsnapped;
     }
+    if (r.memory)
+        out["memory"] = {{"context", r.memory->context},
+                         {"surface", r.memory->surface},
+                         {"peak", r.memory->peak},
+                         {"process", r.memory->process}};
     for (const StageError& s : r.stages)
         out["stages"].push_back({{"stage", s.stage},
                                  {"unit", s.unit},
@@ -64,6 +69,11 @@ std::string to_table(const Report& r) {
             "  coverage    {:>10} pixels off brute force on snapped vertices, {} off unsnapped ones\n",
             r.identical_565_percent, r.covered, r.max_lsb, r.psnr_565_db, r.coverage_mismatches,
             r.coverage_unsnapped);
+    if (r.memory)
+        out += fmt::format(
+            "  memory      {:>10} bytes of context, {} of surface, {} at most in all{}; process {:.1f} MB\n",
+            r.memory->context, r.memory->surface, r.memory->peak, r.compared ? " (the reference's, too)" : "",
+            static_cast<double>(r.memory->process) * 1e-6);
     if (!r.stages.empty())
         out += fmt::format("  {:<13} {:>10} {:>11} {:>11}  {:<12} {:>10}   {}\n", "integers", "values",
                            "max error", "rms error", "unit", "saturated", "range");

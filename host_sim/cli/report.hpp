@@ -1,7 +1,9 @@
 // What a run found out, over all its frames.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,15 @@ struct StageError {
     double max, rms;         ///< of |fixed - double|
     double least, greatest;  ///< range of the double values
     std::uint64_t saturated; ///< fixed values at a limit of their range
+};
+
+/// Bytes. The first three lie in the memory of spangle::memory; a window's colour buffer belongs to the
+/// display.
+struct Memory {
+    std::size_t context, surface;
+    std::size_t
+        peak; ///< of all Spangle took: context, surface, textures, lists; the reference's with --compare
+    std::size_t process; ///< of the program with its simulator; 0 where it is not known
 };
 
 struct Report {
@@ -31,6 +42,7 @@ struct Report {
     std::uint64_t full_frame_bytes = 0; ///< of one whole frame without commands
     double fps_at_bus_clock = 0.0;      ///< 0 without a board
     std::string picture_hash;           ///< of the last frame
+    std::optional<Memory> memory;       ///< with --stats
     std::vector<StageError> stages;     ///< of a run in shadow precision, in the order of the pipeline
 };
 

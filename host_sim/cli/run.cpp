@@ -8,12 +8,14 @@
 #include <fmt/format.h>
 
 #include <spangle/GL/gl.h>
+#include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
 
 #include "boards/scenes/scene.hpp"
 #include "gl/egl/reference.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/process_memory.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
 #include "raster/span/shadow.hpp"
@@ -247,6 +249,8 @@ RunResult run(const RunOptions& options) {
         result.violations = board->violations_text();
     }
     shadow.finish(report);
+    if (options.stats)
+        report.memory = {session.context_bytes(), session.surface_bytes(), memory_use().peak, process_peak()};
     if (options.compare) {
         comparison.finish(report, coverage);
         result.difference = comparison.picture();

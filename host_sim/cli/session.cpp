@@ -64,13 +64,16 @@ EGLConfig Session::choose(Precision precision, bool window) const {
 std::string Session::open(EGLConfig config, const EGLint* picture) {
     if (config == nullptr)
         return "this build has no such precision";
+    const std::size_t before = memory_use().used;
     surface_ = picture == nullptr ? eglCreateWindowSurface(display_, config, 0, nullptr)
                                   : eglCreatePbufferSurface(display_, config, picture);
     if (surface_ == EGL_NO_SURFACE)
         return egl_problem(picture == nullptr ? "eglCreateWindowSurface" : "eglCreatePbufferSurface");
+    surface_bytes_ = memory_use().used - before;
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
     if (context_ == EGL_NO_CONTEXT)
         return egl_problem("eglCreateContext");
+    context_bytes_ = memory_use().used - before - surface_bytes_;
     if (!make_current())
         return egl_problem("eglMakeCurrent");
     eglQuerySurface(display_, surface_, EGL_WIDTH, &width_);

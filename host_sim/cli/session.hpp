@@ -1,6 +1,7 @@
 // An EGL session of the command line: one context on a simulated board's window or on an off-screen picture.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <spangle/EGL/egl.h>
@@ -29,6 +30,9 @@ class Session {
     const std::string& error() const { return error_; }
     int width() const { return width_; }
     int height() const { return height_; }
+    /// Bytes of Spangle's memory (spangle::memory) that the surface and the context took.
+    std::size_t surface_bytes() const { return surface_bytes_; }
+    std::size_t context_bytes() const { return context_bytes_; }
 
     /// What is in the drawing buffer now.
     sim::Image read() const;
@@ -40,6 +44,7 @@ class Session {
     EGLSurface surface_ = EGL_NO_SURFACE;
     EGLContext context_ = EGL_NO_CONTEXT;
     int width_ = 0, height_ = 0;
+    std::size_t surface_bytes_ = 0, context_bytes_ = 0;
     std::string error_;
 
     std::string open(EGLConfig config, const EGLint* picture);

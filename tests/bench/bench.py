@@ -38,17 +38,16 @@ def google(program, pattern, seconds):
 
 
 def wall(build, scenes, rounds, seconds):
-    """{name: median microseconds}, {name: {hashes}}, {name: memory}; both programs in turns."""
+    """{name: median microseconds}, {name: {hashes}}; both programs in turns."""
     pattern = "^(" + "|".join(scenes) + ")/"
-    times, hashes, memory = {}, {}, {}
+    times, hashes = {}, {}
     for _ in range(rounds):
         for program, prefix in ((build / "bench_mesa", "mesa/"), (build / "bench_spangle", "")):
             for name, entry in google(program, pattern, seconds).items():
                 times.setdefault(prefix + name, []).append(entry["cpu_time"])
                 if not prefix:
                     hashes.setdefault(name, set()).add(f"{int(entry['hash']):08x}")
-                    memory[name] = {kind: int(entry[kind]) for kind in ("context", "surface", "used")}
-    return {name: statistics.median(values) for name, values in times.items()}, hashes, memory
+    return {name: statistics.median(values) for name, values in times.items()}, hashes
 
 
 def frames_program(build, scene, size, tier, dither, frames):
@@ -78,9 +77,22 @@ def check_pictures(build, hashes):
         raise SystemExit("\n".join(bad))
 
 
-def wall_table(times, memory, scenes, goals):
+def memory_table(build, scenes):
+    """Each figure from a process that draws this scene and no other, under the same harness."""
+    print("\nMemory, balanced tier, bytes of spangle::memory: context; surface (colour and 16-bit depth); most in all, textures and lists included."
+          "\nProcesses: largest resident size of the benchmark program, ours and llvmpipe's.")
+    print(f"{'scene':<6}{'size':<9}" + "".join(f"{kind:>12}" for kind in ("context", "surface", "peak", "process MB", "llvmpipe MB")))
+    for scene in scenes:
+        for size in SIZES:
+            ours = google(build / "bench_spangle", f"^{scene}/{size}/balanced$", 0.01)[f"{scene}/{size}/balanced"]
+            mesa = google(build / "bench_mesa", f"^{scene}/{size}$", 0.01)[f"{scene}/{size}"]
+            print(f"{scene:<6}{size:<9}" + "".join(f"{int(ours[kind]):>12,}" for kind in ("context", "surface", "peak"))
+                  + f"{ours['process'] / 1e6:>12.1f}{mesa['process'] / 1e6:>12.1f}", flush=True)
+
+
+def wall_table(times, scenes, goals):
     print("\nTimes as fast as llvmpipe, dithering off, beside the goal; what dithering costs in the balanced tier.")
-    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'dither':>10}" + "".join(f"{kind:>11}" for kind in ("context B", "surface B", "in use B")))
+    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'dither':>10}")
     for scene in scenes:
         for size in SIZES:
             mesa = times[f"mesa/{scene}/{size}"]
@@ -89,7 +101,7 @@ def wall_table(times, memory, scenes, goals):
                 goal = goals.get(scene, {}).get(tier, {}).get("x86") if size == SIZES[0] else None
                 row += f"{mesa / times[f'{scene}/{size}/{tier}']:>10.2f} {'-' if goal is None else goal:>6}"
             dither = times[f"{scene}/{size}/balanced/dither"] / times[f"{scene}/{size}/balanced"]
-            print(row + f"{dither:>9.2f}x" + "".join(f"{memory[f'{scene}/{size}/balanced'][kind]:>11,}" for kind in ("context", "surface", "used")))
+            print(row + f"{dither:>9.2f}x")
 
 
 def verdict(times, scenes, goals):
@@ -170,10 +182,11 @@ def main():
     print_flags(arguments.build)
     hashes = {}
     if not arguments.no_wall:
-        times, hashes, memory = wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2)
-        wall_table(times, memory, scenes, goals)
+        times, hashes = wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2)
+        wall_table(times, scenes, goals)
         verdict(times, scenes, goals)
         check_pictures(build, hashes)
+        memory_table(build, scenes)
     boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
         instruction_table(build, scenes, goals, boards, not arguments.no_callgrind, hashes)

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/cli/process_memory.hpp"
 
 namespace {
 
@@ -29,6 +30,7 @@ void run(benchmark::State& state, const spangle::scenes::Scene* scene, int width
         scene->draw(frame++);
         glFinish();
     }
+    state.counters["process"] = static_cast<double>(spangle::cli::process_peak());
     OSMesaDestroyContext(context);
 }
 

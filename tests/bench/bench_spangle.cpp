@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/cli/process_memory.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
 
@@ -35,7 +36,8 @@ void run(benchmark::State& state, const Case& c) {
     state.counters["hash"] = spangle::bench::picture_hash(c.width, c.height);
     state.counters["context"] = static_cast<double>(gl.context_bytes);
     state.counters["surface"] = static_cast<double>(gl.surface_bytes);
-    state.counters["used"] = static_cast<double>(spangle::memory_use().used);
+    state.counters["peak"] = static_cast<double>(spangle::memory_use().peak);
+    state.counters["process"] = static_cast<double>(spangle::cli::process_peak());
     if (glGetError() != GL_NO_ERROR)
         state.SkipWithError("GL error");
     gl.close();

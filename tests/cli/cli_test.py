@@ -106,6 +106,13 @@ def outputs():
         picture = (pathlib.Path(folder) / "hud.png").read_bytes()
         check(picture[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">II", picture[16:24]) == (128, 160), "a PNG of the glass")
         check("$enddefinitions" in (pathlib.Path(folder) / "bus.vcd").read_text(), "a VCD file")
+        memory = report("S9", "--size", "320x240", "--stats", cwd=folder)["memory"]
+        check(memory["surface"] >= 320 * 240 * 4 and memory["surface"] < 320 * 240 * 4 + 1024, f"colour and depth of 16 bits: {memory}")
+        check(4096 < memory["context"] < 65536, f"a context: {memory}")
+        check(memory["peak"] > memory["context"] + memory["surface"] + 64 * 64 * 2, f"the texture, too: {memory}")
+        check(memory["peak"] < memory["process"] < 500e6, f"the process: {memory}")
+        check("memory" in run("run", "S9", "--stats", cwd=folder).stdout, "memory in the table")
+        check("memory" not in run("run", "S9", cwd=folder).stdout, "only when it is asked for")
         window = run("run", "S2", "--window", "--frames", "2", cwd=folder)
         check(window.returncode == 0, "--window without a screen goes on")
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
