@@ -66,11 +66,26 @@ bool ParallelPins::two_bytes() const {
 void ParallelPins::write(Time now) {
     const bool data = level(Pin::data);
     const unsigned period = write_cycle_.edge(now);
+    dummy_ = true;
     if (!data)
         command_ = static_cast<std::uint8_t>(lines_);
     else if (two_bytes())
         controller_.write(static_cast<std::uint8_t>(lines_ >> 8), true, now, period);
     controller_.write(static_cast<std::uint8_t>(lines_), data, now, period);
+}
+
+void ParallelPins::read(bool high, Time now) {
+    const int bits = two_bytes() && !dummy_ ? 16 : 8;
+    answer_ = 0;
+    if (high) {
+        const unsigned period = read_cycle_.edge(now);
+        for (int bit = 0; bit < bits; ++bit)
+            controller_.read_clock(now, period);
+        dummy_ = false;
+        return;
+    }
+    for (int bit = 0; bit < bits; ++bit)
+        answer_ = answer_ << 1 | (controller_.drive_bit() ? 1u : 0u);
 }
 
 void ParallelPins::set(Pin pin, bool high, Time now) {
@@ -96,15 +111,10 @@ void ParallelPins::set(Pin pin, bool high, Time now) {
             write(now);
         break;
     case Pin::read:
-        answer_ = 0;
-        if (selected && high) {
-            const unsigned period = read_cycle_.edge(now);
-            for (int bit = 0; bit < (two_bytes() ? 16 : 8); ++bit)
-                controller_.read_clock(now, period);
-        } else if (selected) {
-            for (int bit = 0; bit < (two_bytes() ? 16 : 8); ++bit)
-                answer_ = answer_ << 1 | (controller_.drive_bit() ? 1u : 0u);
-        }
+        if (selected)
+            read(high, now);
+        else
+            answer_ = 0;
         break;
     }
 }

@@ -58,7 +58,7 @@ class SerialPins {
 
 /// The 8080 bus (MIPI DBI type B) of 8 or 16 lines: bytes are taken at rising WRX, answers stand on the lines
 /// from falling to rising RDX. On 16 lines a cycle carries two bytes of pixels, the first on D[15:8], or one
-/// of anything else.
+/// of anything else; the dummy cycle of an answer is one of eight bits.
 class ParallelPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, write, read };
@@ -77,11 +77,13 @@ class ParallelPins {
     bool wide_;
     unsigned lines_ = 0, answer_ = 0;
     std::uint8_t command_ = 0; ///< the last one
+    bool dummy_ = false;       ///< the next read cycle is the answer's first
     ClockPeriod write_cycle_, read_cycle_;
 
     bool level(Pin pin) const { return levels_[static_cast<unsigned>(pin)]; }
     bool two_bytes() const;
     void write(Time now);
+    void read(bool high, Time now);
 };
 
 } // namespace spangle::sim

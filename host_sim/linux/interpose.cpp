@@ -105,7 +105,8 @@ int spangle_ioctl(int file, unsigned long request, ...) {
     void* const argument = va_arg(arguments, void*);
     va_end(arguments);
     long answer = 0;
-    if (Kernel::instance().ioctl(file, request, argument, answer))
+    // The kernel looks at 32 bits; libgpiod 2 keeps some requests in an int.
+    if (Kernel::instance().ioctl(file, static_cast<std::uint32_t>(request), argument, answer))
         return user_answer(answer);
     static const auto real = next<int (*)(int, unsigned long, ...)>("ioctl");
     return real(file, request, argument);
