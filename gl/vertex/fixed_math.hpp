@@ -14,6 +14,7 @@ namespace spangle::gl {
 
 struct FixedMath {
     using Window = raster::FixedVertex;
+    using Loaded = numeric::Mantissas<4>; ///< a position under the exponents of the columns of to_clip
     using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
@@ -22,7 +23,10 @@ struct FixedMath {
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
         numeric::BlockMatrix to_clip, to_eye, texture;
+        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
         bool texture_is_identity = true;
+        std::int32_t lift[3] = {};                    ///< exponents of the rows x, y, z over that of w
+        std::uint32_t most_zeros = 0;                 ///< of a w that to_window() divides by
         std::int32_t half_width = 0, half_height = 0; ///< viewport, n.8
         std::int32_t center_x = 0, center_y = 0;      ///< n.8
         std::int32_t depth_middle = 0;                ///< (n + f) / 2, Q0.30
@@ -35,6 +39,10 @@ struct FixedMath {
         out.to_eye = numeric::to_block_matrix(modelview);
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
+        out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
+        for (int i = 0; i < 3; ++i)
+            out.lift[i] = out.to_clip.row[i] - out.to_clip.row[3]; // >= 0
+        out.most_zeros = most_zeros(out.lift);
         out.texture = numeric::to_block_matrix(texture);
         out.texture_is_identity = is_identity(texture);
         const GLint* v = state.viewport;
@@ -50,8 +58,50 @@ struct FixedMath {
 
     /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
     /// keep their bits.
-    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
+    static Loaded load(const Transforms& t, const Real (&v)[4]) { return numeric::load(t.to_clip.column, v); }
+    static Clip to_clip(const Transforms& t, const Loaded& v) { return numeric::product(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
+    static Depth depth(const Transforms& t, const Loaded& v) { return numeric::product(t.eye_z, v); }
+
+    /// From the position to the window without a stop: perspective division, viewport, depth range (GL 1.3,
+    /// 2.10.1). `outside` gets the planes of the view volume that the vertex is outside of, `beyond` those it
+    /// must be clipped by. False: not in front of the eye, or so far outside that the quotients overflow.
+    ///
+    /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8, so the word x' holds what is
+    /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1).
+    SPANGLE_INLINE static bool to_window(const Transforms& t, const Loaded& v, Window& out, unsigned& outside,
+                                         unsigned& beyond) {
+        const std::int32_t* const rows = t.to_clip.m;
+        const auto w = static_cast<std::uint32_t>(numeric::row_times(rows + 12, v.m));
+        const int zeros = numeric::clz32(w); // 3 .. 31; 0 where w is negative, 32 where it is 0
+        if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
+            return false;
+        const std::int32_t x = numeric::row_times(rows, v.m), y = numeric::row_times(rows + 4, v.m),
+                           z = numeric::row_times(rows + 8, v.m);
+        const int by_x = zeros + t.lift[0] - 3, by_y = zeros + t.lift[1] - 3, by_z = zeros + t.lift[2] - 1;
+        const std::int32_t lifted_x = lifted(x, by_x), lifted_y = lifted(y, by_y), lifted_z = lifted(z, by_z);
+        if ((((lifted_x >> by_x) ^ x) | ((lifted_y >> by_y) ^ y) | ((lifted_z >> by_z) ^ z)) != 0)
+            return false;
+        const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
+        const int up = r >> 31 == 0 ? 1 : 0;                     // r is 2^31 where w is a power of two
+        out.w_mantissa = r << up;
+        out.w_exponent = static_cast<std::int16_t>(zeros - 63 - v.e - t.to_clip.row[3] - up);
+        const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
+        const std::int32_t minus_x = high_word(lifted_x, minus_r), minus_y = high_word(lifted_y, minus_r),
+                           minus_z = high_word(lifted_z, minus_r); // quotients: Q.27, Q.27, Q.29
+        out.x = place(t.center_x, t.half_width, minus_x, 27);
+        out.y = place(t.center_y, t.half_height, minus_y, 27);
+        out.z = static_cast<std::uint32_t>(place(t.depth_middle, t.depth_half, minus_z, 29));
+        constexpr std::uint32_t one = 1u << 27, z_one = 1u << 29;
+        outside = beyond = 0;
+        if (static_cast<std::uint32_t>(minus_x) + one > 2 * one ||
+            static_cast<std::uint32_t>(minus_y) + one > 2 * one ||
+            static_cast<std::uint32_t>(minus_z) + z_one > 2 * z_one) {
+            outside = planes(minus_x, minus_y, minus_z, one, z_one);
+            beyond = planes(minus_x, minus_y, minus_z, 4 * one, z_one);
+        }
+        return true;
+    }
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 
@@ -154,7 +204,6 @@ struct FixedMath {
         out.fog_mantissa = static_cast<std::uint32_t>(eye_z.m < 0 ? -eye_z.m : eye_z.m);
         out.fog_exponent = eye_z.e;
     }
-    static Depth depth(const Eye& eye) { return numeric::component(eye, 2); }
 
     /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
     static std::uint32_t color_units(Real component) {
@@ -167,6 +216,35 @@ struct FixedMath {
     }
 
   private:
+    /// Up to which number of leading zeros of w no lifted coordinate is shifted by more than 31.
+    static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
+        std::int32_t most = 31;
+        for (int i = 0; i < 3; ++i) {
+            const std::int32_t own = (i < 2 ? 34 : 32) - lift[i];
+            most = own < most ? own : most;
+        }
+        return most < 0 ? 0 : static_cast<std::uint32_t>(most);
+    }
+
+    static std::int32_t lifted(std::int32_t v, int n) {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
+    }
+    static std::int32_t high_word(std::int32_t a, std::int32_t b) {
+        return static_cast<std::int32_t>((numeric::mul_s32(a, b) + (std::int64_t{1} << 31)) >> 32);
+    }
+    /// middle - half * minus_q, nearest.
+    static std::int32_t place(std::int32_t middle, std::int32_t half, std::int32_t minus_q, int bits) {
+        const std::int64_t from = (std::int64_t{middle} << bits) + (std::int64_t{1} << (bits - 1));
+        return static_cast<std::int32_t>((from - numeric::mul_s32(half, minus_q)) >> bits);
+    }
+    /// The planes that quotients, negated, lie beyond.
+    static unsigned planes(std::int32_t minus_x, std::int32_t minus_y, std::int32_t minus_z, std::uint32_t xy,
+                           std::uint32_t z) {
+        const auto most = static_cast<std::int32_t>(xy), most_z = static_cast<std::int32_t>(z);
+        return (minus_x > most ? 1u : 0u) | (minus_x < -most ? 2u : 0u) | (minus_y > most ? 4u : 0u) |
+               (minus_y < -most ? 8u : 0u) | (minus_z > most_z ? 16u : 0u) | (minus_z < -most_z ? 32u : 0u);
+    }
+
     static bool is_identity(const numeric::Matrix& m) {
         const numeric::Matrix one = numeric::Matrix();
         for (int i = 0; i < 16; ++i)

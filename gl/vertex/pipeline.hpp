@@ -18,51 +18,63 @@ template <class M, class L> class Pipeline {
     void begin(Context& context, GLenum mode) {
         context_ = &context;
         mode_ = mode;
-        count_ = 0;
+        full_ = corners_of(mode);
+        held_ = 0;
+        odd_ = false;
+        for (int i = 0; i < slot_count; ++i)
+            corner_[i] = &slot_[i];
         derive(context);
         state_ = &draw_state(context);
     }
 
     void vertex(Context& context, const Real (&position)[4]) {
-        Vertex& v = slot_[slot_for_next()];
-        process(context, position, v);
-        ++count_;
-        assemble(v);
+        process(context, position, *corner_[held_]);
+        if (++held_ == full_)
+            primitive();
     }
 
     void end() {
-        if (mode_ == GL_LINE_LOOP && count_ >= 2)
-            line(slot_[1 + (count_ & 1)], slot_[0]);
+        if (mode_ == GL_LINE_LOOP && held_ == 2)
+            line(*corner_[1], *corner_[0]);
     }
 
     /// A material is about to change: vertices given so far get their colours from the old one.
     void settle_colors() {
-        for (Vertex& v : slot_)
-            color(v);
+        for (int i = 0; i < held_; ++i)
+            color(*corner_[i]);
         lighting_.materials_changed();
     }
 
   private:
+    /// Vertex::flags: bits 0..5 the view-volume planes it lies outside of, from bit 8 on the planes (guard
+    /// band, near, far) it must be clipped by, then what is still to be done.
+    static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
+                              unprojected = 1 << 14, ///< has `clip` and no window coordinates yet
+        uncolored = 1 << 15;
+
     struct Vertex {
-        typename M::Clip clip;
-        Window window;
-        typename M::Depth eye_z;  ///< with its sign: clipping mixes it, fog takes its size
-        typename L::Input light;  ///< what lighting needs, kept until the colour is
-        std::uint8_t outside = 0; ///< view-volume planes it lies outside of
-        std::uint8_t beyond = 0;  ///< planes (guard band, near, far) it must be clipped by
-        bool projected = false, colored = true;
+        std::uint32_t flags = 0;
+        Window window{};
+        typename M::Depth eye_z{}; ///< with its sign: clipping mixes it, fog takes its size
+        typename L::Input light{}; ///< what lighting needs, kept until the colour is
+        Real position[4]{};        ///< as given
+        typename M::Clip clip{};   ///< only while has_clip
+        bool has_clip = false;
     };
     static constexpr int slot_count = 4, clip_vertices = 16;
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    std::uint32_t count_ = 0; ///< vertices since Begin
+    int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
+    bool odd_ = false;        ///< number of triangles of the strip so far
+    Vertex* corner_[4];       ///< of the primitive being assembled
     Vertex slot_[slot_count];
     Vertex clipped_[clip_vertices];
     typename M::Transforms transforms_;
     L lighting_;
-    bool needs_eye_ = false;
+    bool fog_ = false, lit_ = false, needs_eye_ = false, flat_ = false, textured_[texture_units] = {};
+    bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
     std::int32_t point_size_ = 1, line_width_ = 1;
 
     void derive(Context& context) {
@@ -71,9 +83,24 @@ template <class M, class L> class Pipeline {
             lighting_.derive(context);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
         }
-        needs_eye_ = context.fog.fog || lighting_.needs_eye();
-        point_size_ = whole(context.polygon.point_size);
-        line_width_ = whole(context.polygon.line_width);
+        fog_ = context.fog.fog;
+        lit_ = context.lighting.lighting;
+        needs_eye_ = lighting_.needs_eye();
+        for (int u = 0; u < texture_units; ++u)
+            textured_[u] = context.texture.unit[u].texture_2d;
+        const PolygonState& polygon = context.polygon;
+        flat_ = polygon.shade_model == GL_FLAT;
+        front_is_ccw_ = polygon.front_face == GL_CCW;
+        culls_ccw_ = culls(polygon, front_is_ccw_);
+        culls_cw_ = culls(polygon, !front_is_ccw_);
+        point_size_ = whole(polygon.point_size);
+        line_width_ = whole(polygon.line_width);
+    }
+
+    static bool culls(const PolygonState& p, bool front) {
+        if (!p.cull_face)
+            return false;
+        return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
     }
 
     /// Aliased sizes are rounded, 0 counts as 1 (GL 1.3, 3.3, 3.4.2); the largest is 64.
@@ -81,130 +108,142 @@ template <class M, class L> class Pipeline {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
 
+    // --- one vertex
+
     void process(Context& context, const Real (&position)[4], Vertex& v) {
-        v.clip = M::to_clip(transforms_, position);
-        v.projected = false;
-        classify(v);
+        for (int i = 0; i < 4; ++i)
+            v.position[i] = position[i];
+        const typename M::Loaded loaded = M::load(transforms_, position);
+        unsigned outside, beyond;
+        v.has_clip = false;
+        if (M::to_window(transforms_, loaded, v.window, outside, beyond))
+            v.flags = outside | beyond << beyond_shift;
+        else
+            classify(v, M::to_clip(transforms_, loaded));
+        if (fog_) {
+            v.eye_z = M::depth(transforms_, loaded);
+            M::set_fog(v.eye_z, v.window);
+        }
         const CurrentState& current = context.current;
         for (int u = 0; u < texture_units; ++u)
-            if (context.texture.unit[u].texture_2d)
+            if (textured_[u])
                 M::set_texture(transforms_, current.tex_coord[u], u, v.window);
-        if (needs_eye_) {
-            const typename M::Eye eye = M::to_eye(transforms_, position);
-            if (context.fog.fog) {
-                v.eye_z = M::depth(eye);
-                M::set_fog(v.eye_z, v.window);
-            }
-            lighting_.take(context, eye, v.light);
-        } else {
+        if (!lit_)
+            return M::set_color(v.window, current.color);
+        v.flags |= uncolored;
+        if (needs_eye_)
+            lighting_.take(context, M::to_eye(transforms_, position), v.light);
+        else
             lighting_.take(context, v.light);
-        }
-        if (!context.lighting.lighting) {
-            M::set_color(v.window, current.color);
-            v.colored = true;
-            return;
-        }
-        v.colored = false;
         if (lighting_.tracks_color())
             color(v); // the material is the current colour: now or never
     }
 
-    static void classify(Vertex& v) {
-        unsigned outside = 0, beyond = 0;
-        for (int plane = 0; plane < 6; ++plane) {
-            outside |= M::volume_distance(v.clip, plane) < 0 ? 1u << plane : 0u;
-            beyond |= M::distance(v.clip, plane) < 0 ? 1u << plane : 0u;
+    /// Flags of a vertex that is to be projected only if it is seen.
+    static void classify(Vertex& v, const typename M::Clip& clip) {
+        unsigned flags = unprojected;
+        for (unsigned plane = 0; plane < 6; ++plane) {
+            flags |= M::volume_distance(clip, static_cast<int>(plane)) < 0 ? 1u << plane : 0u;
+            flags |= M::distance(clip, static_cast<int>(plane)) < 0 ? 1u << (plane + beyond_shift) : 0u;
         }
-        v.outside = static_cast<std::uint8_t>(outside);
-        v.beyond = static_cast<std::uint8_t>(beyond);
+        v.clip = clip;
+        v.has_clip = true;
+        v.flags = flags;
+    }
+
+    void needs_clip(Vertex& v) const {
+        if (v.has_clip)
+            return;
+        v.clip = M::to_clip(transforms_, M::load(transforms_, v.position));
+        v.has_clip = true;
     }
 
     void color(Vertex& v) {
-        if (v.colored)
+        if ((v.flags & uncolored) == 0)
             return;
         lighting_.light(*context_, v.light, 0, v.window);
-        v.colored = true;
+        v.flags &= ~uncolored;
     }
 
-    void project(Vertex& v) {
-        if (v.projected)
-            return;
+    /// False: not in front, never drawn.
+    bool project(Vertex& v) {
+        if ((v.flags & unprojected) == 0)
+            return true;
+        if (!M::in_front(v.clip))
+            return false;
         M::project(transforms_, v.clip, v.window);
-        v.projected = true;
+        v.flags &= ~unprojected;
+        return true;
     }
 
     // --- assembly (GL 1.3, 2.6.1); provoking vertices by table 2.11
 
-    /// Where vertex `count_` goes: fans and loops keep their first vertex in slot 0.
-    std::uint32_t slot_for_next() const {
-        switch (mode_) {
-        case GL_POINTS:
-            return 0;
-        case GL_LINES:
-        case GL_LINE_STRIP:
-            return count_ & 1;
-        case GL_TRIANGLES:
-        case GL_TRIANGLE_STRIP:
-            return count_ % 3;
-        case GL_QUADS:
-        case GL_QUAD_STRIP:
-            return count_ & 3;
-        default:
-            return count_ == 0 ? 0 : 1 + ((count_ - 1) & 1); // LINE_LOOP, TRIANGLE_FAN, POLYGON
-        }
+    static int corners_of(GLenum mode) {
+        constexpr std::int8_t corners[] = {1, 2, 2, 2, 3, 3, 3, 4, 4, 3}; // POINTS .. POLYGON
+        return corners[mode];
     }
 
-    void assemble(Vertex& last) {
-        const std::uint32_t n = count_;
+    void swap(int i, int j) {
+        Vertex* const v = corner_[i];
+        corner_[i] = corner_[j];
+        corner_[j] = v;
+    }
+
+    /// All corners are there: draws, and leaves those that the next primitive shares in front.
+    void primitive() {
+        Vertex* const* const c = corner_;
         switch (mode_) {
         case GL_POINTS:
-            return point(last);
+            held_ = 0;
+            return point(*c[0]);
         case GL_LINES:
-            if (n % 2 == 0)
-                line(slot_[0], slot_[1]);
-            return;
+            held_ = 0;
+            return line(*c[0], *c[1]);
         case GL_LINE_STRIP:
-            if (n >= 2)
-                line(slot_[n & 1], last);
-            return;
-        case GL_LINE_LOOP:
-            if (n == 2)
-                line(slot_[0], last);
-            if (n > 2)
-                line(slot_[1 + ((n - 2) & 1 ? 0 : 1)], last);
-            return;
+            held_ = 1;
+            swap(0, 1);
+            return line(*c[1], *c[0]);
+        case GL_LINE_LOOP: // the first vertex stays in front
+            held_ = 2;
+            if (full_ == 2) {
+                full_ = 3;
+                return line(*c[0], *c[1]);
+            }
+            swap(1, 2);
+            return line(*c[2], *c[1]);
         case GL_TRIANGLES:
-            if (n % 3 == 0)
-                triangle(slot_[0], slot_[1], slot_[2], last);
-            return;
+            held_ = 0;
+            return triangle(*c[0], *c[1], *c[2], *c[2]);
         case GL_TRIANGLE_STRIP:
-            return strip(last);
+            held_ = 2;
+            return strip();
         case GL_TRIANGLE_FAN:
-            if (n >= 3)
-                triangle(slot_[0], slot_[1 + (n & 1 ? 0 : 1)], last, last);
-            return;
+            held_ = 2;
+            swap(1, 2);
+            return triangle(*c[0], *c[2], *c[1], *c[1]);
         case GL_POLYGON:
-            if (n >= 3)
-                triangle(slot_[0], slot_[1 + (n & 1 ? 0 : 1)], last, slot_[0]);
-            return;
+            held_ = 2;
+            swap(1, 2);
+            return triangle(*c[0], *c[2], *c[1], *c[0]);
         case GL_QUADS:
-            if (n % 4 == 0)
-                quad(slot_[0], slot_[1], slot_[2], slot_[3], last);
-            return;
+            held_ = 0;
+            return quad(*c[0], *c[1], *c[2], *c[3], *c[3]);
         default: // QUAD_STRIP: v0 v1 v3 v2
-            if (n >= 4 && n % 2 == 0)
-                quad(slot_[n & 3], slot_[(n + 1) & 3], slot_[(n + 3) & 3], slot_[(n + 2) & 3], last);
-            return;
+            held_ = 2;
+            swap(0, 2);
+            swap(1, 3);
+            return quad(*c[2], *c[3], *c[1], *c[0], *c[1]);
         }
     }
 
     /// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
-    void strip(Vertex& last) {
-        if (count_ < 3)
-            return;
-        Vertex& oldest = slot_[count_ % 3];
-        Vertex& middle = slot_[(count_ + 1) % 3];
-        if ((count_ & 1) != 0)
+    void strip() {
+        Vertex &oldest = *corner_[0], &middle = *corner_[1], &last = *corner_[2];
+        corner_[0] = &middle;
+        corner_[1] = &last;
+        corner_[2] = &oldest;
+        odd_ = !odd_;
+        if (odd_)
             triangle(oldest, middle, last, last);
         else
             triangle(middle, oldest, last, last);
@@ -213,32 +252,52 @@ template <class M, class L> class Pipeline {
     // --- primitives
 
     void point(Vertex& v) {
-        if (v.outside != 0 || !M::in_front(v.clip))
+        if ((v.flags & outside_mask) != 0 || !project(v))
             return;
-        project(v);
         color(v);
         raster::draw_point(*state_, context_->drawable.surface, v.window, point_size_);
     }
 
     void line(Vertex& a, Vertex& b) {
-        if ((a.outside & b.outside) != 0)
+        if ((a.flags & b.flags & outside_mask) != 0)
             return;
-        color(a);
+        if (!flat_ || ((a.flags | b.flags) & beyond_mask) != 0)
+            color(a);
         color(b);
         Vertex* ends[2] = {&a, &b};
-        if ((a.outside | b.outside) != 0 && !clip_line(ends))
+        if (((a.flags | b.flags) & beyond_mask) != 0 && !clip_line(ends))
             return;
-        if (!M::in_front(ends[0]->clip) || !M::in_front(ends[1]->clip))
+        if (!project(*ends[0]) || !project(*ends[1]))
             return;
-        project(*ends[0]);
-        project(*ends[1]);
         raster::draw_line(*state_, context_->drawable.surface, ends[0]->window, ends[1]->window, b.window,
                           line_width_);
     }
 
+    static std::int64_t area_of(const Window& a, const Window& b, const Window& c) {
+        const raster::Position at_a = raster::position(a), at_b = raster::position(b),
+                               at_c = raster::position(c);
+        return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
+    }
+
+    /// The usual triangle; what must be clipped, or lit from behind, goes the way of polygons.
     void triangle(Vertex& a, Vertex& b, Vertex& c, Vertex& provoking) {
-        Vertex* corners[3] = {&a, &b, &c};
-        polygon(corners, 3, provoking);
+        const unsigned all = a.flags & b.flags & c.flags, any = a.flags | b.flags | c.flags;
+        if ((all & outside_mask) != 0)
+            return;
+        if ((any & (beyond_mask | unprojected)) != 0 || lighting_.two_sided()) {
+            Vertex* corners[3] = {&a, &b, &c};
+            return polygon(corners, 3, provoking);
+        }
+        const std::int64_t area = area_of(a.window, b.window, c.window);
+        if (area == 0 || (area > 0 ? culls_ccw_ : culls_cw_))
+            return;
+        if ((any & uncolored) != 0) {
+            if (!flat_)
+                color(a), color(b), color(c);
+            color(provoking);
+        }
+        raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window,
+                              provoking.window, area);
     }
 
     /// Two triangles with one facing: that of the whole quad.
@@ -248,61 +307,50 @@ template <class M, class L> class Pipeline {
     }
 
     void polygon(Vertex* const* corners, int n, Vertex& provoking) {
-        unsigned all = 0x3F, any = 0;
+        unsigned all = outside_mask, any = 0;
         for (int i = 0; i < n; ++i) {
-            all &= corners[i]->outside;
-            any |= corners[i]->beyond;
+            all &= corners[i]->flags;
+            any |= corners[i]->flags;
         }
         if (all != 0)
             return;
-        if (any == 0)
+        if ((any & beyond_mask) == 0)
             return visible(corners, n, provoking);
-        // Clipping interpolates colours, so they come first; of the provoking vertex too.
-        for (int i = 0; i < n; ++i)
-            color(*corners[i]);
+        // Clipping interpolates colours, so they come first.
         Vertex* work[2][clip_vertices];
-        for (int i = 0; i < n; ++i)
+        for (int i = 0; i < n; ++i) {
+            color(*corners[i]);
+            needs_clip(*corners[i]);
             work[0][i] = corners[i];
-        const int left = clip_polygon(work, n, any);
+        }
+        const int left = clip_polygon(work, n, any >> beyond_shift);
         if (left >= 3)
             visible(work[0], left, provoking);
     }
 
     void visible(Vertex* const* corners, int n, Vertex& provoking) {
-        std::int64_t area = 0, part[clip_vertices] = {};
-        for (int i = 0; i < n; ++i) {
-            if (!M::in_front(corners[i]->clip))
+        std::int64_t area = 0, part[clip_vertices]; // of triangle 0, i, i + 1
+        for (int i = 0; i < n; ++i)
+            if (!project(*corners[i]))
                 return;
-            project(*corners[i]);
-        }
         for (int i = 1; i + 1 < n; ++i) {
-            const raster::Position a = raster::position(corners[0]->window),
-                                   b = raster::position(corners[i]->window),
-                                   c = raster::position(corners[i + 1]->window);
-            part[i] = raster::signed_area(a.x, a.y, b.x, b.y, c.x, c.y);
+            part[i] = area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
             area += part[i];
         }
-        const bool front = (area > 0) == (context_->polygon.front_face == GL_CCW);
         if (area == 0 && n == 3)
             return;
-        if (culled(front))
+        const bool ccw = area > 0;
+        if (ccw ? culls_ccw_ : culls_cw_)
             return;
-        for (int i = 0; i < n; ++i)
+        if (ccw != front_is_ccw_ && lighting_.two_sided())
+            return draw_back(corners, n, provoking, part);
+        for (int i = 0; i < n && !flat_; ++i)
             color(*corners[i]);
         color(provoking);
-        if (!front && lighting_.two_sided())
-            return draw_back(corners, n, provoking, part);
         for (int i = 1; i + 1 < n; ++i)
             if (part[i] != 0)
                 raster::draw_triangle(*state_, context_->drawable.surface, corners[0]->window,
                                       corners[i]->window, corners[i + 1]->window, provoking.window, part[i]);
-    }
-
-    bool culled(bool front) const {
-        const PolygonState& p = context_->polygon;
-        if (!p.cull_face)
-            return false;
-        return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
     }
 
     /// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
@@ -326,23 +374,21 @@ template <class M, class L> class Pipeline {
     /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
     void cut(const Vertex& inside, const Vertex& outside, int plane, Vertex& out) {
         const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane);
-        out.clip = M::mix(inside.clip, outside.clip, t);
         M::mix(inside.window, outside.window, t, out.window);
-        if (context_->fog.fog) {
+        if (fog_) {
             out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
             M::set_fog(out.eye_z, out.window);
         }
         L::mix(inside.light, outside.light, t, out.light);
-        out.projected = false;
-        out.colored = true;
-        classify(out);
+        classify(out, M::mix(inside.clip, outside.clip, t));
         // Rounding must not leave it outside of the plane it lies on.
-        out.outside = static_cast<std::uint8_t>(out.outside & ~(1u << plane));
-        out.beyond = static_cast<std::uint8_t>(out.beyond & ~(1u << plane));
+        out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
     }
 
     bool clip_line(Vertex* (&ends)[2]) {
         int made = 0;
+        needs_clip(*ends[0]);
+        needs_clip(*ends[1]);
         for (int plane = 0; plane < 6; ++plane) {
             const bool first_out = M::distance(ends[0]->clip, plane) < 0,
                        second_out = M::distance(ends[1]->clip, plane) < 0;

@@ -15,6 +15,7 @@ template <class F, class D> struct Both {
 
 struct ShadowMath {
     using Window = raster::ShadowVertex;
+    using Loaded = Both<FixedMath::Loaded, DoubleMath::Loaded>;
     using Clip = Both<FixedMath::Clip, DoubleMath::Clip>;
     using Eye = Both<FixedMath::Eye, DoubleMath::Eye>;
     using Depth = Both<FixedMath::Depth, DoubleMath::Depth>;
@@ -25,8 +26,22 @@ struct ShadowMath {
         FixedMath::derive(state, out.fixed);
         DoubleMath::derive(state, out.twin);
     }
-    static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
-        return {FixedMath::to_clip(t.fixed, v), DoubleMath::to_clip(t.twin, v)};
+    static Loaded load(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::load(t.fixed, v), DoubleMath::load(t.twin, v)};
+    }
+    static bool to_window(const Transforms& t, const Loaded& v, Window& out, unsigned& outside,
+                          unsigned& beyond) {
+        if (!FixedMath::to_window(t.fixed, v.fixed, out.fixed, outside, beyond))
+            return false;
+        if (beyond == 0) // the others are cut, never drawn
+            project_twin(t, DoubleMath::to_clip(t.twin, v.twin), out);
+        return true;
+    }
+    static Clip to_clip(const Transforms& t, const Loaded& v) {
+        return {FixedMath::to_clip(t.fixed, v.fixed), DoubleMath::to_clip(t.twin, v.twin)};
+    }
+    static Depth depth(const Transforms& t, const Loaded& v) {
+        return {FixedMath::depth(t.fixed, v.fixed), DoubleMath::depth(t.twin, v.twin)};
     }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::to_eye(t.fixed, v), DoubleMath::to_eye(t.twin, v)};
@@ -56,12 +71,15 @@ struct ShadowMath {
         DoubleMath::mix(a.twin, b.twin, t.twin, out.twin);
     }
 
-    /// The twin goes on from the integers' snapped position: beyond it, only arithmetic differs.
     static void project(const Transforms& t, const Clip& c, Window& out) {
         FixedMath::project(t.fixed, c.fixed, out.fixed);
-        const bool sound = c.twin.v[3] > 0.0;
+        project_twin(t, c.twin, out);
+    }
+    /// The twin goes on from the integers' snapped position: beyond it, only arithmetic differs.
+    static void project_twin(const Transforms& t, const DoubleMath::Clip& c, Window& out) {
+        const bool sound = c.v[3] > 0.0;
         if (sound) {
-            DoubleMath::project(t.twin, c.twin, out.twin);
+            DoubleMath::project(t.twin, c, out.twin);
             report_position(out);
         } else { // the twin of a vertex at the very edge of the eye's plane
             out.twin.x_exact = out.fixed.x / double{raster::subpixel_one};
@@ -83,7 +101,6 @@ struct ShadowMath {
         DoubleMath::set_texture(t.twin, stq, unit, out.twin);
         report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
     }
-    static Depth depth(const Eye& eye) { return {FixedMath::depth(eye.fixed), DoubleMath::depth(eye.twin)}; }
     static void set_fog(const Depth& eye_z, Window& out) {
         FixedMath::set_fog(eye_z.fixed, out.fixed);
         DoubleMath::set_fog(eye_z.twin, out.twin);

@@ -11,139 +11,222 @@
 
 namespace spangle::numeric {
 
-/// Element (i, j) = m[N * j + i] * 2^(row[i] + column[j] - 31), |m| < 2^31.
+/// Integers under one exponent, not normalised: value i = m[i] * 2^e.
+template <int N> struct Mantissas {
+    std::int32_t m[N];
+    std::int32_t e;
+};
+
+/// Exponents that the components of a vertex are scaled by before they are brought under one.
+template <int N> struct Columns {
+    std::int32_t e[N] = {};
+    /// From this exponent on, the largest component of a vertex shifts those out whose biased exponent is 0.
+    std::int32_t least = 32;
+};
+
+/// Element (i, j) = m[N * i + j] * 2^(row[i] + column.e[j] - 31). The magnitudes of a row add up to less than
+/// 2^31.
 template <int N> struct BlockMatrixN {
     std::int32_t m[N * N] = {};
-    std::int16_t row[N] = {};
-    std::int16_t column[N] = {};
-    bool uniform = true; ///< all columns have the same exponent: the vertex is used as it is
+    std::int32_t row[N] = {};
+    Columns<N> column;
 };
 
 using BlockMatrix = BlockMatrixN<4>;
 using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
 
+/// A row under the columns of a matrix, with an exponent of its own.
+struct BlockRow {
+    std::int32_t m[4] = {};
+    std::int32_t e = 0;
+};
+
 namespace detail {
+
+inline constexpr std::int32_t no_exponent = -0x10000;
 
 /// 2^n > |v|, the least n.
 constexpr std::int32_t width(Block v) {
     return v.e + 32 - clz32(abs_u32(v.m));
 }
 
-/// Where N x N blocks, column-major, are scaled: columns by their largest element, then rows by theirs.
-template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N]) {
-    constexpr std::int32_t none = -0x10000;
-    BlockMatrixN<N> r;
-    std::int32_t column[N], least = 0x10000, most = none;
+/// Columns (of R rows, column-major) scaled by their largest element; a column of zeros has no say and takes
+/// what the largest has.
+template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R * N]) {
+    std::int32_t widest[N], most = no_exponent;
     for (int j = 0; j < N; ++j) {
-        column[j] = none;
-        for (int i = 0; i < N; ++i)
-            if (a[N * j + i].m != 0 && width(a[N * j + i]) > column[j])
-                column[j] = width(a[N * j + i]);
-        if (column[j] == none)
-            continue; // a column of zeros has no say
-        if (column[j] < least)
-            least = column[j];
-        if (column[j] > most)
-            most = column[j];
+        widest[j] = no_exponent;
+        for (int i = 0; i < R; ++i)
+            if (a[R * j + i].m != 0 && width(a[R * j + i]) > widest[j])
+                widest[j] = width(a[R * j + i]);
+        if (widest[j] > most)
+            most = widest[j];
     }
-    if (most == none)
+    Columns<N> r;
+    if (most == no_exponent)
         return r;
-    r.uniform = most == least;
     for (int j = 0; j < N; ++j)
-        r.column[j] = block_exponent(r.uniform || column[j] == none ? most : column[j]);
-    for (int i = 0; i < N; ++i) {
-        std::int32_t row = none;
-        for (int j = 0; j < N; ++j)
-            if (a[N * j + i].m != 0 && width(a[N * j + i]) - r.column[j] > row)
-                row = width(a[N * j + i]) - r.column[j];
-        r.row[i] = block_exponent(row == none ? 0 : row);
-        for (int j = 0; j < N; ++j) {
-            const Block v = a[N * j + i];
-            r.m[N * j + i] = scale_saturate(v.m, v.e + 31 - r.row[i] - r.column[j]);
-        }
-    }
+        r.e[j] = block_exponent(widest[j] == no_exponent ? most : widest[j]);
+    r.least = block_exponent(most) + 32;
     return r;
 }
 
-/// High word of row i times v, rounded: four products of (2^31 - 1) * (2^30 - 1) and the half stay below
-/// 2^63.
-SPANGLE_INLINE constexpr std::int32_t row_times(const BlockMatrix& a, int i, const std::int32_t (&v)[4]) {
-    const std::int64_t sum = (std::int64_t{1} << 31) + mul_s32(a.m[i], v[0]) + mul_s32(a.m[4 + i], v[1]) +
-                             mul_s32(a.m[8 + i], v[2]) + mul_s32(a.m[12 + i], v[3]);
-    return static_cast<std::int32_t>(sum >> 32);
+/// The elements of one row, `stride` apart, under the exponents of columns and at least `exponent`: mantissas
+/// whose magnitudes stay below 2^31 together. Returns their exponent.
+template <int N>
+constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& column, std::int32_t exponent,
+                                 std::int32_t* out) {
+    std::int32_t own = no_exponent;
+    for (int j = 0; j < N; ++j)
+        if (a[stride * j].m != 0 && width(a[stride * j]) - column.e[j] > own)
+            own = width(a[stride * j]) - column.e[j];
+    if (own == no_exponent) // zeros: any will do
+        own = exponent == no_exponent ? 0 : exponent;
+    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: N <= 4
+        std::uint64_t sum = 0;
+        for (int j = 0; j < N; ++j) {
+            const Block v = a[stride * j];
+            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column.e[j]);
+            sum += abs_u32(out[j]);
+        }
+        if (sum < std::uint64_t{1} << 31)
+            return block_exponent(exponent);
+    }
 }
-SPANGLE_INLINE constexpr std::int32_t row_times(const BlockMatrix3& a, int i, const std::int32_t (&v)[3]) {
-    const std::int64_t sum = (std::int64_t{1} << 31) + mul_s32(a.m[i], v[0]) + mul_s32(a.m[3 + i], v[1]) +
-                             mul_s32(a.m[6 + i], v[2]);
-    return static_cast<std::int32_t>(sum >> 32);
+
+/// All rows, the last one first, the others not finer than it (`last_is_finest`): of a vertex they are
+/// divided by the last.
+template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N], bool last_is_finest) {
+    BlockMatrixN<N> r;
+    r.column = column_exponents<N, N>(a);
+    for (int i = N - 1; i >= 0; --i)
+        r.row[i] = scale_row<N>(a + i, N, r.column, last_is_finest && i < N - 1 ? r.row[N - 1] : no_exponent,
+                                r.m + N * i);
+    return r;
+}
+
+/// load() of a vertex whose components are all next to nothing beside what the columns expect.
+template <int N> constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
+    std::int32_t m[N], e[N];
+    for (int i = 0; i < N; ++i) {
+        const Scaled s = scaled(v[i]);
+        m[i] = s.m;
+        e[i] = s.e + column.e[i];
+    }
+    return common_exponent<N, Mantissas<N>>(m, e);
 }
 
 } // namespace detail
+
+/// v[i] * 2^column.e[i] under one exponent, |m| < 2^30, within an ulp (towards 0). The largest decides, by
+/// its float exponent alone; the implicit one of a 0 or a denormal is shifted out, unless everything is that
+/// small.
+template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
+    std::int32_t e[N], top = detail::no_exponent;
+    for (int i = 0; i < N; ++i) {
+        e[i] = static_cast<std::int32_t>((v[i].bits >> 23) & 255) + column.e[i];
+        top = e[i] > top ? e[i] : top;
+    }
+    if (top < column.least) [[unlikely]]
+        return detail::load_small<N>(column, v);
+    Mantissas<N> out{};
+    for (int i = 0; i < N; ++i) {
+        const auto down = static_cast<std::uint32_t>(top - e[i] + 2);
+        const std::uint32_t magnitude = down > 31 ? 0 : (v[i].bits << 8 | 0x80000000u) >> down;
+        const std::uint32_t sign = 0u - (v[i].bits >> 31);
+        out.m[i] = static_cast<std::int32_t>((magnitude ^ sign) - sign);
+    }
+    out.e = top - 127 - 29;
+    return out;
+}
+
+/// A row times v: magnitudes of 2^31 together times 2^30, |sum| < 2^61.
+template <int N>
+SPANGLE_INLINE constexpr std::int64_t row_sum(const std::int32_t* row, const std::int32_t (&v)[N],
+                                              std::int64_t sum) {
+    for (int j = 0; j < N; ++j)
+        sum += mul_s32(row[j], v[j]);
+    return sum;
+}
+/// Its high word, rounded, below 2^29.
+template <int N>
+SPANGLE_INLINE constexpr std::int32_t row_times(const std::int32_t* row, const std::int32_t (&v)[N]) {
+    return static_cast<std::int32_t>(row_sum<N>(row, v, std::int64_t{1} << 31) >> 32);
+}
 
 /// The elements as blocks, 30 bits each.
 constexpr BlockMatrix to_block_matrix(const Matrix& a) {
     Block v[16];
     for (int i = 0; i < 16; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
-    return detail::scale_blocks<4>(v);
+    return detail::scale_blocks<4>(v, true);
 }
 
 /// Column-major.
 constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
-    return detail::scale_blocks<3>(v);
+    return detail::scale_blocks<3>(v, false);
 }
+
+/// Row i of a for vertices loaded under columns that need not be its own.
+constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
+    const Block v[4] = {to_block(a.at(i, 0)), to_block(a.at(i, 1)), to_block(a.at(i, 2)),
+                        to_block(a.at(i, 3))};
+    BlockRow r;
+    r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
+    return r;
+}
+
+// --- normalised results
 
 namespace detail {
 
-/// a times a vertex whose columns have been scaled.
-SPANGLE_INLINE constexpr Block4 rows_times(const BlockMatrix& a, const Block4& s) {
-    const std::int32_t up = s.e + 1; // the high word is worth 2^(32 - 31)
-    return common_exponent<4, Block4>(
-        {row_times(a, 0, s.m), row_times(a, 1, s.m), row_times(a, 2, s.m), row_times(a, 3, s.m)},
-        {up + a.row[0], up + a.row[1], up + a.row[2], up + a.row[3]});
+/// A vertex in block form under the exponents of columns.
+template <int N, class B> constexpr Mantissas<N> load(const Columns<N>& column, const B& v) {
+    std::int32_t m[N], e[N];
+    for (int i = 0; i < N; ++i) {
+        m[i] = v.m[i];
+        e[i] = v.e + column.e[i];
+    }
+    return common_exponent<N, Mantissas<N>>(m, e);
 }
-SPANGLE_INLINE constexpr Block3 rows_times(const BlockMatrix3& a, const Block3& s) {
-    const std::int32_t up = s.e + 1;
-    return common_exponent<3, Block3>({row_times(a, 0, s.m), row_times(a, 1, s.m), row_times(a, 2, s.m)},
-                                      {up + a.row[0], up + a.row[1], up + a.row[2]});
+
+template <int N, class B> constexpr B product(const BlockMatrixN<N>& a, const Mantissas<N>& v) {
+    std::int32_t m[N], e[N];
+    for (int i = 0; i < N; ++i) {
+        m[i] = row_times<N>(a.m + N * i, v.m);
+        e[i] = v.e + a.row[i] + 1; // the high word is worth 2^(32 - 31)
+    }
+    return common_exponent<N, B>(m, e);
 }
 
 } // namespace detail
 
+/// a times a vertex loaded under its columns, normalised by the largest component.
+constexpr Block4 product(const BlockMatrix& a, const Mantissas<4>& v) {
+    return detail::product<4, Block4>(a, v);
+}
+constexpr Block3 product(const BlockMatrix3& a, const Mantissas<3>& v) {
+    return detail::product<3, Block3>(a, v);
+}
+constexpr Block product(const BlockRow& a, const Mantissas<4>& v) {
+    return make_block(row_sum<4>(a.m, v.m, 0), v.e + a.e - 31);
+}
+
 /// a * v, normalised by its own largest component. v is loaded under the exponents of the columns, so each of
 /// its floats keeps the bits that count: x/w, y/w, z/w are within 2^-25 of their terms at worst.
 constexpr Block4 transform(const BlockMatrix& a, const Real (&v)[4]) {
-    using namespace detail;
-    const Scaled s[4] = {scaled(v[0]), scaled(v[1]), scaled(v[2]), scaled(v[3])};
-    return rows_times(a, common_exponent<4, Block4>({s[0].m, s[1].m, s[2].m, s[3].m},
-                                                    {s[0].e + a.column[0], s[1].e + a.column[1],
-                                                     s[2].e + a.column[2], s[3].e + a.column[3]}));
+    return product(a, load(a.column, v));
 }
 constexpr Block3 transform(const BlockMatrix3& a, const Real (&v)[3]) {
-    using namespace detail;
-    const Scaled s[3] = {scaled(v[0]), scaled(v[1]), scaled(v[2])};
-    return rows_times(
-        a, common_exponent<3, Block3>({s[0].m, s[1].m, s[2].m},
-                                      {s[0].e + a.column[0], s[1].e + a.column[1], s[2].e + a.column[2]}));
+    return product(a, load(a.column, v));
 }
 
 /// The same of a vertex in block form, which keeps 30 bits of its own largest component.
 constexpr Block4 transform(const BlockMatrix& a, const Block4& v) {
-    const std::int32_t e = v.e;
-    if (a.uniform)
-        return detail::rows_times(
-            a, {{v.m[0], v.m[1], v.m[2], v.m[3]}, detail::block_exponent(e + a.column[0])});
-    return detail::rows_times(a, detail::common_exponent<4, Block4>(
-                                     {v.m[0], v.m[1], v.m[2], v.m[3]},
-                                     {e + a.column[0], e + a.column[1], e + a.column[2], e + a.column[3]}));
+    return product(a, detail::load<4>(a.column, v));
 }
 constexpr Block3 transform(const BlockMatrix3& a, const Block3& v) {
-    const std::int32_t e = v.e;
-    if (a.uniform)
-        return detail::rows_times(a, {{v.m[0], v.m[1], v.m[2]}, detail::block_exponent(e + a.column[0])});
-    return detail::rows_times(
-        a, detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]},
-                                              {e + a.column[0], e + a.column[1], e + a.column[2]}));
+    return product(a, detail::load<3>(a.column, v));
 }
 
 } // namespace spangle::numeric

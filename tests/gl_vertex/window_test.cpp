@@ -115,16 +115,19 @@ TEST_F(Window, NothingOfAPrimitiveBeyondOnePlaneIsDrawn) {
 
 /// A triangle through the near plane becomes a quadrilateral in front of it.
 TEST_F(Window, NearPlane) {
-    WindowRecorder recorder;
-    glBegin(GL_TRIANGLES);
-    glVertex3f(-0.5f, -0.5f, 0);
-    glVertex3f(0.5f, -0.5f, 0);
-    glVertex3f(0, 0.5f, -3);
-    glEnd();
-    ASSERT_EQ(recorder.primitives.size(), 2u);
-    for (const Primitive& p : recorder.primitives)
-        for (const raster::FixedVertex& v : p.corner)
-            EXPECT_LE(v.y, (size / 2 - size / 4 + 11) * 256) << "a third of the way up";
+    for (const GLfloat depth : {1.5f, 1.9f, 3.0f, 100.0f}) {
+        WindowRecorder recorder;
+        glBegin(GL_TRIANGLES);
+        glVertex3f(-0.5f, -0.5f, 0);
+        glVertex3f(0.5f, -0.5f, 0);
+        glVertex3f(0, 0.5f, -depth);
+        glEnd();
+        ASSERT_EQ(recorder.primitives.size(), 2u) << depth;
+        const double top = size / 2.0 * (0.5 + 1 / depth); // z reaches -1 there
+        for (const Primitive& p : recorder.primitives)
+            for (const raster::FixedVertex& v : p.corner)
+                EXPECT_LE(v.y / 256.0, top + 1.0 / 256) << depth;
+    }
 }
 
 /// GL 1.3, 3.5.1: all combinations of facing and culling.

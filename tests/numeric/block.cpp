@@ -492,6 +492,23 @@ TEST(BlockMatrix, CarriesWhatIsExact) {
     EXPECT_EQ(nothing.m[3], 0);
 }
 
+/// Denormals, and zeros in columns larger than all that is not zero, as Reals and as blocks.
+TEST(BlockMatrix, SmallVerticesKeepTheirBits) {
+    Random random(34);
+    for (int n = 0; n < 100'000; ++n) {
+        const Real large = from_float(std::ldexp(1.0f, random.range(0, 120)));
+        const Matrix m = scaling(one, large, large);
+        Real v[4] = {from_float_bits(random.word() & 0x80FFFFFF), zero, zero, zero};
+        v[1 + n % 3] = n % 2 == 0 ? zero : from_float_bits(random.word() & 0x807FFFFF);
+        const Block4 got = transform(to_block_matrix(m), v),
+                     expected = transform(to_block_matrix(m), to_block(v[0], v[1], v[2], v[3]));
+        for (int c = 0; c < 4; ++c)
+            ASSERT_LE(std::fabs(value(component(got, c)) - value(component(expected, c))),
+                      std::ldexp(4.0L, expected.e))
+                << n;
+    }
+}
+
 TEST(BlockMatrix, NormalsOfStretchedObjectsKeepTheirDirection) {
     // diag(1, 1, 1024): the inverse transpose has rows of size 1 and of size 1/1024.
     const BlockMatrix3 m = to_block_matrix(inverse_transpose(scaling(one, one, from_i32(1024))));
