@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 /// For kernels whose call would cost more than their body.
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
@@ -38,11 +39,21 @@ SPANGLE_INLINE constexpr int signed_width32(std::int32_t v) {
     return 32 - clz32(static_cast<std::uint32_t>(v ^ (v >> 31)));
 }
 
+/// A factor as 32 bits and nothing else. Where words have 32 bits GCC 12 would carry a sign extension that it
+/// shares among products over a branch, and then multiply 64 by 64 bits: five instructions in place of one.
+template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
+#if __SIZEOF_POINTER__ == 4
+    if (!std::is_constant_evaluated() && !__builtin_constant_p(v))
+        asm("" : "+r"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
 SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{a} * b;
+    return std::uint64_t{factor32(a)} * factor32(b);
 }
 SPANGLE_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32_t b) {
-    return std::int64_t{a} * b;
+    return std::int64_t{factor32(a)} * factor32(b);
 }
 
 /// floor(a * b / 2^32).

@@ -114,6 +114,39 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
+/// The same for edges that cross a few columns: without a division, the column is found by walking there.
+/// Within 15 pixels each call of at() and step() walks 15 columns at most, and all sums fit 32 bits.
+class ShortEdge {
+  public:
+    static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
+
+    SPANGLE_INLINE ShortEdge(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                             std::int32_t row)
+        : x_(x0 >> subpixel_bits), denominator_((y1 - y0) * subpixel_one), part_((x1 - x0) * subpixel_one) {
+        const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
+        const std::int32_t inside = (x0 & (subpixel_one - 1)) - subpixel_one / 2;
+        remainder_ = above * (x1 - x0) + inside * (y1 - y0);
+        walk();
+    }
+    SPANGLE_INLINE std::int32_t column() const { return x_; }
+    /// To a row that the edge reaches.
+    SPANGLE_INLINE void step() {
+        remainder_ += part_;
+        walk();
+    }
+
+  private:
+    SPANGLE_INLINE void walk() {
+        while (remainder_ > 0)
+            ++x_, remainder_ -= denominator_;
+        while (remainder_ <= -denominator_)
+            --x_, remainder_ += denominator_;
+    }
+
+    std::int32_t x_, denominator_, part_;
+    std::int32_t remainder_; ///< of the ceil division: -denominator < remainder <= 0
+};
+
 /// The rows of a triangle that hold a centre, upwards. Vertices come sorted by y; `middle_left`: the middle
 /// one lies left of the edge from the lowest to the highest. E: Edge, or SmallEdge where it may be.
 template <class E> class TriangleRows {
@@ -180,5 +213,49 @@ template <class E> class TriangleRows {
     std::int32_t row_, stop_, end_;
     E left_{}, right_{};
 };
+
+/// All rows of a triangle within ShortEdge::extent at once, as TriangleRows::fill() gives them: 16 at most.
+template <bool Cut>
+int short_rows(Row* to, const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left,
+               const Rect& clip) {
+    const Row* const first = to;
+    std::int32_t y = first_center(ys[0]), end = first_center(ys[2]);
+    y = y < clip.y ? clip.y : y;
+    end = end < clip.y + clip.h ? end : clip.y + clip.h;
+    if (y >= end)
+        return 0;
+    ShortEdge across(xs[0], ys[0], xs[2], ys[2], y);
+    std::int32_t stop = first_center(ys[1]);
+    int from = 0;
+    if (y >= stop)
+        from = 1, stop = end;
+    for (;; from = 1, stop = end) {
+        stop = stop < end ? stop : end;
+        ShortEdge beside(xs[from], ys[from], xs[from + 1], ys[from + 1], y);
+        for (;;) {
+            std::int32_t left = across.column(), right = beside.column();
+            if (middle_left) {
+                const std::int32_t t = left;
+                left = right;
+                right = t;
+            }
+            if constexpr (Cut) {
+                const std::int32_t begin = left < clip.x ? clip.x : left;
+                const std::int32_t till = right < clip.x + clip.w ? right : clip.x + clip.w;
+                if (begin < till)
+                    *to++ = {y, left, right, begin, till};
+            } else if (left < right) {
+                *to++ = {y, left, right, left, right};
+            }
+            if (++y == stop)
+                break;
+            across.step();
+            beside.step();
+        }
+        if (y == end)
+            return static_cast<int>(to - first);
+        across.step();
+    }
+}
 
 } // namespace spangle::raster

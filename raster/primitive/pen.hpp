@@ -28,6 +28,7 @@ template <class P> class Pen {
         span.depth = nullptr;
     }
 
+    const Rect& clip() const { return clip_; }
     std::int32_t row_begin() const { return clip_.y; }
     std::int32_t row_end() const { return clip_.y + clip_.h; }
     std::int32_t column_begin() const { return clip_.x; }

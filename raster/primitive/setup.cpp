@@ -196,14 +196,19 @@ void Setup<Fixed>::add_colors(const ColorSource& from, Span<Fixed>::Affine* at, 
 bool Setup<Fixed>::weights() {
     const int e0 = v_[0]->w_exponent, e1 = v_[1]->w_exponent, e2 = v_[2]->w_exponent;
     const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
-    const auto scaled = [&](int i, int e) {
-        const int down = 2 + highest - e;
-        const std::uint32_t q = down < 32 ? v_[i]->w_mantissa >> down : 0;
-        return static_cast<std::int32_t>(q != 0 ? q : 1);
-    };
-    q_[0] = scaled(0, e0);
-    q_[1] = scaled(1, e1);
-    q_[2] = scaled(2, e2);
+    if (e0 == e1 && e0 == e2) { // mantissas have their top bit
+        for (int i = 0; i < 3; ++i)
+            q_[i] = static_cast<std::int32_t>(v_[i]->w_mantissa >> 2);
+    } else {
+        const auto scaled = [&](int i, int e) {
+            const int down = 2 + highest - e;
+            const std::uint32_t q = down < 32 ? v_[i]->w_mantissa >> down : 0;
+            return static_cast<std::int32_t>(q != 0 ? q : 1);
+        };
+        q_[0] = scaled(0, e0);
+        q_[1] = scaled(1, e1);
+        q_[2] = scaled(2, e2);
+    }
     q_range_ = range_of(q_[0], q_[1], q_[2]);
     const std::int32_t least = q_[0] < q_[1] ? q_[0] : q_[1];
     q_least_ = static_cast<std::uint32_t>(least < q_[2] ? least : q_[2]);
@@ -234,27 +239,29 @@ bool Setup<Fixed>::colors_affine() const {
     const std::uint64_t four = state_.tier == Tier::exact                   ? color_one >> 17
                                : format_info(state_.format).green_bits == 8 ? 1u << color_fraction_bits
                                                                             : 4u << color_fraction_bits;
-    const auto within = [&](const ColorSource& from, int count) {
-        for (int i = 0; i < count; ++i)
-            if (!bounded(range_of(static_cast<std::int32_t>(from.of[0][i]),
-                                  static_cast<std::int32_t>(from.of[1][i]),
-                                  static_cast<std::int32_t>(from.of[2][i])),
-                         four))
-                return false;
-        return true;
+    std::uint32_t widest = 0;
+    const auto widen = [&](const ColorSource& from, int count) {
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t range =
+                range_of(static_cast<std::int32_t>(from.of[0][i]), static_cast<std::int32_t>(from.of[1][i]),
+                         static_cast<std::int32_t>(from.of[2][i]));
+            widest = range > widest ? range : widest;
+        }
     };
-    return within(primary(), state_.needs.alpha ? 4 : 3) &&
-           (!state_.needs.secondary || within(secondary(), 3));
+    widen(primary(), state_.needs.alpha ? 4 : 3);
+    if (state_.needs.secondary)
+        widen(secondary(), 3);
+    return bounded(widest, four);
 }
 
 /// All three vertices have the same colours, as far as they are looked at.
 bool Setup<Fixed>::same_colors() const {
     const Needs& needs = state_.needs;
     const auto same = [](const ColorSource& from, int count) {
-        std::uint32_t differ = 0;
         for (int i = 0; i < count; ++i)
-            differ |= (from.of[0][i] ^ from.of[1][i]) | (from.of[0][i] ^ from.of[2][i]);
-        return differ == 0;
+            if (from.of[0][i] != from.of[1][i] || from.of[0][i] != from.of[2][i])
+                return false;
+        return true;
     };
     return (!needs.rgb || same(primary(), needs.alpha ? 4 : 3)) && (!needs.secondary || same(secondary(), 3));
 }
