@@ -17,7 +17,7 @@
 #include "gl/vertex/lighting_state.hpp"
 #include "gl/vertex/polygon_state.hpp"
 #include "gl/vertex/transform_state.hpp"
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 #include "raster/surface/surface.hpp"
 
 namespace spangle::gl {

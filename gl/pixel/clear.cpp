@@ -1,5 +1,5 @@
 // Clear (GL 1.3, 4.2.3).
-#include "raster/surface/clear.hpp"
+#include <spangle/raster/clear.hpp>
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"

@@ -4,7 +4,7 @@
 #include <spangle/format.hpp>
 
 #include "gl/pixel/group.hpp"
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::gl {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/context/types.hpp"
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::gl {
 

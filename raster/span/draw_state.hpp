@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/key.hpp"
 #include "raster/span/span.hpp"
 #include "raster/surface/surface.hpp"

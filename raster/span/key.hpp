@@ -6,7 +6,7 @@
 
 #include <spangle/format.hpp>
 
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/span.hpp"
 
 namespace spangle::raster {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/number.hpp"
 
 namespace spangle::raster {

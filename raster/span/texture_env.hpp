@@ -1,7 +1,7 @@
 // Texture environments (GL 1.3, tables 3.21 and 3.22).
 #pragma once
 
-#include "raster/span/fragment_state.hpp"
+#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/number.hpp"
 
 namespace spangle::raster {

@@ -1,8 +1,9 @@
-#include "raster/surface/clear.hpp"
+#include <spangle/raster/clear.hpp>
 
 #include <bit>
 
 #include "raster/surface/quantize.hpp"
+#include "raster/surface/surface.hpp"
 
 namespace spangle::raster {
 

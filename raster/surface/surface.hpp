@@ -1,33 +1,9 @@
-// The memory a context draws into: colour, depth and stencil planes, and the record of what was touched.
+// The record of what was touched on a surface, as it is widened.
 #pragma once
 
-#include <cstdint>
-
-#include <spangle/format.hpp>
+#include <spangle/raster/surface.hpp>
 
 namespace spangle::raster {
-
-/// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
-/// row first has a negative stride. Planes may be null when their format says none.
-struct Surface {
-    std::uint8_t* color = nullptr;
-    std::uint8_t* depth = nullptr;
-    std::int32_t color_stride = 0; ///< bytes from GL row y to y + 1
-    std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
-    RowExtents* extents = nullptr; ///< the same record whole, for full clears; null when nobody asks
-    RowSpan* touched = nullptr;    ///< its element of GL row 0, or null when nobody asks
-    std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
-    std::int32_t width = 0, height = 0;
-    PixelFormat format = PixelFormat::rgb565_be;
-    DepthFormat depth_format = DepthFormat::none;
-
-    std::uint8_t* color_row(std::int32_t y) const {
-        return color + static_cast<std::intptr_t>(y) * color_stride;
-    }
-    std::uint8_t* depth_row(std::int32_t y) const {
-        return depth + static_cast<std::intptr_t>(y) * depth_stride;
-    }
-};
 
 /// Widens the touched interval of GL row y to hold columns [begin, end).
 inline void touch(const Surface& s, std::int32_t y, std::int32_t begin, std::int32_t end) {

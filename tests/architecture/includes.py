@@ -13,9 +13,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 NUMERIC, FORMAT = {"raster/numeric"}, {"raster/format"}
-SURFACE = NUMERIC | FORMAT | {"raster/surface"}
+SURFACE = NUMERIC | FORMAT | {"raster/surface", "raster/include"}
 SPAN = SURFACE | {"raster/span"}
-RASTER = SPAN | {"raster/primitive", "raster/include"}
+RASTER = SPAN | {"raster/primitive"}
 HAL_BUS = FORMAT | {"hal/bus"}
 HAL_PANEL = HAL_BUS | {"hal/panel"}
 HAL_DISPLAY = HAL_PANEL | {"hal/display"}

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "raster/surface/clear.hpp"
+#include <spangle/raster/clear.hpp>
 #include "raster/surface/pixel.hpp"
 
 namespace spangle::raster {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "raster/surface/surface.hpp"
-#include "raster/surface/units.hpp"
+#include <spangle/raster/surface.hpp>
+#include <spangle/raster/units.hpp>
 
 namespace spangle::raster {
 

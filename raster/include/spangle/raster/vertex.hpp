@@ -1,0 +1,32 @@
+// A vertex as the rasterizer takes it: in window space, clipped, lit.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/raster/fragment_state.hpp>
+#include <spangle/raster/units.hpp>
+
+namespace spangle::raster {
+
+/// Subpixel bits: window x and y are n.8 in every policy (design 2).
+inline constexpr int subpixel_bits = 8;
+inline constexpr std::int32_t subpixel_one = 1 << subpixel_bits;
+
+/// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices.
+struct FixedVertex {
+    std::int32_t x, y; ///< window, n.8, y up; |x|, |y| within the guard band (4 x the largest viewport)
+    std::uint32_t z;   ///< 0 .. depth_one
+    std::uint32_t w_mantissa; ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
+    std::int16_t w_exponent;
+    std::int16_t fog_exponent; ///< eye distance |z_e| = fog_mantissa * 2^fog_exponent
+    std::uint32_t fog_mantissa;
+    std::uint32_t color[4];     ///< RGBA, colour units, 0 .. color_one
+    std::uint32_t secondary[3]; ///< RGB, colour units
+    struct TexCoord {
+        std::int32_t s, t, q; ///< value = mantissa * 2^exponent, after the texture matrix; common exponent
+        std::int16_t exponent;
+        std::int16_t q_is_one; ///< nonzero: q is exactly 1 (and its mantissa is not looked at)
+    } tex[max_texture_units];
+};
+
+} // namespace spangle::raster
