@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,47 @@ namespace {
 constexpr std::int32_t width = 64, height = 48;
 constexpr std::int64_t most_items = 64;          ///< of an array or a side of an image
 constexpr std::size_t client_bytes = 256 * 1024; ///< holds the largest image: (64 + 8)^2 groups of 16 bytes
+
+/// What parameters are set to that take one token of several.
+constexpr GLenum settings[] = {GL_NEAREST,
+                               GL_LINEAR,
+                               GL_NEAREST_MIPMAP_NEAREST,
+                               GL_LINEAR_MIPMAP_NEAREST,
+                               GL_NEAREST_MIPMAP_LINEAR,
+                               GL_LINEAR_MIPMAP_LINEAR,
+                               GL_CLAMP,
+                               GL_REPEAT,
+                               GL_CLAMP_TO_EDGE,
+                               GL_CLAMP_TO_BORDER,
+                               GL_MODULATE,
+                               GL_DECAL,
+                               GL_BLEND,
+                               GL_REPLACE,
+                               GL_ADD,
+                               GL_EXP2,
+                               0,
+                               1,
+                               2};
+constexpr GLenum internal_formats[] = {GL_RGBA,
+                                       GL_RGB,
+                                       GL_ALPHA,
+                                       GL_LUMINANCE,
+                                       GL_LUMINANCE_ALPHA,
+                                       GL_INTENSITY,
+                                       GL_RGB8,
+                                       GL_RGBA8,
+                                       GL_RGB5,
+                                       GL_RGB5_A1,
+                                       GL_RGBA4,
+                                       GL_R3_G3_B2,
+                                       GL_ALPHA4,
+                                       GL_LUMINANCE8,
+                                       GL_INTENSITY8,
+                                       GL_LUMINANCE8_ALPHA8,
+                                       1,
+                                       2,
+                                       3,
+                                       4};
 
 /// The stream; zeros when it has ended.
 class Bytes {
@@ -122,7 +164,8 @@ class Run {
         case Kind::pvalue:
             v.number = number(c, how);
             if (arg.kind == Kind::pvalue && pname != nullptr && pname->kind == 'i' && how % 4 != 0)
-                v.number = static_cast<double>(pname->good);
+                v.number =
+                    how % 4 == 1 ? static_cast<double>(pname->good) : settings[how % std::size(settings)];
             if (family == "PixelStore") // rows that client memory holds
                 v.number = how % 11 - 2.0;
             break;
@@ -131,6 +174,10 @@ class Run {
                                                            : how % (most_items + 3) - 2;
             break;
         case Kind::int_:
+            if (!arg.accepted.empty() && how % 8 != 0) { // an internal format
+                v.integer = internal_formats[how % std::size(internal_formats)];
+                break;
+            }
             v.integer = how % 8 == 0 && family != "ArrayElement" && family != "DrawArrays"
                             ? static_cast<std::int32_t>(in.word())
                             : how % 68 - 3;

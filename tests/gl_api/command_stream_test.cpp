@@ -1,5 +1,6 @@
 // Random command streams on the real pipeline: nothing breaks (run it under ASan and UBSan for the whole
 // meaning).
+#include "tests/gl_api/command_seeds.hpp"
 #include "tests/gl_api/command_stream.hpp"
 
 #include <cstdlib>
@@ -25,6 +26,11 @@ TEST(CommandStream, RandomStreams) {
         SCOPED_TRACE(i);
         spangle::test::run_command_stream(data.data(), data.size());
     }
+}
+
+TEST(CommandStream, Seeds) {
+    for (const std::vector<std::uint8_t>& seed : spangle::test::command_seeds())
+        spangle::test::run_command_stream(seed.data(), seed.size());
 }
 
 TEST(CommandStream, Corpus) {

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""Builds the fuzzers with clang, ASan and UBSan, runs each for a while and says what was executed, and which lines the
+inputs cover (by llvm-cov, in a second build without sanitizers).
+
+usage: ./dev fuzz [--seconds N] [--only NAME] [--keep] [--build FOLDER]
+
+The committed inputs of tests/fuzz/corpus/NAME and those found in earlier runs (BUILD/corpus/NAME) are where a run starts.
+An input that breaks something is left in BUILD/crashes, with the command that replays it, and the exit status is 1.
+--keep makes tests/fuzz/corpus the fewest inputs that reach all that was reached; the everyday tests replay them.
+"""
+import argparse
+import collections
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CORPUS = ROOT / "tests/fuzz/corpus"
+# The rooms each fuzzer is meant to reach.
+ROOMS = {"gl_commands": ("gl/", "raster/"), "controller": ("host_sim/bus/pins", "host_sim/controller")}
+LONGEST = {"gl_commands": 2048, "controller": 1024}  # bytes of an input
+SANITIZE = "-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -g1"
+COVERAGE = "-fprofile-instr-generate -fcoverage-mapping"
+ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1", "ASAN_SYMBOLIZER_PATH": shutil.which("llvm-symbolizer-14") or ""}
+
+
+def build(folder, flags, targets):
+    folder.mkdir(parents=True, exist_ok=True)
+    log = folder / "build.log"
+    for command in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DSPANGLE_TESTS=OFF", "-DSPANGLE_FUZZ=ON", "-DSPANGLE_WERROR=OFF",
+                     "-DCMAKE_CXX_COMPILER=clang++-14", f"-DCMAKE_CXX_FLAGS={flags}"],
+                    ["cmake", "--build", folder, "-j", os.environ.get("JOBS", str(os.cpu_count() or 2)), "--target", *targets]):
+        with open(log, "w") as out:
+            if subprocess.run([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT).returncode != 0:
+                print(log.read_text()[-4000:])
+                sys.exit(f"fuzz: the build failed; {log}")
+
+
+def start(name, folder, seconds):
+    """Runs one fuzzer on the committed and the earlier inputs; new ones go to the folder of this machine."""
+    found, crashes = folder / "corpus" / name, folder / "crashes"
+    crashes.mkdir(exist_ok=True)
+    log = folder / f"{name}.log"
+    command = [folder / "tests/fuzz" / f"fuzz_{name}", f"-max_total_time={seconds}", f"-max_len={LONGEST[name]}", "-len_control=0", "-timeout=20",
+               "-rss_limit_mb=3000", "-print_final_stats=1", f"-artifact_prefix={crashes}/{name}-", found]
+    if (CORPUS / name).is_dir():
+        command.append(CORPUS / name)
+    with open(log, "w") as out:
+        return subprocess.Popen([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT, env=ENVIRONMENT), log
+
+
+def executions(log):
+    match = re.search(r"stat::number_of_executed_units:\s*(\d+)", log)
+    return int(match.group(1)) if match else 0
+
+
+def crash_files(log):
+    return re.findall(r"Test unit written to (\S+)", log)
+
+
+def coverage(name, folder):
+    """Lines run by everything in the corpora, by room: {room: [run, all]}."""
+    program = folder / "coverage/tests/fuzz" / f"fuzz_{name}"
+    raw, data = folder / f"{name}.profraw", folder / f"{name}.profdata"
+    inputs = [str(path) for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir()]
+    with open(folder / f"{name}-replay.log", "w") as out:
+        subprocess.run([program, "-runs=0", *inputs], stdout=out, stderr=subprocess.STDOUT, env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
+    subprocess.run(["llvm-profdata-14", "merge", "-sparse", raw, "-o", data], check=True)
+    summary = subprocess.run(["llvm-cov-14", "export", "-summary-only", "-instr-profile", data, program], check=True, capture_output=True, text=True).stdout
+    rooms = collections.defaultdict(lambda: [0, 0])
+    for file in json.loads(summary)["data"][0]["files"]:
+        where = os.path.relpath(file["filename"], ROOT)
+        if where.startswith(ROOMS[name]) and file["summary"]["lines"]["count"] != 0:
+            room = rooms["/".join(where.split("/")[:2])]
+            room[0] += file["summary"]["lines"]["covered"]
+            room[1] += file["summary"]["lines"]["count"]
+    return rooms
+
+
+def keep(name, folder):
+    """Makes the committed inputs the fewest that reach every edge known; what only runs more often is left out."""
+    program, target, chosen = folder / "tests/fuzz" / f"fuzz_{name}", CORPUS / name, folder / f"{name}-kept"
+    shutil.rmtree(chosen, ignore_errors=True)
+    chosen.mkdir()
+    inputs = [str(path) for path in (target, folder / "corpus" / name) if path.is_dir()]
+    done = subprocess.run([program, "-merge=1", "-use_counters=0", f"-max_len={LONGEST[name]}", chosen, *inputs], capture_output=True, text=True, env=ENVIRONMENT)
+    if done.returncode != 0:
+        sys.exit(f"fuzz: merging {name} failed\n{done.stderr[-2000:]}")
+    shutil.rmtree(target, ignore_errors=True)
+    shutil.copytree(chosen, target)
+    print(f"{name}: {len(list(target.iterdir()))} inputs in {target.relative_to(ROOT)}")
+
+
+def report(name, folder, log, status, seconds):
+    text = log.read_text(errors="replace")
+    rooms = coverage(name, folder)
+    reached, total = sum(r for r, _ in rooms.values()), sum(t for _, t in rooms.values())
+    inputs = sum(1 for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir() for _ in path.iterdir())
+    edges = re.findall(r" cov: (\d+)", text)
+    print(f"\n{name}: {executions(text):,} executions in {seconds} s, {inputs} inputs, {edges[-1] if edges else 0} edges, "
+          f"{reached} of {total} lines ({100 * reached / max(total, 1):.1f} %)")
+    for room, (hit, of) in sorted(rooms.items()):
+        print(f"  {room:<24}{hit:>6} of {of:>6} lines {100 * hit / max(of, 1):>6.1f} %")
+    if status == 0 and total != 0 and executions(text) != 0:
+        return 0
+    print(f"  FAILED with status {status}: {log}")
+    for line in re.findall(r"^.*(?:ERROR: |runtime error: |controller stream: |the arena is ).*$", text, re.M)[:3]:
+        print(f"  {line}")
+    for path in crash_files(text):
+        print(f"  replay: {folder / 'tests/fuzz' / ('fuzz_' + name)} {path}")
+    return 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seconds", type=int, default=300, help="each fuzzer runs so long (300)")
+    parser.add_argument("--only", help="just this fuzzer")
+    parser.add_argument("--keep", action="store_true", help="renew tests/fuzz/corpus from what was found")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/fuzz")
+    options = parser.parse_args()
+    if options.only is not None and options.only not in ROOMS:
+        print(f"fuzz: no fuzzer '{options.only}'; there are {', '.join(ROOMS)}", file=sys.stderr)
+        return 2
+    names = [options.only] if options.only else list(ROOMS)
+    folder = options.build.resolve()
+    fuzzers = [f"fuzz_{name}" for name in names]
+    build(folder, SANITIZE, [*fuzzers, "fuzz_seeds"])
+    build(folder / "coverage", COVERAGE, fuzzers)
+    for name in names:
+        (folder / "corpus" / name).mkdir(parents=True, exist_ok=True)
+        subprocess.run([folder / "tests/fuzz/fuzz_seeds", name, folder / "corpus" / name], check=True)
+    begin, failed = time.monotonic(), 0
+    running = {name: start(name, folder, options.seconds) for name in names}
+    for name, (process, log) in running.items():
+        status = process.wait()
+        failed += report(name, folder, log, status, min(options.seconds, round(time.monotonic() - begin)))
+        if status == 0 and options.keep:
+            keep(name, folder)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

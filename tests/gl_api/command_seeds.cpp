@@ -1,0 +1,226 @@
+#include "tests/gl_api/command_seeds.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <random>
+#include <string_view>
+
+#include <spangle/GL/gl.h>
+
+#include "tests/gl_api/command_table.hpp"
+
+namespace spangle::test {
+namespace {
+
+/// Writes calls as run_command_stream() reads them; arguments that do not matter are drawn by lot.
+class Writer {
+  public:
+    explicit Writer(unsigned seed) : random_(seed) {
+        for (int i = 0; i < 4; ++i) // tier, depth, format, direction
+            put(static_cast<unsigned>(random_()));
+    }
+    std::vector<std::uint8_t> done() { return out_; }
+    unsigned lot(unsigned n) { return static_cast<unsigned>(random_()) % n; }
+
+    struct Fixed {
+        std::size_t argument;
+        unsigned byte;
+    };
+    /// The first enums and parameter names of the call are `chosen`, as far as they go; `fixed` bytes win.
+    void call(std::string_view name, std::initializer_list<GLenum> chosen = {},
+              std::initializer_list<Fixed> fixed = {}) {
+        const std::span<const Command> table = commands();
+        for (std::size_t i = 0; i < table.size(); ++i)
+            if (table[i].name == name)
+                return call(i, chosen, fixed);
+        std::abort(); // no such command
+    }
+    void some_state() {
+        const std::span<const Command> table = commands();
+        for (int tries = 0; tries < 100; ++tries) {
+            const std::size_t i = lot(static_cast<unsigned>(table.size()));
+            if (!table[i].inside && std::string_view(table[i].family) != "NewList")
+                return call(i, {}, {});
+        }
+    }
+    void primitive(GLenum mode, unsigned vertices) {
+        call("glBegin", {mode});
+        for (unsigned v = 0; v < vertices; ++v) {
+            constexpr const char* attributes[] = {"glColor3f",    "glColor4f",  "glColor4ub",
+                                                  "glNormal3f",   "glNormal3b", "glTexCoord2f",
+                                                  "glTexCoord4f", "glMaterialf"};
+            call(attributes[lot(8)]);
+            constexpr const char* positions[] = {"glVertex3f", "glVertex2f", "glVertex3d", "glVertex4f"};
+            call(positions[lot(8) % 5 % 4]);
+        }
+        call("glEnd");
+    }
+
+  private:
+    std::mt19937 random_;
+    std::vector<std::uint8_t> out_;
+
+    void put(unsigned byte) { out_.push_back(static_cast<std::uint8_t>(byte)); }
+    void word(std::uint32_t w) {
+        for (int i = 0; i < 4; ++i)
+            put(w >> 8 * i);
+    }
+
+    /// A byte that is not 0 modulo 16: what the reader takes for "something sensible".
+    unsigned sensible() {
+        for (;;)
+            if (const unsigned how = lot(256); how % 8 != 0)
+                return how;
+    }
+
+    /// The byte that the reader takes for entry `wanted` of a table; multiples of `avoid` mean something
+    /// else.
+    template <class Is> unsigned choice(std::size_t entries, unsigned avoid, Is is_wanted) {
+        for (unsigned how = 1; how < 256; ++how)
+            if (how % avoid != 0 && is_wanted(how % entries))
+                return how;
+        std::abort(); // not in this table
+    }
+
+    void call(std::size_t index, std::initializer_list<GLenum> chosen, std::initializer_list<Fixed> fixed) {
+        put(static_cast<unsigned>(index));
+        put(static_cast<unsigned>(index >> 8));
+        const Command& c = commands()[index];
+        auto next = chosen.begin();
+        for (std::size_t i = 0; i < c.args.size(); ++i) {
+            const Arg& arg = c.args[i];
+            const auto known =
+                std::find_if(fixed.begin(), fixed.end(), [i](const Fixed& f) { return f.argument == i; });
+            if (known != fixed.end())
+                put(known->byte);
+            else if (arg.kind == Kind::enum_ && next != chosen.end())
+                put(choice(arg.accepted.size(), 8,
+                           [&, e = *next++](std::size_t n) { return arg.accepted[n] == e; }));
+            else if (arg.kind == Kind::pname && next != chosen.end())
+                put(choice(c.pnames.size(), 16,
+                           [&, e = *next++](std::size_t n) { return c.pnames[n].name == e; }));
+            else
+                argument(arg);
+        }
+    }
+
+    void argument(const Arg& arg) {
+        const unsigned how = sensible();
+        put(how);
+        const bool any_enum = arg.kind == Kind::enum_ && arg.accepted.empty();
+        const bool bits = (arg.kind == Kind::uint || arg.kind == Kind::bitfield) && how % 4 == 0;
+        if (any_enum)
+            word(GL_RGBA);
+        else if (bits)
+            word(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    }
+};
+
+using Fill = void (*)(Writer&);
+
+constexpr GLenum modes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
+                            GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
+
+void shapes(Writer& w) {
+    for (const GLenum mode : modes)
+        w.primitive(mode, 3 + w.lot(5));
+}
+
+void lit(Writer& w) {
+    for (const GLenum on :
+         {GL_LIGHTING, GL_LIGHT0, GL_LIGHT1, GL_NORMALIZE, GL_COLOR_MATERIAL, GL_DEPTH_TEST})
+        w.call("glEnable", {on});
+    for (int i = 0; i < 6; ++i)
+        w.call(i % 2 != 0 ? "glLightf" : "glMaterialfv");
+    shapes(w);
+}
+
+/// A level of a texture, as run_command_stream() reads sizes (value + 2) and levels (value + 3, not 8).
+void image(Writer& w, unsigned level, unsigned size, GLenum format, GLenum type) {
+    const unsigned level_byte = level == 5 ? 76 : level + 3;
+    w.call("glTexImage2D", {GL_TEXTURE_2D, format, type},
+           {{1, level_byte}, {3, size + 2}, {4, size + 2}, {5, 3}});
+}
+
+void textured(Writer& w) {
+    constexpr GLenum formats[] = {GL_RGB, GL_RGBA, GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA};
+    w.call("glEnable", {GL_TEXTURE_2D});
+    for (int i = 0; i < 6; ++i) {
+        const GLenum format = formats[w.lot(5)];
+        for (unsigned level = 0; level <= 4; ++level)
+            image(w, level, 16u >> level, format, w.lot(2) != 0 ? GL_UNSIGNED_BYTE : GL_FLOAT);
+        // How the reader spells tokens: 2 or 3 modulo 4 picks one by the byte modulo 19, NEAREST and LINEAR
+        // first.
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            w.call("glTexParameteri", {GL_TEXTURE_2D, filter}, {{2, i % 2 != 0 ? 38u : 39u}});
+        w.call("glTexParameteri", {GL_TEXTURE_2D});
+        w.call("glTexEnvi", {GL_TEXTURE_ENV});
+        w.primitive(modes[w.lot(10)], 6);
+    }
+    for (int i = 0; i < 4; ++i)
+        w.call("glTexSubImage2D", {GL_TEXTURE_2D});
+    w.primitive(GL_TRIANGLES, 6);
+}
+
+void fragments(Writer& w) {
+    for (const GLenum on :
+         {GL_ALPHA_TEST, GL_BLEND, GL_DEPTH_TEST, GL_DITHER, GL_FOG, GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+        w.call("glEnable", {on});
+        for (const char* name :
+             {"glBlendFunc", "glStencilFunc", "glStencilOp", "glAlphaFunc", "glDepthFunc", "glFogf"})
+            w.call(name);
+        w.primitive(modes[w.lot(10)], 6);
+    }
+    textured(w);
+    w.call("glReadPixels");
+}
+
+void lists(Writer& w) {
+    w.call("glGenLists");
+    w.call("glNewList");
+    shapes(w);
+    w.call("glEndList");
+    w.call("glCallList");
+    w.call("glCallLists");
+}
+
+void arrays(Writer& w) {
+    for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
+        w.call("glEnableClientState", {array});
+    for (const GLenum mode : modes) {
+        w.call("glVertexPointer");
+        w.call("glColorPointer");
+        w.call("glDrawArrays", {mode});
+        w.call("glDrawElements", {mode});
+    }
+}
+
+void anything(Writer& w) {
+    for (int i = 0; i < 30; ++i) {
+        w.some_state();
+        if (i % 3 == 0)
+            w.primitive(modes[w.lot(10)], 4);
+    }
+}
+
+} // namespace
+
+std::vector<std::vector<std::uint8_t>> command_seeds() {
+    constexpr Fill fills[] = {shapes, lit, textured, fragments, lists, arrays, anything};
+    std::vector<std::vector<std::uint8_t>> seeds;
+    unsigned number = 0;
+    for (int round = 0; round < 8; ++round)
+        for (const Fill fill : fills) {
+            Writer w(++number);
+            if (round >= 4) // with whatever state a few calls leave
+                for (int i = 0; i < 6; ++i)
+                    w.some_state();
+            fill(w);
+            seeds.push_back(w.done());
+        }
+    return seeds;
+}
+
+} // namespace spangle::test

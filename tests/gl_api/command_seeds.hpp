@@ -1,0 +1,12 @@
+// Command streams that draw: where the fuzzer starts, since random calls seldom find Begin, vertices and End
+// in that order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace spangle::test {
+
+std::vector<std::vector<std::uint8_t>> command_seeds();
+
+} // namespace spangle::test
