@@ -12,6 +12,7 @@ struct ModelVertex {
     float position[3];
     float normal[3];
     float texcoord[2];
+    float color[4]; ///< of ModelPart::colored parts
 };
 
 struct ModelImage {
@@ -30,7 +31,7 @@ struct ModelPart {
     std::array<float, 4> emission{0.0f, 0.0f, 0.0f, 1.0f};
     float shininess = 0.0f; ///< 0 .. 128
     int image = -1;         ///< index into Model::images, or -1
-    bool two_sided = true;
+    bool colored = false;   ///< every vertex has its own diffuse colour
 };
 
 struct Model {

@@ -28,7 +28,14 @@ void draw_part(const ModelPart& part) {
     } else {
         glDisable(GL_TEXTURE_2D);
     }
-    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, part.diffuse.data());
+    if (part.colored) {
+        glEnable(GL_COLOR_MATERIAL);
+        glEnableClientState(GL_COLOR_ARRAY);
+    } else {
+        glDisable(GL_COLOR_MATERIAL);
+        glDisableClientState(GL_COLOR_ARRAY);
+        glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, part.diffuse.data());
+    }
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, part.specular.data());
     glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, part.emission.data());
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, part.shininess);
@@ -36,6 +43,7 @@ void draw_part(const ModelPart& part) {
     glVertexPointer(3, GL_FLOAT, sizeof(ModelVertex), v.position);
     glNormalPointer(GL_FLOAT, sizeof(ModelVertex), v.normal);
     glTexCoordPointer(2, GL_FLOAT, sizeof(ModelVertex), v.texcoord);
+    glColorPointer(4, GL_FLOAT, sizeof(ModelVertex), v.color);
     glDrawElements(mode_of(part.kind), static_cast<GLsizei>(part.indices.size()), GL_UNSIGNED_INT,
                    part.indices.data());
 }

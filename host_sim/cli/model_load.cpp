@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
+#include <sys/resource.h>
+
 #include <SDL2/SDL_image.h>
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -19,6 +23,17 @@ namespace fs = std::filesystem;
 
 constexpr int largest_texture = 256;              // what a display board would hold
 constexpr std::size_t most_triangles = 2'000'000; // beyond this no board, and no patience, follows
+constexpr float sharpest_smooth_edge = 66.0f;     // degrees; cubes stay cubes where a file has no normals
+constexpr rlim_t most_memory = rlim_t{2} << 30;   // of a model while it is read
+
+// AddressSanitizer's own memory is beyond every limit.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
 
 /// Box-filters an RGBA surface to powers of two no larger than `largest_texture`.
 ModelImage shrink(const SDL_Surface& s) {
@@ -66,14 +81,27 @@ class Reader {
 
     void node(const aiNode& n, const aiMatrix4x4& parent) {
         const aiMatrix4x4 world = parent * n.mTransformation;
-        for (unsigned i = 0; i < n.mNumMeshes; ++i)
+        // A few nodes can repeat a mesh without end: stop as soon as there is too much.
+        for (unsigned i = 0; i < n.mNumMeshes && model_.triangles <= most_triangles; ++i)
             mesh(*scene_.mMeshes[n.mMeshes[i]], world);
         for (unsigned i = 0; i < n.mNumChildren; ++i)
             node(*n.mChildren[i], world);
     }
 
+    /// Has colours of its own. Old exporters write an empty, black layer that was never shown.
+    static bool painted(const aiMesh& m) {
+        return m.HasVertexColors(0) &&
+               std::any_of(m.mColors[0], m.mColors[0] + m.mNumVertices,
+                           [](const aiColor4D& c) { return c.r > 0.0f || c.g > 0.0f || c.b > 0.0f; });
+    }
+
     void mesh(const aiMesh& m, const aiMatrix4x4& world) {
         ModelPart part;
+        if (m.mMaterialIndex < scene_.mNumMaterials)
+            material(*scene_.mMaterials[m.mMaterialIndex], part);
+        if (!m.HasTextureCoords(0))
+            part.image = -1;
+        part.colored = painted(m);
         aiMatrix3x3 turn(world);
         turn.Inverse().Transpose();
         for (unsigned i = 0; i < m.mNumVertices; ++i) {
@@ -82,25 +110,25 @@ class Reader {
             if (n.SquareLength() > 0)
                 n.Normalize();
             const aiVector3D t = m.HasTextureCoords(0) ? m.mTextureCoords[0][i] : aiVector3D(0, 0, 0);
-            part.vertices.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {t.x, t.y}});
+            const aiColor4D c = part.colored ? m.mColors[0][i] : aiColor4D(1, 1, 1, 1);
+            const std::array<float, 4>& d = part.diffuse;
+            part.vertices.push_back(
+                {{p.x, p.y, p.z}, {n.x, n.y, n.z}, {t.x, t.y}, {c.r * d[0], c.g * d[1], c.b * d[2], d[3]}});
         }
-        material(*scene_.mMaterials[m.mMaterialIndex], part);
-        if (!m.HasTextureCoords(0))
-            part.image = -1;
-        ModelPart by_kind[3] = {part, part, part};
+        std::vector<std::uint32_t> by_kind[3];
         for (unsigned i = 0; i < m.mNumFaces; ++i) {
             const aiFace& face = m.mFaces[i];
             if (face.mNumIndices < 1 || face.mNumIndices > 3)
                 continue;
-            auto& indices = by_kind[face.mNumIndices - 1].indices;
+            auto& indices = by_kind[face.mNumIndices - 1];
             indices.insert(indices.end(), face.mIndices, face.mIndices + face.mNumIndices);
         }
+        model_.triangles += by_kind[2].size() / 3;
         for (unsigned kind = 0; kind < 3; ++kind)
-            if (!by_kind[kind].indices.empty()) {
-                by_kind[kind].kind = static_cast<ModelPart::Kind>(kind);
-                if (kind == 2)
-                    model_.triangles += by_kind[kind].indices.size() / 3;
-                model_.parts.push_back(std::move(by_kind[kind]));
+            if (!by_kind[kind].empty()) {
+                part.kind = static_cast<ModelPart::Kind>(kind);
+                part.indices = std::move(by_kind[kind]);
+                model_.parts.push_back(part);
             }
     }
 
@@ -116,8 +144,12 @@ class Reader {
         float value = 0.0f;
         if (m.Get(AI_MATKEY_SHININESS, value) == AI_SUCCESS)
             part.shininess = std::clamp(value, 0.0f, 128.0f);
+        if (part.shininess <= 0.0f) // no highlight was meant; an exponent of 0 would light everything
+            part.specular = {0.0f, 0.0f, 0.0f, 1.0f};
         if (m.Get(AI_MATKEY_OPACITY, value) == AI_SUCCESS)
             part.diffuse[3] = std::clamp(value, 0.0f, 1.0f);
+        if (part.diffuse[3] <= 0.0f) // exporters write 0 for opaque; nobody models what cannot be seen
+            part.diffuse[3] = 1.0f;
         aiString name;
         if (m.GetTexture(aiTextureType_DIFFUSE, 0, &name) == AI_SUCCESS ||
             m.GetTexture(aiTextureType_BASE_COLOR, 0, &name) == AI_SUCCESS)
@@ -142,6 +174,31 @@ class Reader {
         return images_[name] = index;
     }
 
+    static bool same_letters(const std::string& a, const std::string& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+            return std::tolower(x) == std::tolower(y);
+        });
+    }
+
+    /// The file at `path` from `folder` on whatever the case of its letters; empty when there is none.
+    static fs::path find(fs::path folder, const fs::path& path) {
+        std::error_code ignored;
+        for (const fs::path& step : path) {
+            fs::path next = folder / step;
+            if (!fs::exists(next, ignored)) {
+                const auto entries = fs::directory_iterator(folder, ignored);
+                const auto match = std::find_if(begin(entries), end(entries), [&step](const auto& entry) {
+                    return same_letters(entry.path().filename().string(), step.string());
+                });
+                if (match == end(entries))
+                    return {};
+                next = match->path();
+            }
+            folder = next;
+        }
+        return fs::is_regular_file(folder, ignored) ? folder : fs::path{};
+    }
+
     SDL_Surface* decode(const std::string& name) const {
         if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str())) {
             if (t->mHeight == 0)
@@ -150,15 +207,15 @@ class Reader {
                 t->pcData, static_cast<int>(t->mWidth), static_cast<int>(t->mHeight), 32,
                 static_cast<int>(t->mWidth * 4), SDL_PIXELFORMAT_BGRA32);
         }
-        // Exporters leave Windows paths, absolute paths and odd case behind: look for the bare name near the
-        // model.
-        std::string bare = name;
+        // Exporters leave Windows paths, absolute paths and odd case behind: look for what they name, then
+        // for the bare name near the model.
+        std::string bare = name.substr(
+            name.find_first_not_of("\\/") == std::string::npos ? 0 : name.find_first_not_of("\\/"));
         std::replace(bare.begin(), bare.end(), '\\', '/');
         const fs::path leaf = fs::path(bare).filename();
-        for (const fs::path& candidate :
-             {folder_ / bare, folder_ / leaf, folder_ / ".." / leaf, folder_ / "textures" / leaf})
-            if (std::error_code ignored; fs::is_regular_file(candidate, ignored))
-                if (SDL_Surface* s = IMG_Load(candidate.c_str()))
+        for (const fs::path& candidate : {fs::path(bare), leaf, ".." / leaf, "textures" / leaf})
+            if (const fs::path file = find(folder_, candidate); !file.empty())
+                if (SDL_Surface* s = IMG_Load(file.c_str()))
                     return s;
         return nullptr;
     }
@@ -194,6 +251,24 @@ bool fit(Model& model) {
     return true;
 }
 
+/// A few bytes of a broken file can ask for all memory there is, and the system would end the program for it.
+class MemoryLimit {
+  public:
+    MemoryLimit() {
+        getrlimit(RLIMIT_DATA, &before_);
+        rlimit during = before_;
+        during.rlim_cur = std::min<rlim_t>(before_.rlim_cur, most_memory);
+        if (!sanitized)
+            setrlimit(RLIMIT_DATA, &during);
+    }
+    ~MemoryLimit() { setrlimit(RLIMIT_DATA, &before_); }
+    MemoryLimit(const MemoryLimit&) = delete;
+    MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
 } // namespace
 
 ModelResult load_model(const std::string& path) {
@@ -205,6 +280,8 @@ ModelResult load_model(const std::string& path) {
     }
     Assimp::Importer importer;
     const aiScene* scene = nullptr;
+    const MemoryLimit limit;
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, sharpest_smooth_edge);
     try {
         scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals |
                                             aiProcess_JoinIdenticalVertices | aiProcess_FindDegenerates |
@@ -214,7 +291,9 @@ ModelResult load_model(const std::string& path) {
         return result;
     }
     if (scene == nullptr || scene->mRootNode == nullptr) {
-        result.error = "cannot read model '" + path + "': " + importer.GetErrorString();
+        const std::string why = importer.GetErrorString();
+        result.error = "cannot read model '" + path +
+                       "': " + (why == "std::bad_alloc" ? "it asks for more than 2 GiB of memory" : why);
         return result;
     }
     result.model.name = fs::path(path).filename().string();

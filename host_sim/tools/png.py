@@ -1,0 +1,83 @@
+"""PNG files of 8-bit RGB or RGBA in, of at most 256 colours out; the standard library only."""
+import struct
+import zlib
+
+
+def read(data):
+    """(width, height, rows of (r, g, b) tuples) of what spangle --shot writes."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("not a PNG file")
+    at, packed, width, height, channels = 8, b"", 0, 0, 0
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        at += length + 12
+        if kind == b"IHDR":
+            width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", body)
+            if depth != 8 or color not in (2, 6) or interlace:
+                raise ValueError("only 8-bit RGB and RGBA are read")
+            channels = 3 if color == 2 else 4
+        elif kind == b"IDAT":
+            packed += body
+    flat, stride = zlib.decompress(packed), width * channels
+    rows, above = [], bytearray(stride)
+    for y in range(height):
+        filter_type, row = flat[y * (stride + 1)], bytearray(flat[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            left = row[i - channels] if i >= channels else 0
+            corner = above[i - channels] if i >= channels else 0
+            row[i] = (row[i] + predict(filter_type, left, above[i], corner)) & 255
+        rows.append([tuple(row[i:i + 3]) for i in range(0, stride, channels)])
+        above = row
+    return width, height, rows
+
+
+def predict(filter_type, left, up, corner):
+    if filter_type < 3:
+        return (0, left, up)[filter_type]
+    if filter_type == 3:
+        return (left + up) // 2
+    estimate = left + up - corner
+    return min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
+
+
+def palette(counts, colors):
+    """Median cut: {color: index}, [color of index]. The box with the most pixels times extent is halved next."""
+    boxes = [list(counts)]
+    while len(boxes) < colors:
+        def weight(box):
+            return max(max(c[i] for c in box) - min(c[i] for c in box) for i in range(3)) * sum(counts[c] for c in box) ** 0.5
+        box = max(boxes, key=weight)
+        if len(box) == 1:
+            break
+        axis = max(range(3), key=lambda i: max(c[i] for c in box) - min(c[i] for c in box))
+        box.sort(key=lambda c: c[axis])
+        half, passed, cut = sum(counts[c] for c in box) / 2, 0, 1
+        for cut, color in enumerate(box[:-1], 1):
+            passed += counts[color]
+            if passed >= half:
+                break
+        boxes.remove(box)
+        boxes += [box[:cut], box[cut:]]
+    index, table = {}, []
+    for n, box in enumerate(boxes):
+        total = sum(counts[c] for c in box)
+        table.append(tuple(round(sum(c[i] * counts[c] for c in box) / total) for i in range(3)))
+        index.update({c: n for c in box})
+    return index, table
+
+
+def write(rows, colors=256):
+    """The bytes of a PNG file with a palette."""
+    counts = {}
+    for row in rows:
+        for color in row:
+            counts[color] = counts.get(color, 0) + 1
+    index, table = palette(counts, colors)
+    flat = b"".join(b"\0" + bytes(index[color] for color in row) for row in rows)
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", bytes(v for color in table for v in color)) +
+            chunk(b"IDAT", zlib.compress(flat, 9)) + chunk(b"IEND", b""))
