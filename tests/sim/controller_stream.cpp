@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 
 #include "host_sim/bus/pins.hpp"
@@ -53,21 +54,36 @@ GlassMount mount_of(const Chip& chip, Bytes& in) {
     return m;
 }
 
+/// How a host reaches the controller: bits 0 to 2 of the stream's second byte.
+struct Wiring {
+    bool parallel, pins;
+    bool odd; ///< pins only: 3-wire SPI with D/C in front of each byte, or an 8080 bus of 16 lines
+
+    explicit Wiring(unsigned bits) : parallel((bits & 1) != 0), pins((bits & 2) != 0), odd((bits & 6) == 6) {}
+    Wiring bytes() const {
+        Wiring w = *this;
+        w.pins = false;
+        return w;
+    }
+    unsigned cycles() const { return parallel ? 1 : odd ? 9 : 8; } ///< of a byte
+    bool wide() const { return parallel && odd; }
+};
+
 /// A controller, and how a byte gets there.
 class FrontEnd {
   public:
-    FrontEnd(const Chip& chip, const GlassMount& glass, bool parallel, bool by_pins)
-        : controller(chip, glass, parallel) {
-        if (by_pins && parallel)
-            parallel_.emplace(controller);
-        else if (by_pins)
-            serial_.emplace(controller);
-        parallel_bus_ = parallel;
+    FrontEnd(const Chip& chip, const GlassMount& glass, const Wiring& wiring)
+        : controller(chip, glass, wiring.parallel), wiring_(wiring) {
+        if (wiring.pins && wiring.parallel)
+            parallel_.emplace(controller, wiring.odd ? 16u : 8u);
+        else if (wiring.pins)
+            serial_.emplace(controller, wiring.odd);
     }
 
     DcsController controller;
 
     void select(bool on, Time now) {
+        selected_ = on;
         if (serial_)
             serial_->set(SerialPins::Pin::select, !on, now);
         else if (parallel_)
@@ -83,21 +99,27 @@ class FrontEnd {
         else
             controller.reset(low, now);
     }
-    /// Starts at `now` and takes 8 or 1 periods; bytes count from their last rising edge on.
+    /// Starts at `now` and takes its cycles; bytes count from their last rising edge on. Sixteen lines carry
+    /// a byte of pixels twice.
     void write(std::uint8_t byte, bool data, Time now, unsigned period) {
         if (serial_) {
             serial_->set(SerialPins::Pin::data, data, now);
-            for (unsigned i = 0; i < 8; ++i)
-                clock((byte >> (7 - i) & 1) != 0, now + Time(i) * period, period);
+            const unsigned word = byte | (data ? 0x100u : 0u);
+            for (unsigned i = 0; i < wiring_.cycles(); ++i)
+                clock((word >> (wiring_.cycles() - 1 - i) & 1) != 0, now + Time(i) * period, period);
         } else if (parallel_) {
             using Pin = ParallelPins::Pin;
             parallel_->set(Pin::data, data, now);
-            parallel_->drive(byte);
+            parallel_->drive(byte * 0x101u);
             parallel_->set(Pin::write, false, now);
             parallel_->set(Pin::write, true, now + period);
         } else {
-            controller.write(byte, data, now + Time(period) * (parallel_bus_ ? 1 : 8), period);
+            for (int n = data && pairs() ? 2 : 1; n > 0; --n)
+                controller.write(byte, data, now + Time(period) * wiring_.cycles(), period);
         }
+        if (selected_ && !data)
+            command_ = byte;
+        dummy_ = dummy_ || selected_;
     }
     unsigned read(Time now, unsigned period) {
         if (serial_)
@@ -109,10 +131,17 @@ class FrontEnd {
             parallel_->set(Pin::read, true, now + period);
             return answer;
         }
-        return parallel_bus_ ? controller.read_byte(now + period, period)
-                             : controller.read_bit(now + period, period);
+        if (!wiring_.parallel)
+            return controller.read_bit(now + period, period);
+        if (!selected_)
+            return 0;
+        unsigned answer = controller.read_byte(now + period, period);
+        if (pairs() && !dummy_)
+            answer = answer << 8 | controller.read_byte(now + period, period);
+        dummy_ = false;
+        return answer;
     }
-    bool at_pins() const { return serial_ || parallel_; }
+    bool at_pins() const { return wiring_.pins; }
     void edge(unsigned pin, bool high, Time now) {
         if (serial_)
             serial_->set(static_cast<SerialPins::Pin>(pin % 5), high, now);
@@ -121,10 +150,17 @@ class FrontEnd {
     }
 
   private:
+    Wiring wiring_;
     std::optional<SerialPins> serial_;
     std::optional<ParallelPins> parallel_;
-    bool parallel_bus_ = false;
+    bool selected_ = false, dummy_ = false;
+    std::uint8_t command_ = 0;
 
+    /// A cycle of 16 lines carries two bytes of pixels.
+    bool pairs() const {
+        const bool memory = command_ == 0x2C || command_ == 0x3C || command_ == 0x2E || command_ == 0x3E;
+        return wiring_.wide() && memory;
+    }
     bool clock(bool out, Time now, unsigned period) {
         using Pin = SerialPins::Pin;
         serial_->set(Pin::clock, false, now);
@@ -137,13 +173,12 @@ class FrontEnd {
 
 class Run {
   public:
-    Run(const std::uint8_t* data, std::size_t bytes) : in_(data, bytes), chip_(chip_of(in_.byte())) {
-        const unsigned front = in_.byte();
-        parallel_ = (front & 1) != 0;
+    Run(const std::uint8_t* data, std::size_t bytes)
+        : in_(data, bytes), chip_(chip_of(in_.byte())), wiring_(in_.byte()) {
         const GlassMount glass = mount_of(chip_, in_);
-        first_.emplace(chip_, glass, parallel_, (front & 2) != 0);
-        if (first_->at_pins())
-            twin_.emplace(chip_, glass, parallel_, false);
+        first_ = std::make_unique<FrontEnd>(chip_, glass, wiring_);
+        if (wiring_.pins)
+            twin_ = std::make_unique<FrontEnd>(chip_, glass, wiring_.bytes());
     }
 
     void all() {
@@ -157,8 +192,8 @@ class Run {
   private:
     Bytes in_;
     Chip chip_;
-    std::optional<FrontEnd> first_, twin_;
-    bool parallel_ = false;
+    Wiring wiring_;
+    std::unique_ptr<FrontEnd> first_, twin_;
     Time now_ = 0;
     unsigned write_cycle_ = 100, read_cycle_ = 500;
     std::uint64_t bytes_ = 0;
@@ -230,20 +265,23 @@ class Run {
     }
 
     void write(std::uint8_t byte, bool data) {
+        if (answering()) // pins take no bits then; bytes come through
+            twin_.reset();
         both([&](FrontEnd& f) { f.write(byte, data, now_, write_cycle_); });
-        now_ += Time(write_cycle_) * (parallel_ ? 1 : 8);
+        now_ += Time(write_cycle_) * wiring_.cycles();
         ++bytes_;
     }
 
     void read() {
-        const unsigned answer = first_->read(now_, read_cycle_);
-        // At serial pins every clock is also one of a byte that is written: the byte twin has no such clocks.
-        if (twin_ && !parallel_)
+        if (!wiring_.parallel && !answering()) // clocks of a byte, which byte ports do not know
             twin_.reset();
+        const unsigned answer = first_->read(now_, read_cycle_);
         if (twin_)
             require(twin_->read(now_, read_cycle_) == answer, "pins and bytes answer differently");
         now_ += read_cycle_;
     }
+
+    bool answering() const { return !wiring_.parallel && wiring_.pins && first_->controller.answers(); }
 
     void look() {
         DcsController& c = first_->controller;
@@ -404,7 +442,7 @@ void run_controller_stream(const std::uint8_t* data, std::size_t bytes) {
 std::vector<std::vector<std::uint8_t>> controller_seeds() {
     std::vector<std::vector<std::uint8_t>> seeds;
     for (unsigned chip = 0; chip < 6; ++chip) // three with their own memory, three with a small one
-        for (unsigned front = 0; front < 4; ++front) {
+        for (const unsigned front : {0u, 1u, 2u, 3u, 6u, 7u}) {
             const Chip facts = chip_of(chip);
             const auto with = [&](auto fill) {
                 Writer w(chip, front);
