@@ -17,10 +17,17 @@ bool owns(std::int64_t dx, std::int64_t dy) {
 
 } // namespace
 
+std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b) {
+    std::uint64_t n = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        n += a[i] != b[i] ? 1 : 0;
+    return n;
+}
+
 Coverage::Coverage(int width, int height)
     : width_(width), height_(height),
-      hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), mask_(hits_.size()),
-      snapped_(hits_.size()), exact_(hits_.size()) {
+      hits_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      mask_(hits_.size()), frame_{mask_, mask_} {
     triangle = [](Observer& self, const std::int32_t x[3], const std::int32_t y[3], const double* ex,
                   const double* ey,
                   Rect scissor) { static_cast<Coverage&>(self).begin(x, y, ex, ey, scissor); };
@@ -98,21 +105,20 @@ void Coverage::close_triangle() {
             std::uint8_t& hits = hits_[static_cast<std::size_t>(y * width_ + x)];
             const bool wanted = inside(x * one + one / 2, y * one + one / 2);
             mismatches_ += hits != (wanted ? 1 : 0) ? 1 : 0;
-            covered_ += wanted ? 1 : 0;
             if (wanted)
-                snapped_[static_cast<std::size_t>(y * width_ + x)] = true;
+                frame_.snapped[static_cast<std::size_t>(y * width_ + x)] = true;
             if (triangle_.has_exact ? inside_exact(x + 0.5, y + 0.5) : wanted)
-                exact_[static_cast<std::size_t>(y * width_ + x)] = true;
+                frame_.exact[static_cast<std::size_t>(y * width_ + x)] = true;
             hits = 0;
         }
 }
 
-void Coverage::end_frame() {
+FrameCoverage Coverage::end_frame() {
     close_triangle();
-    for (std::size_t i = 0; i < snapped_.size(); ++i)
-        unsnapped_ += snapped_[i] != exact_[i] ? 1 : 0;
-    snapped_.assign(snapped_.size(), false);
-    exact_.assign(exact_.size(), false);
+    const std::vector<bool> empty(mask_.size());
+    FrameCoverage out{empty, empty};
+    std::swap(out, frame_);
+    return out;
 }
 
 std::vector<bool> Coverage::take_mask() {

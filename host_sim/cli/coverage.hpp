@@ -9,16 +9,23 @@
 
 namespace spangle::cli {
 
+/// What the triangles of one frame cover: one flag per pixel, rows from the bottom.
+struct FrameCoverage {
+    std::vector<bool> snapped; ///< their vertices on the n.8 grid
+    std::vector<bool>
+        exact; ///< where the policy knows them, their vertices as they were before; else snapped
+};
+/// Pixels that only one of the two covers.
+std::uint64_t differences(const std::vector<bool>& a, const std::vector<bool>& b);
+
 class Coverage : public raster::Observer {
   public:
     Coverage(int width, int height);
 
     /// Call at the end of each frame.
-    void end_frame();
+    FrameCoverage end_frame();
 
     std::uint64_t mismatches() const { return mismatches_; } ///< pixels, on snapped vertices
-    std::uint64_t unsnapped() const { return unsnapped_; }   ///< pixels of whole frames, on unsnapped ones
-    std::uint64_t covered() const { return covered_; }       ///< pixels of triangles that were checked
     /// Pixels anything was drawn to since the last call, top row first.
     std::vector<bool> take_mask();
 
@@ -33,8 +40,8 @@ class Coverage : public raster::Observer {
     Triangle triangle_{};
     std::vector<std::uint8_t> hits_;
     std::vector<bool> mask_;
-    std::vector<bool> snapped_, exact_; ///< what the triangles of this frame cover, both ways
-    std::uint64_t mismatches_ = 0, unsnapped_ = 0, covered_ = 0;
+    FrameCoverage frame_;
+    std::uint64_t mismatches_ = 0;
 
     void begin(const std::int32_t x[3], const std::int32_t y[3], const double* exact_x, const double* exact_y,
                Rect scissor);

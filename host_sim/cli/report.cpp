@@ -30,6 +30,7 @@ std::string to_json(const Report& r) {
         out["psnr_565_db"] = r.psnr_565_db;
         out["coverage_mismatches"] = r.coverage_mismatches;
         out["coverage_unsnapped"] = r.coverage_unsnapped;
+        out["coverage_snapping"] = r.coverage_snapping;
     }
     if (r.memory)
         out["memory"] = {{"context", r.memory->context},
@@ -66,9 +67,10 @@ std::string to_table(const Report& r) {
         out += fmt::format(
             "  error       {:>10.4f} % of {} covered pixels identical in RGB565, worst channel {} steps, "
             "PSNR {:.1f} dB\n"
-            "  coverage    {:>10} pixels off brute force on snapped vertices, {} off unsnapped ones\n",
+            "  coverage    {:>10} pixels off brute force on snapped vertices, {} off unsnapped ones ({} by "
+            "ideal snapping alone)\n",
             r.identical_565_percent, r.covered, r.max_lsb, r.psnr_565_db, r.coverage_mismatches,
-            r.coverage_unsnapped);
+            r.coverage_unsnapped, r.coverage_snapping);
     if (r.memory)
         out += fmt::format(
             "  memory      {:>10} bytes of context, {} of surface, {} at most in all{}; process {:.1f} MB\n",

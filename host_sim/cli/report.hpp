@@ -36,8 +36,10 @@ struct Report {
     double psnr_565_db = 99.0;             ///< 99 when identical
     std::uint64_t coverage_mismatches = 0; ///< pixels, against brute force on our own snapped vertices
     std::uint64_t coverage_unsnapped = 0;  ///< pixels, against unsnapped vertices in double
-    std::uint64_t covered = 0;             ///< pixel samples the two coverage counts looked at
-    bool compared = false;                 ///< the five above were measured
+    std::uint64_t coverage_snapping =
+        0;                     ///< the same of vertices in double, ideally snapped: no n.8 does better
+    std::uint64_t covered = 0; ///< pixel samples the coverage counts looked at
+    bool compared = false;     ///< the six above were measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
     std::uint64_t full_frame_bytes = 0; ///< of one whole frame without commands
     double fps_at_bus_clock = 0.0;      ///< 0 without a board

@@ -85,10 +85,12 @@ class Comparison {
         return "";
     }
 
-    void frame(const Program& program, int f, const sim::Image& ours) {
+    void frame(const Program& program, int f, const sim::Image& ours, const FrameCoverage& covered) {
         reference_.make_current();
         program.draw(f);
-        coverage_->end_frame();
+        const FrameCoverage ideal = coverage_->end_frame();
+        unsnapped_ += differences(covered.snapped, ideal.exact);
+        snapping_ += differences(ideal.snapped, ideal.exact);
         const sim::Image theirs = reference_.read();
         const std::vector<bool> mask = coverage_->take_mask();
         const sim::Difference d = sim::compare_565(ours, theirs, &mask);
@@ -105,7 +107,8 @@ class Comparison {
         report.max_lsb = total_.max_lsb;
         report.psnr_565_db = worst_psnr_;
         report.coverage_mismatches = ours.mismatches();
-        report.coverage_unsnapped = coverage_->unsnapped();
+        report.coverage_unsnapped = unsnapped_;
+        report.coverage_snapping = snapping_;
         report.covered = total_.pixels;
     }
     const sim::Image& picture() const { return picture_; }
@@ -116,6 +119,7 @@ class Comparison {
     raster::Counters counters_;
     sim::Difference total_;
     double worst_psnr_ = 99.0;
+    std::uint64_t unsnapped_ = 0, snapping_ = 0;
     sim::Image picture_;
 };
 
@@ -207,7 +211,7 @@ RunResult run(const RunOptions& options) {
     for (int f = 0; f < options.frames && !window.closed(); ++f) {
         counters.triangles = counters.fragments = 0;
         program.draw(f);
-        coverage.end_frame();
+        const FrameCoverage covered = coverage.end_frame();
         report.triangles += counters.triangles;
         report.fragments += counters.fragments;
         const bool last = f + 1 == options.frames;
@@ -218,7 +222,7 @@ RunResult run(const RunOptions& options) {
             return result;
         }
         if (options.compare) {
-            comparison.frame(program, f, result.picture);
+            comparison.frame(program, f, result.picture, covered);
             session.make_current();
         }
         if (window.is_open())
