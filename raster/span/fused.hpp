@@ -32,12 +32,12 @@ SPANGLE_INLINE void fused_loop(List& list, std::int32_t i, std::int32_t stop) {
     } while (++i != stop);
 }
 
-/// Pixels i to n - 1 counted from `begin`, one lane.
+/// n pixels from `begin`, one lane.
 template <class N, class List>
-SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t i,
-                                 std::int32_t n) {
+SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t n) {
     static_assert(N::lanes == 1);
-    List list(span, begin + i);
+    List list(span, begin);
+    std::int32_t i = 0;
     do {
         std::int32_t stop = n;
         if constexpr (List::runs) {
@@ -52,26 +52,47 @@ SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int3
     } while (List::runs && i != n);
 }
 
-/// Groups of eight of n pixels from `begin`; returns how many are drawn.
+/// Lanes [first, last) live.
+SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) {
+    constexpr std::uint16_t on = 0xFFFF;
+    static constexpr std::uint16_t at[24] = {0, 0, 0, 0, 0, 0, 0, 0, on, on, on, on, on, on, on, on};
+    using L = Lanes<8>;
+    const auto from = [](std::int32_t lane) {
+        return L::load(reinterpret_cast<const std::uint8_t*>(at + lane));
+    };
+    return from(8 - first) & ~from(8 - last);
+}
+
+/// n >= 8 pixels from `begin`, eight at a time. What is left of a run is a group of its own, in which other
+/// lanes are dead; it stays inside of the span.
 template <class N, class List>
-SPANGLE_INLINE std::int32_t fused_wide(const Span<typename N::Policy>& span, std::int32_t begin,
-                                       std::int32_t n) {
-    static_assert(N::lanes == 8 && !List::runs);
-    n &= ~7;
-    std::int32_t i = 0;
-    if (n == 0)
-        return 0;
+SPANGLE_INLINE void fused_wide(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t n) {
+    static_assert(N::lanes == 8);
     List list(span, begin);
-    const bool row = List::rows && list.row(n);
+    Px<N> p;
+    std::int32_t i = 0, stop = n;
     do {
-        Px<N> p;
-        p.row = row;
-        p.live = N::L::all;
-        p.i = i;
-        list(p);
-        list.step();
-    } while ((i += 8) != n);
-    return n;
+        if constexpr (List::runs) {
+            const std::int32_t next = list.begin(begin + i) - begin;
+            stop = next < n ? next : n;
+        }
+        p.row = List::rows && list.row(stop - i);
+        for (; i + 8 <= stop; i += 8) {
+            p.live = N::L::all;
+            p.i = i;
+            list(p);
+            list.step();
+        }
+        if (i != stop) {
+            p.i = i < n - 8 ? i : n - 8;
+            p.live = some_lanes(i - p.i, stop - p.i);
+            list.jump(span, begin + p.i, p.i - i);
+            list(p);
+            if (List::runs && stop != n)
+                list.jump(span, begin + stop, stop - p.i);
+            i = stop;
+        }
+    } while (List::runs && i != n);
 }
 
 namespace detail {
@@ -92,49 +113,43 @@ SPANGLE_INLINE void copy_words(std::uint8_t* to, const std::uint8_t* from, std::
 
 } // namespace detail
 
-/// Pixels [i, i + n) counted from `begin`, n < 8, as one group of eight that works on copies: nothing outside
-/// is touched.
-template <class Case>
-SPANGLE_INLINE void fused_tail(Span<Fixed>& span, std::int32_t begin, std::int32_t i, std::int32_t n) {
-    using N = typename Case::template System<8>;
-    static constexpr std::uint16_t lives[16] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF,
-                                                0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+/// n < 8 pixels from `begin`, as one group of eight that works on copies: nothing outside is touched.
+template <class Case> SPANGLE_INLINE void fused_few(Span<Fixed>& span, std::int32_t begin, std::int32_t n) {
     alignas(16) std::uint8_t color[16] = {}, depth[16] = {};
-    detail::copy_words(color, span.color + 2 * i, n);
+    detail::copy_words(color, span.color, n);
     std::uint8_t* const color_plane = span.color;
     std::uint8_t* const depth_plane = span.depth;
     span.color = color;
     if constexpr (Case::tested) {
-        detail::copy_words(depth, span.depth + 2 * i, n);
+        detail::copy_words(depth, span.depth, n);
         span.depth = depth;
     }
-    typename Case::template List<8> list(span, begin + i);
+    using N = typename Case::template System<8>;
+    typename Case::template List<8> list(span, begin);
     Px<N> p;
     p.row = Case::template List<8>::rows && list.row(n);
-    __builtin_memcpy(&p.live, lives + 8 - n, 16);
+    p.live = some_lanes(0, n);
     p.i = 0;
     list(p);
     span.color = color_plane;
     span.depth = depth_plane;
-    detail::copy_words(span.color + 2 * i, color, n);
+    detail::copy_words(span.color, color, n);
     if constexpr (Case::tested)
-        detail::copy_words(span.depth + 2 * i, depth, n);
+        detail::copy_words(span.depth, depth, n);
 }
 
 template <class Case, int Wide>
 SPANGLE_INLINE void fused_row(Span<Fixed>& span, std::int32_t begin, std::int32_t n) {
-    std::int32_t i = 0;
     if constexpr (Wide == 8 && Case::wide) {
-        i = fused_wide<typename Case::template System<8>, typename Case::template List<8>>(span, begin, n);
-        const std::int32_t rest = n - i;
-        if (rest == 0)
-            return;
-        if constexpr (Case::heavy) {
-            if (rest > 2)
-                return fused_tail<Case>(span, begin, i, rest);
+        using List = typename Case::template List<8>;
+        if (n >= 8)
+            return fused_wide<typename Case::template System<8>, List>(span, begin, n);
+        if constexpr (Case::heavy && !List::runs) {
+            if (n > 2)
+                return fused_few<Case>(span, begin, n);
         }
     }
-    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, begin, i, n);
+    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, begin, n);
 }
 
 /// Case has: template <int Lanes> using System, List; static constexpr key, needs, tested, wide, heavy.

@@ -9,6 +9,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
 #include "raster/span/stage_store.hpp"
@@ -66,10 +67,10 @@ template <Key K> class FusedCase {
                 constexpr bool projective = K.kind == Kind::textured;
                 using Texture =
                     TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-                if constexpr (K.unit[0].filter == Filter::nearest && (L == 1 || !projective))
+                if constexpr (K.unit[0].filter == Filter::nearest)
                     return std::type_identity<NearestWalk<Texture, 0, projective>>{};
                 else
-                    return std::type_identity<Seq<N, Coord<N, 0, projective>, Texture>>{};
+                    return std::type_identity<LinearWalk<Texture, 0, projective>>{};
             } else {
                 return std::type_identity<None<N, 2>>{};
             }

@@ -28,10 +28,17 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U16 low_half(U32 v) { return v & 0xFFFF; }
     /// floor(a b / 2^16).
     SPANGLE_INLINE static U16 mul_high(U16 a, U16 b) { return (a * b) >> 16; }
+    /// floor(a b / 2^8), a < 2^8.
+    SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return (a * b) >> 8; }
+    /// floor(a b / 2^9), a signed (of its bits 0 .. 15), b < 2^8; to be added to something that makes it
+    /// positive.
+    SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) {
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(a) * static_cast<std::int32_t>(b) >> 9);
+    }
     SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return a < b ? a : b; }
     SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return a < b ? b : a; }
     SPANGLE_INLINE static U16 select(Mask m, U16 a, U16 b) { return m ? a : b; }
-    SPANGLE_INLINE static U16 swap_bytes(U16 v) { return ((v << 8) & 0xFF00) | (v >> 8); }
+    SPANGLE_INLINE static U16 swap_bytes(U16 v) { return __builtin_bswap16(static_cast<std::uint16_t>(v)); }
     SPANGLE_INLINE static bool any(Mask m) { return m; }
     SPANGLE_INLINE static Mask less(U16 a, U16 b) { return a < b; }
     SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return a == b; }
@@ -77,6 +84,9 @@ template <> struct Lanes<8> {
         SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
             return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
         }
+        SPANGLE_INLINE friend U32 operator<<(const U32& a, int n) {
+            return {a.even << static_cast<std::uint32_t>(n), a.odd << static_cast<std::uint32_t>(n)};
+        }
         SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
     };
 
@@ -115,6 +125,14 @@ template <> struct Lanes<8> {
         for (int i = 0; i < 8; ++i) // both compilers make one instruction of this
             r[i] = static_cast<std::uint16_t>((std::uint32_t{a[i]} * b[i]) >> 16);
         return r;
+    }
+    SPANGLE_INLINE static U16 mul_256(U16 a, U16 b) { return mul_high(a << 8, b); }
+    SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) {
+        const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b << 7);
+        Signed r;
+        for (int i = 0; i < 8; ++i)
+            r[i] = static_cast<std::int16_t>((std::int32_t{s[i]} * t[i]) >> 16);
+        return std::bit_cast<U16>(r);
     }
     SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }
     SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return select(less(a, b), b, a); }

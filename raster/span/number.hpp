@@ -205,6 +205,9 @@ struct Packed {
 };
 template <class N> inline constexpr bool is_packed = std::is_same_v<N, Packed>;
 
+template <class N> inline constexpr bool is_balanced = false;
+template <int Count> inline constexpr bool is_balanced<Balanced<Count>> = true;
+
 /// Systems whose colour has components that can be combined.
 template <class N> inline constexpr bool is_raw = false;
 template <int Count> inline constexpr bool is_raw<Raw565<Count>> = true;

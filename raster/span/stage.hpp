@@ -15,6 +15,7 @@
 //   in runs.
 //   bool row(std::int32_t n), void step_row()   only if `rows` (fused lists): the next n fragments lie in one
 //                                               row of the texture; where p.row says so, step_row() steps.
+//   void jump(std::int32_t pixels)              only if `rows`: on or back, without a change of runs.
 // With more than one lane a stage drops fragments by clearing lanes of p.live, and one with an effect honours
 // p.live. With one lane p.live need not be looked at or written: the result of operator() says it. The order
 // of the list is the order of operations of GL; a stage never writes outside pixels [begin, end).
@@ -87,6 +88,16 @@ template <class N, class... S> struct Seq : S... {
                 stage.step_row();
             else
                 stage.step();
+        };
+        (one(static_cast<S&>(*this)), ...);
+    }
+    /// On or back by some pixels, to pixel x of the span; the run stays.
+    SPANGLE_INLINE void jump(const Span<Policy>& span, std::int32_t x, std::int32_t pixels) {
+        const auto one = [&]<class T>(T& stage) {
+            if constexpr (T::rows)
+                stage.jump(pixels);
+            else
+                stage = T(span, x);
         };
         (one(static_cast<S&>(*this)), ...);
     }

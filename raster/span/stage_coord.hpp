@@ -211,51 +211,25 @@ template <int Unit> class CoordRuns {
     int log2_;
 };
 
-/// With one lane the list calls begin(); with more, lanes of one group may lie in several runs, and the stage
-/// walks.
+/// What walks along runs has, and what is one run over the primitive has not.
+struct NoRuns {
+    SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t) {}
+};
+template <int Unit, bool Projective> using WalkRuns = std::conditional_t<Projective, CoordRuns<Unit>, NoRuns>;
+
 template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
+    static_assert(N::lanes == 1);
     static constexpr unsigned out = field_coord << Unit;
-    static constexpr bool runs = N::lanes == 1;
+    static constexpr bool runs = true;
     CoordRuns<Unit> run;
-    std::int32_t x;
-    bool walked = false; ///< a group that died early did not come here
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first), x(first) {}
+    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first) {}
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
-        if constexpr (N::lanes == 1) {
-            p.coord[Unit].s[0] = run.s;
-            p.coord[Unit].t[0] = run.t;
-        } else {
-            std::int32_t next = run.begin(x);
-            for (int lane = 0; lane < N::lanes; ++lane) {
-                if (x == next)
-                    next = run.begin(x);
-                p.coord[Unit].s[lane] = run.s;
-                p.coord[Unit].t[lane] = run.t;
-                run.step();
-                ++x;
-            }
-            walked = true;
-        }
+        p.coord[Unit].s[0] = run.s;
+        p.coord[Unit].t[0] = run.t;
         return true;
     }
-    SPANGLE_INLINE void step() {
-        if constexpr (N::lanes == 1) {
-            run.step();
-        } else {
-            if (!walked)
-                skip();
-            walked = false;
-        }
-    }
-
-  private:
-    void skip() {
-        for (int lane = 0; lane < N::lanes; ++lane, ++x) {
-            run.begin(x);
-            run.step();
-        }
-    }
+    SPANGLE_INLINE void step() { run.step(); }
 };
 
 } // namespace spangle::raster

@@ -35,15 +35,14 @@ class TexelAxis {
 template <class T, int Unit, bool Projective> struct NearestWalk : T {
     using N = typename T::System;
     static constexpr unsigned in = T::in & field_color, out = T::out;
-    static constexpr bool runs = Projective && N::lanes == 1, rows = true;
+    static constexpr bool runs = Projective, rows = true;
     static constexpr std::uint32_t lanes = N::lanes;
-    static_assert(!Projective || lanes == 1);
     TexelAxis s, t;
     const std::uint8_t* row_at;
     bool one_to_one;
-    [[no_unique_address]] std::conditional_t<Projective, CoordRuns<Unit>, StageBase> run;
+    [[no_unique_address]] WalkRuns<Unit, Projective> run;
 
-    SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(make(span, x)) {
+    SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(span, x) {
         if constexpr (!Projective)
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
@@ -77,14 +76,12 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
         t.step(lanes);
     }
     SPANGLE_INLINE void step_row() { s.step(lanes); }
+    SPANGLE_INLINE void jump(std::int32_t pixels) {
+        s.step(static_cast<std::uint32_t>(pixels));
+        t.step(static_cast<std::uint32_t>(pixels));
+    }
 
   private:
-    SPANGLE_INLINE static auto make(const Span<Fixed>& span, std::int32_t x) {
-        if constexpr (Projective)
-            return CoordRuns<Unit>(span, x);
-        else
-            return StageBase{};
-    }
     SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, std::uint32_t ds, std::uint32_t dt) {
         s = TexelAxis(this->log2_width, s0, ds);
         t = TexelAxis(this->log2_height, t0, dt);

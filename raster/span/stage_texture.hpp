@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/filter.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/texel.hpp"
 #include "raster/span/texture_env.hpp"
@@ -68,11 +69,35 @@ template <class N> struct TextureFunction {
             return texel(image, nearest(texture.wrap_s, s, w, image.width),
                          nearest(texture.wrap_t, t, h, image.height));
         const TexelIndex i = linear(texture.wrap_s, s, w), j = linear(texture.wrap_t, t, h);
-        Color four[4];
-        for (int k = 0; k < 4; ++k)
-            four[k] = texel(image, wrap_texel(texture.wrap_s, i.i + (k & 1), image.width),
-                            wrap_texel(texture.wrap_t, j.i + (k >> 1), image.height));
-        return bilinear<N>(four[0], four[1], four[2], four[3], i.weight, j.weight);
+        return filtered(image, i, j);
+    }
+
+    Color filtered(const TextureLevel& image, const TexelIndex& i, const TexelIndex& j) const {
+        const std::int32_t i0 = wrap_texel(texture.wrap_s, i.i, image.width),
+                           i1 = wrap_texel(texture.wrap_s, i.i + 1, image.width),
+                           j0 = wrap_texel(texture.wrap_t, j.i, image.height),
+                           j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
+        if constexpr (is_balanced<N>) {
+            if (texture.format == TexelFormat::rgb565 && stored(image, i0, j0) && stored(image, i1, j1)) {
+                const auto word = [&](std::int32_t x, std::int32_t y) {
+                    return Lanes<1>::load(address(image, x, y));
+                };
+                return Filter565<1>(j.weight)(word(i0, j0), word(i1, j0), word(i0, j1), word(i1, j1),
+                                              i.weight);
+            }
+        }
+        const Color c00 = texel(image, i0, j0), c10 = texel(image, i1, j0), c01 = texel(image, i0, j1),
+                    c11 = texel(image, i1, j1);
+        if constexpr (is_balanced<N>) {
+            if (texture.format != TexelFormat::rgb565) {
+                const Filter8<1> filter(j.weight);
+                const auto mix = [&](auto c) {
+                    return filter.component(c00.*c >> 8, c10.*c >> 8, c01.*c >> 8, c11.*c >> 8, i.weight);
+                };
+                return {mix(&Color::r), mix(&Color::g), mix(&Color::b), mix(&Color::a)};
+            }
+        }
+        return bilinear<N>(c00, c10, c01, c11, i.weight, j.weight);
     }
 
     static int log2_of(std::uint32_t size) { return 31 - numeric::clz32(size | 1); }
@@ -88,15 +113,16 @@ template <class N> struct TextureFunction {
                                     : clamped_linear(wrap, static_cast<std::int32_t>(s), log2_size);
     }
 
+    bool stored(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
+        return texture.border_texels != 0 || (i >= 0 && j >= 0 && i < image.width && j < image.height);
+    }
+    const std::uint8_t* address(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
+        return image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
+               i * texel_bytes(texture.format);
+    }
     /// A texel of the image, of its border, or the border colour.
     Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
-        const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
-        if (outside && texture.border_texels == 0)
-            return border;
-        return read_texel<N>(texture.format,
-                             image.texels +
-                                 static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
-                                 i * texel_bytes(texture.format));
+        return stored(image, i, j) ? read_texel<N>(texture.format, address(image, i, j)) : border;
     }
 };
 
@@ -137,13 +163,11 @@ struct TextureFixed : StageBase {
     }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        static_assert(F == Filter::nearest);
         const typename N::Coord& c = p.coord[Unit];
-        if constexpr (F == Filter::nearest)
-            return combine(p, [&](std::uint32_t k) { return nearest(c.s[k], c.t[k]); });
-        else if constexpr (N::lanes == 1)
-            return environment(p, filtered(c.s[0], c.t[0]));
-        else
-            return environment(p, filtered_lanes(c));
+        return combine(p, [&](std::uint32_t k) {
+            return at(repeat_nearest(c.s[k], log2_width), repeat_nearest(c.t[k], log2_height));
+        });
     }
 
     /// With the texel at `address(k)` for lane k.
@@ -173,7 +197,7 @@ struct TextureFixed : StageBase {
         return texels + static_cast<std::uint32_t>(j) * stride + static_cast<std::uint32_t>(i) * bytes;
     }
 
-  private:
+  protected:
     /// Texels as they lie in memory, one per lane: scalar loads, then everything else in lanes.
     using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;
     SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
@@ -189,6 +213,17 @@ struct TextureFixed : StageBase {
             return {N::from8(N::L::byte(v, 0)), N::from8(N::L::byte(v, 1)), N::from8(N::L::byte(v, 2)),
                     has_alpha ? N::from8(N::L::byte(v, 3)) : N::from_units(color_one)};
     }
+    /// LINEAR of the balanced tier.
+    template <int Count>
+    using Filter4 = std::conditional_t<Texels == TexelFormat::rgb565, Filter565<Count>, Filter8<Count>>;
+    template <class Mixer, class V, class W>
+    SPANGLE_INLINE static Color mix(const Mixer& mixer, const V& c00, const V& c10, const V& c01,
+                                    const V& c11, const W& a) {
+        if constexpr (Texels == TexelFormat::rgb565)
+            return mixer(c00, c10, c01, c11, a);
+        else
+            return mixer.template texels<has_alpha>(c00, c10, c01, c11, a);
+    }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
         if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
@@ -196,37 +231,8 @@ struct TextureFixed : StageBase {
             apply_env<N>(Env, Base, p.color, s, Color{});
         return true;
     }
-    SPANGLE_INLINE Color filtered_lanes(const typename N::Coord& c) const {
-        Word word[4][N::lanes];
-        std::uint16_t a[N::lanes], b[N::lanes];
-        for (int k = 0; k < N::lanes; ++k) {
-            const TexelIndex i = repeat_linear(c.s[k], log2_width), j = repeat_linear(c.t[k], log2_height);
-            const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
-                               j1 = (j.i + 1) & ((1 << log2_height) - 1);
-            word[0][k] = word_at(at(i.i, j.i));
-            word[1][k] = word_at(at(i1, j.i));
-            word[2][k] = word_at(at(i.i, j1));
-            word[3][k] = word_at(at(i1, j1));
-            a[k] = static_cast<std::uint16_t>(i.weight);
-            b[k] = static_cast<std::uint16_t>(j.weight);
-        }
-        return bilinear<N, has_alpha>(unpack(N::L::gather(word[0])), unpack(N::L::gather(word[1])),
-                                      unpack(N::L::gather(word[2])), unpack(N::L::gather(word[3])),
-                                      N::L::gather(a), N::L::gather(b));
-    }
     static constexpr bool has_alpha =
         Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
-    SPANGLE_INLINE const std::uint8_t* nearest(std::uint32_t s, std::uint32_t t) const {
-        return at(repeat_nearest(s, log2_width), repeat_nearest(t, log2_height));
-    }
-    SPANGLE_INLINE Color filtered(std::uint32_t s, std::uint32_t t) const {
-        const TexelIndex i = repeat_linear(s, log2_width), j = repeat_linear(t, log2_height);
-        const std::int32_t i1 = (i.i + 1) & ((1 << log2_width) - 1),
-                           j1 = (j.i + 1) & ((1 << log2_height) - 1);
-        return bilinear<N, has_alpha>(read_texel<N, Texels>(at(i.i, j.i)), read_texel<N, Texels>(at(i1, j.i)),
-                                      read_texel<N, Texels>(at(i.i, j1)), read_texel<N, Texels>(at(i1, j1)),
-                                      i.weight, j.weight);
-    }
     /// The 565 word of a texel.
     SPANGLE_INLINE static std::uint32_t raw(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)

@@ -121,16 +121,17 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std:
     return word;
 }
 
-/// Four texels by 8-bit weights a (along s) and b (along t). Without Alpha, alpha is one.
-template <class N, bool Alpha = true, class W>
+/// Four texels by 8-bit weights a (along s) and b (along t).
+template <class N>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
-                                          const typename N::Color& c01, const typename N::Color& c11, W a,
-                                          W b) {
-    const W w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b, w00 = weight_one<N> - w11 - w10 - w01;
+                                          const typename N::Color& c01, const typename N::Color& c11,
+                                          std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b,
+                        w00 = weight_one<N> - w11 - w10 - w01;
     return {N::weighted(c00.r, w00, c10.r, w10, c01.r, w01, c11.r, w11),
             N::weighted(c00.g, w00, c10.g, w10, c01.g, w01, c11.g, w11),
             N::weighted(c00.b, w00, c10.b, w10, c01.b, w01, c11.b, w11),
-            Alpha ? N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11) : N::from_units(color_one)};
+            N::weighted(c00.a, w00, c10.a, w10, c01.a, w01, c11.a, w11)};
 }
 
 } // namespace spangle::raster

@@ -1,0 +1,90 @@
+// LINEAR of the balanced tier (GL 1.3, 3.8.8): four texels become one, each format in the cheapest integers
+// that keep its bits. Weights have 8 bits by definition (docs/architecture.md, "Numbers").
+#pragma once
+
+#include "raster/span/number.hpp"
+
+namespace spangle::raster {
+
+/// Weights of two rows of texels; `Sum` is that of all four.
+template <class L, std::uint32_t Sum> struct RowWeights {
+    typename L::U16 near, far;
+    /// b: of row j + 1, in 256ths.
+    SPANGLE_INLINE explicit RowWeights(typename L::U16 b)
+        : near(L::splat(Sum) - L::mul_256(b, L::splat(Sum))), far(L::mul_256(b, L::splat(Sum))) {}
+    /// Sum of weight * value, at most Sum times the largest value; a: of column i + 1, in 256ths.
+    template <class V> SPANGLE_INLINE V mix(V c00, V c10, V c01, V c11, typename L::U16 a) const {
+        const typename L::U16 w10 = L::mul_256(a, near), w11 = L::mul_256(a, far);
+        return c00 * (near - w10) + c10 * w10 + c01 * (far - w11) + c11 * w11;
+    }
+};
+
+/// Words R5 G6 B5 to 255ths with 8 fraction bits. The weights make them: 31 2105 and 63 1036 are 255 less a
+/// 10th, 16 bits hold every sum, and four texels alike stay what they are. With one lane red and blue share a
+/// word.
+template <int Count> struct Filter565 {
+    using L = Lanes<Count>;
+    using N = Balanced<Count>;
+    using U16 = typename L::U16;
+    static constexpr std::uint32_t sum5 = 2105, sum6 = 1036;
+    RowWeights<L, sum5> five;
+    RowWeights<L, sum6> six;
+    SPANGLE_INLINE explicit Filter565(U16 b) : five(b), six(b) {}
+
+    SPANGLE_INLINE typename N::Color operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
+        const auto green = [](U16 c) { return (c >> 5) & 63; };
+        const U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a);
+        if constexpr (Count == 1) {
+            const auto both = [](U16 c) { return c >> 11 | (c & 31) << 16; };
+            const std::uint32_t rb = five.mix(both(c00), both(c10), both(c01), both(c11), a);
+            return {rb & 0xFFFF, g, rb >> 16, N::one};
+        } else {
+            return {five.mix(c00 >> 11, c10 >> 11, c01 >> 11, c11 >> 11, a), g,
+                    five.mix(c00 & 31, c10 & 31, c01 & 31, c11 & 31, a), L::splat(N::one)};
+        }
+    }
+};
+
+/// Texels of 8-bit components, R in the lowest byte: along t exactly, 7 fraction bits kept, then along s, 6
+/// kept. With one lane two components share a word along t.
+template <int Count> struct Filter8 {
+    using L = Lanes<Count>;
+    using N = Balanced<Count>;
+    using U16 = typename L::U16;
+    U16 b;
+    SPANGLE_INLINE explicit Filter8(U16 weight) : b(weight) {}
+
+    template <bool Alpha, class Words>
+    SPANGLE_INLINE typename N::Color texels(const Words& c00, const Words& c10, const Words& c01,
+                                            const Words& c11, U16 a) const {
+        const U16 opaque = L::splat(N::one);
+        if constexpr (Count == 1) {
+            constexpr std::uint32_t pair = 0x00FF00FF;
+            const auto column = [&](std::uint32_t near, std::uint32_t far) {
+                return (near * (256 - b) + far * b) >> 1 & 0x7FFF7FFF;
+            };
+            const std::uint32_t rb0 = column(c00 & pair, c01 & pair), rb1 = column(c10 & pair, c11 & pair);
+            const auto high = [](std::uint32_t c) { return Alpha ? c >> 8 & pair : c >> 8 & 0xFF; };
+            const std::uint32_t ga0 = column(high(c00), high(c01)), ga1 = column(high(c10), high(c11));
+            return {across(rb0 & 0xFFFF, rb1 & 0xFFFF, a), across(ga0 & 0xFFFF, ga1 & 0xFFFF, a),
+                    across(rb0 >> 16, rb1 >> 16, a), Alpha ? across(ga0 >> 16, ga1 >> 16, a) : opaque};
+        } else {
+            const auto at = [&](int n) {
+                return component(L::byte(c00, n), L::byte(c10, n), L::byte(c01, n), L::byte(c11, n), a);
+            };
+            return {at(0), at(1), at(2), Alpha ? at(3) : opaque};
+        }
+    }
+    /// One component of four texels, 8 bits.
+    SPANGLE_INLINE U16 component(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
+        return across((c00 * (256 - b) + c01 * b) >> 1, (c10 * (256 - b) + c11 * b) >> 1, a);
+    }
+
+  private:
+    /// Never below 0 nor above one: (v0 + 1) / 2 outweighs what rounding takes off.
+    SPANGLE_INLINE static U16 across(U16 v0, U16 v1, U16 a) {
+        return (((v0 + 1) >> 1) + L::mul_signed_512(v1 - v0, a)) << 2;
+    }
+};
+
+} // namespace spangle::raster

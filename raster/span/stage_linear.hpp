@@ -1,0 +1,126 @@
+// LINEAR of one REPEAT image along a span: what the chain does per fragment, as a walk over texels. Fused
+// spans only.
+#pragma once
+
+#include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_texture.hpp"
+
+namespace spangle::raster {
+
+/// One axis: texel and weight of its neighbour, 8 fraction bits, by one shift of a word that wraps as the
+/// texture does.
+class LinearAxis {
+  public:
+    LinearAxis() = default;
+    SPANGLE_INLINE LinearAxis(int log2_size, std::uint32_t v, std::uint32_t dv)
+        : log2_(log2_size), shift_(24 - log2_size), at_(v - ((1u << 31) >> log2_size)), step_(dv) {}
+    SPANGLE_INLINE std::uint32_t position(std::uint32_t steps = 0) const {
+        return (at_ + steps * step_) >> shift_;
+    }
+    SPANGLE_INLINE static std::uint32_t texel(std::uint32_t position) { return position >> 8; }
+    SPANGLE_INLINE static std::uint32_t weight(std::uint32_t position) { return position & 255; }
+    SPANGLE_INLINE std::uint32_t next(std::uint32_t i) const { return (i + 1) & ((1u << log2_) - 1); }
+    /// Of the lanes of a group.
+    template <class L> SPANGLE_INLINE typename L::U16 weights() const {
+        return L::low_half((L::ramp(at_, step_) << log2_) >> 24);
+    }
+    SPANGLE_INLINE void step(std::uint32_t steps) { at_ += steps * step_; }
+    /// n steps stay where they are: they go one way and not round the texture.
+    SPANGLE_INLINE bool constant(std::uint32_t n) const {
+        const auto slope = static_cast<std::int32_t>(step_);
+        return numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 && position() == position(n);
+    }
+
+  private:
+    int log2_, shift_;
+    std::uint32_t at_, step_;
+};
+
+/// T is a TextureFixed with Filter::linear.
+template <class T, int Unit, bool Projective> struct LinearWalk : T {
+    using N = typename T::System;
+    using L = typename N::L;
+    static constexpr unsigned in = T::in & field_color, out = T::out;
+    static constexpr bool runs = Projective, rows = true;
+    static constexpr std::uint32_t lanes = N::lanes;
+    using Weights = typename T::template Filter4<N::lanes>;
+    LinearAxis s, t;
+    const std::uint8_t *near, *far; ///< texels of the two rows
+    Weights across{L::splat(0)};
+    [[no_unique_address]] WalkRuns<Unit, Projective> run;
+
+    SPANGLE_INLINE LinearWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(span, x) {
+        if constexpr (!Projective)
+            walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
+    }
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
+        const std::int32_t end = run.begin(x);
+        walk(run.s, run.t, run.ds, run.dt);
+        return end;
+    }
+    SPANGLE_INLINE bool row(std::int32_t n) {
+        if (!t.constant(static_cast<std::uint32_t>(n) - 1))
+            return false;
+        const std::uint32_t v = t.position();
+        near = line(LinearAxis::texel(v));
+        far = line(t.next(LinearAxis::texel(v)));
+        across = Weights(L::splat(LinearAxis::weight(v)));
+        return true;
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (lanes == 1) {
+            if (p.row)
+                return one(p, near, far, across);
+            const std::uint32_t v = t.position(), j = LinearAxis::texel(v);
+            return one(p, line(j), line(t.next(j)), Weights(LinearAxis::weight(v)));
+        } else {
+            if (p.row)
+                return group(
+                    p, across, [&](std::uint32_t) { return near; }, [&](std::uint32_t) { return far; });
+            const auto j = [&](std::uint32_t k) { return LinearAxis::texel(t.position(k)); };
+            return group(
+                p, Weights(t.template weights<L>()), [&](std::uint32_t k) { return line(j(k)); },
+                [&](std::uint32_t k) { return line(t.next(j(k))); });
+        }
+    }
+    SPANGLE_INLINE void step() {
+        step_row();
+        t.step(lanes);
+    }
+    SPANGLE_INLINE void step_row() { s.step(lanes); }
+    SPANGLE_INLINE void jump(std::int32_t pixels) {
+        s.step(static_cast<std::uint32_t>(pixels));
+        t.step(static_cast<std::uint32_t>(pixels));
+    }
+
+  private:
+    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, std::uint32_t ds, std::uint32_t dt) {
+        s = LinearAxis(this->log2_width, s0, ds);
+        t = LinearAxis(this->log2_height, t0, dt);
+    }
+    SPANGLE_INLINE const std::uint8_t* line(std::uint32_t j) const {
+        return this->at(0, static_cast<std::int32_t>(j));
+    }
+    SPANGLE_INLINE bool one(Px<N>& p, const std::uint8_t* n, const std::uint8_t* f,
+                            const Weights& filter) const {
+        const std::uint32_t u = s.position(), i0 = T::bytes * LinearAxis::texel(u),
+                            i1 = T::bytes * s.next(LinearAxis::texel(u));
+        return this->environment(p,
+                                 T::mix(filter, this->word_at(n + i0), this->word_at(n + i1),
+                                        this->word_at(f + i0), this->word_at(f + i1), LinearAxis::weight(u)));
+    }
+    template <class Near, class Far>
+    SPANGLE_INLINE bool group(Px<N>& p, const Weights& filter, Near n, Far f) const {
+        const auto i = [&](std::uint32_t k) { return LinearAxis::texel(s.position(k)); };
+        const auto texels = [&](auto line_of, bool second) {
+            return L::generate([&](int lane) {
+                const auto k = static_cast<std::uint32_t>(lane);
+                return this->word_at(line_of(k) + T::bytes * (second ? s.next(i(k)) : i(k)));
+            });
+        };
+        return this->environment(p, T::mix(filter, texels(n, false), texels(n, true), texels(f, false),
+                                           texels(f, true), s.template weights<L>()));
+    }
+};
+
+} // namespace spangle::raster

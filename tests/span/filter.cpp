@@ -1,0 +1,122 @@
+// LINEAR of the balanced tier: its bounds, its identities, and the same bits with one lane and with eight.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "raster/span/filter.hpp"
+#include "raster/span/texel.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+using N = Balanced<1>;
+
+/// Of the exact mean of four values of 0 .. most, in 255ths; mean(c00, c10, c01, c11, a, b) is 8.8.
+template <class Mean> double worst_error(std::uint32_t most, Mean mean) {
+    double worst = 0;
+    for (std::uint32_t corners = 0; corners < 16; ++corners) // a mean is worst where all are extremes
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t b = 0; b < 256; ++b) {
+                const auto c = [&](unsigned i) { return (corners >> i & 1) * most; };
+                const double want =
+                    ((c(0) * (256. - a) + c(1) * a) * (256. - b) + (c(2) * (256. - a) + c(3) * a) * b) /
+                    65536;
+                worst = std::fmax(worst,
+                                  std::fabs(mean(c(0), c(1), c(2), c(3), a, b) / 256. - want * 255 / most));
+            }
+    return worst;
+}
+
+TEST(Filter, ErrorOf565) {
+    const auto channel = [](int shift, auto member) {
+        return [=](auto c00, auto c10, auto c01, auto c11, auto a, auto b) {
+            return Filter565<1>(b)(c00 << shift, c10 << shift, c01 << shift, c11 << shift, a).*member;
+        };
+    };
+    EXPECT_LE(worst_error(31, channel(11, &N::Color::r)), .35);
+    EXPECT_LE(worst_error(63, channel(5, &N::Color::g)), .65);
+    EXPECT_LE(worst_error(31, channel(0, &N::Color::b)), .35);
+}
+
+TEST(Filter, ErrorOfEightBits) {
+    for (int byte = 0; byte < 4; ++byte)
+        EXPECT_LE(worst_error(255,
+                              [&](auto c00, auto c10, auto c01, auto c11, auto a, auto b) {
+                                  const int up = 8 * byte;
+                                  const N::Color c = Filter8<1>(b).texels<true>(c00 << up, c10 << up,
+                                                                                c01 << up, c11 << up, a);
+                                  return byte == 0 ? c.r : byte == 1 ? c.g : byte == 2 ? c.b : c.a;
+                              }),
+                  1. / 32)
+            << byte;
+}
+
+/// Four texels alike are that texel, dithered or not.
+TEST(Filter, FourAlikeStay) {
+    for (std::uint32_t a = 0; a < 256; a += 5)
+        for (std::uint32_t b = 0; b < 256; ++b) {
+            for (std::uint32_t k = 0; k < 64; ++k) {
+                const std::uint32_t word = (k & 31) << 11 | k << 5 | (k & 31);
+                const N::Color c = Filter565<1>(b)(word, word, word, word, a);
+                ASSERT_EQ(N::to8(c.r) >> 3, k & 31);
+                ASSERT_EQ(N::to8(c.g) >> 2, k);
+                ASSERT_EQ(N::to8(c.b) >> 3, k & 31);
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    ASSERT_EQ(N::dithered<5>(c.r, t), k & 31);
+                    ASSERT_EQ(N::dithered<6>(c.g, t), k);
+                    ASSERT_EQ(N::dithered<5>(c.b, t), k & 31);
+                }
+            }
+            for (std::uint32_t k = 0; k < 256; ++k)
+                ASSERT_EQ(Filter8<1>(b).component(k, k, k, k, a), k << 8);
+        }
+}
+
+/// Values of 15 bits that rounding could push past an end.
+TEST(Filter, EightBitsStayInRange) {
+    for (std::uint32_t near = 0; near < 256; ++near)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (const std::uint32_t b : {1u, 2u, 127u, 254u, 255u}) {
+                ASSERT_LE(Filter8<1>(b).component(near, 0, 0, 0, a), N::one);
+                ASSERT_LE(Filter8<1>(b).component(255, 255, near, 255, a), N::one);
+                ASSERT_LE(Filter8<1>(b).component(near, 255, 255, 255, a), N::one);
+            }
+}
+
+TEST(Filter, EightLanesHaveTheSameBits) {
+    using L = Lanes<8>;
+    std::mt19937 random(5);
+    for (int round = 0; round < 4000; ++round) {
+        std::uint32_t word[4][8];
+        std::uint16_t half[4][8], a[8], b[8];
+        for (int i = 0; i < 8; ++i) {
+            for (int k = 0; k < 4; ++k)
+                half[k][i] = static_cast<std::uint16_t>(word[k][i] = random());
+            a[i] = static_cast<std::uint16_t>(random() & 255);
+            b[i] = static_cast<std::uint16_t>(random() & 255);
+        }
+        const Balanced<8>::Color five = Filter565<8>(L::gather(b))(L::gather(half[0]), L::gather(half[1]),
+                                                                   L::gather(half[2]), L::gather(half[3]),
+                                                                   L::gather(a)),
+                                 eight =
+                                     Filter8<8>(L::gather(b))
+                                         .texels<true>(L::gather(word[0]), L::gather(word[1]),
+                                                       L::gather(word[2]), L::gather(word[3]), L::gather(a));
+        for (int i = 0; i < 8; ++i) {
+            const N::Color f = Filter565<1>(b[i])(half[0][i], half[1][i], half[2][i], half[3][i], a[i]),
+                           e = Filter8<1>(b[i]).texels<true>(word[0][i], word[1][i], word[2][i], word[3][i],
+                                                             a[i]);
+            ASSERT_EQ(f.r, five.r[i]);
+            ASSERT_EQ(f.g, five.g[i]);
+            ASSERT_EQ(f.b, five.b[i]);
+            ASSERT_EQ(e.r, eight.r[i]);
+            ASSERT_EQ(e.g, eight.g[i]);
+            ASSERT_EQ(e.b, eight.b[i]);
+            ASSERT_EQ(e.a, eight.a[i]);
+        }
+    }
+}
+
+} // namespace
+} // namespace spangle::raster::test
