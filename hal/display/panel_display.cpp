@@ -92,12 +92,14 @@ Result<void> PanelDisplay::init() {
     ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
     if (const auto r = take_buffers(); !r)
         return r;
-    if (!ready_) {
+    ready_ = false; // a present must not succeed on a panel that was left in the middle of this
+    if (!opened_) {
         extents_ = {memory_.touched, placement_.size.height, false, 0};
         for (std::int32_t y = 0; y < placement_.size.height; ++y)
             memory_.touched[y] = RowSpan{};
         front_ = static_cast<std::uint8_t>(config_.buffers - 1);
         back_ = 0;
+        opened_ = true;
     }
     for (std::int32_t y = 0; y < placement_.size.height; ++y)
         memory_.damage[y] = {0, placement_.size.width};
