@@ -100,7 +100,7 @@ Result<void> GpioBus::open_lines() {
     if (const auto r = control_.open_outputs(config_.chip, {offsets.data(), count}, levels_); !r)
         return r;
     word_ = 0;
-    floating_ = half_word_ = false;
+    floating_ = rests_ = false;
     if (turns_round())
         if (const auto r = data_.open_outputs(config_.chip, data, word_); !r)
             return r;
@@ -182,12 +182,18 @@ Result<void> GpioBus::drive_data() {
 
 // --- Writing
 
-/// After a list that failed nobody knows how the lines stand.
+/// After a list that failed nobody knows how the lines stand, nor how many bits of a byte the controller has:
+/// a rising CS makes it forget them.
 Result<void> GpioBus::begin() {
-    levels_known_ = word_known_ = false;
-    if (const auto r = drive_data(); !r)
-        return r;
     half_word_ = false;
+    if (!rests_) {
+        levels_known_ = word_known_ = false;
+        if (const auto r = drive_data(); !r)
+            return r;
+        if (const auto r = select(false); !r)
+            return r;
+    }
+    rests_ = false;
     return select(true);
 }
 
@@ -225,9 +231,12 @@ Result<void> GpioBus::put_pixel_byte(unsigned byte) {
 }
 
 Result<void> GpioBus::end() {
-    const Result<void> driven = drive_data();
-    const Result<void> raised = select(false);
-    return driven ? raised : driven;
+    if (const auto r = drive_data(); !r)
+        return r;
+    if (const auto r = select(false); !r)
+        return r;
+    rests_ = true;
+    return {};
 }
 
 // --- Reading

@@ -49,6 +49,7 @@ class GpioBus final : public TransferBus {
     std::uint32_t word_ = 0;   ///< on `data_`
     bool levels_known_ = false, word_known_ = false;
     bool floating_ = false;   ///< the data lines are inputs
+    bool rests_ = false;      ///< the last list ended as it should
     unsigned upper_byte_ = 0; ///< of a 16-bit word whose second byte is to come
     bool half_word_ = false;
 
