@@ -1,4 +1,4 @@
-// Rows A01, A06, G14, H06: what a command sees and when it is seen, and the order of the operations on a
+// Rows A01, A02, A06, C16, H06: what a command sees and when it is seen, and the order of the operations on a
 // fragment.
 #include <array>
 #include <cmath>
@@ -134,6 +134,63 @@ TEST_F(Execution, ClientMemoryIsReadDuringTheCall) {
     glColor3ub(255, 255, 255);
     glRecti(0, 0, 10, 10);
     EXPECT_EQ(pixel(35, 5), red);
+}
+
+// --- A02, C16: GL 1.3, 2.13.9
+
+/// An unsigned byte that enters as a colour is the unsigned byte that comes back, whatever it went through.
+TEST_F(Execution, UbytesComeBackAsTheyWere) {
+    use_pixels();
+    const Bytes white{255, 255, 255, 255};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    for (int v = 0; v < 256; ++v) {
+        const Bytes c{static_cast<GLubyte>(v), static_cast<GLubyte>(255 - v), static_cast<GLubyte>(v * 7),
+                      static_cast<GLubyte>(v * 31 + 5)};
+        const std::pair<const char*, std::function<void()>> ways[] = {
+            {"point",
+             [&] {
+                 glColor4ubv(c.data());
+                 glBegin(GL_POINTS);
+                 glVertex2f(20.5f, 20.5f);
+                 glEnd();
+             }},
+            {"triangle with three colours that are one",
+             [&] {
+                 glBegin(GL_TRIANGLES);
+                 for (const auto& [x, y] : {std::pair<int, int>{-7, 3}, {63, 9}, {11, 60}}) {
+                     glColor4ubv(c.data());
+                     glVertex2i(x, y);
+                 }
+                 glEnd();
+             }},
+            {"times white",
+             [&] {
+                 glEnable(GL_TEXTURE_2D);
+                 glColor4ubv(c.data());
+                 glRecti(19, 19, 22, 22);
+                 glDisable(GL_TEXTURE_2D);
+             }},
+            {"given as shorts",
+             [&] {
+                 glColor4us(static_cast<GLushort>(c[0] * 257), static_cast<GLushort>(c[1] * 257),
+                            static_cast<GLushort>(c[2] * 257), static_cast<GLushort>(c[3] * 257));
+                 glRecti(19, 19, 22, 22);
+             }},
+            {"clear",
+             [&] {
+                 glClearColor(static_cast<GLfloat>(c[0]) / 255, static_cast<GLfloat>(c[1]) / 255,
+                              static_cast<GLfloat>(c[2]) / 255, static_cast<GLfloat>(c[3]) / 255);
+                 glClear(GL_COLOR_BUFFER_BIT);
+             }},
+        };
+        for (const auto& [name, way] : ways) {
+            glClearColor(0, 0, 0, 0);
+            glClear(GL_COLOR_BUFFER_BIT);
+            way();
+            EXPECT_EQ(pixel(20, 20), c) << name << ' ' << v;
+        }
+    }
 }
 
 // --- H06: GL 1.3, 5.5
