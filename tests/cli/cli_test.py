@@ -1,19 +1,27 @@
 #!/usr/bin/env python3
 """Tests the command line as a user meets it.
 
-usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs
+usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|window
 """
 import json
 import os
 import pathlib
+import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "host_sim/tools"))
+import png
 
 SPANGLE = sys.argv[1] if len(sys.argv) == 3 else ""
 KEYS = ["scene", "board", "precision", "frames", "fragments", "triangles", "identical_565_percent", "max_lsb", "psnr_565_db",
         "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
+# What SDL's video drivers keep is not ours to report.
+WINDOWED = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
 failures = []
 
 
@@ -24,8 +32,7 @@ def check(condition, text):
 
 
 def run(*words, cwd=None):
-    # What SDL's video drivers keep is not ours to report.
-    return subprocess.run([SPANGLE, *words], capture_output=True, text=True, cwd=cwd, env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"} if "--window" in words else None)
+    return subprocess.run([SPANGLE, *words], capture_output=True, text=True, cwd=cwd)
 
 
 def report(*words, cwd=None):
@@ -116,15 +123,82 @@ def outputs():
         check(memory["peak"] < memory["process"] < 500e6, f"the process: {memory}")
         check("memory" in run("run", "S9", "--stats", cwd=folder).stdout, "memory in the table")
         check("memory" not in run("run", "S9", cwd=folder).stdout, "only when it is asked for")
-        window = run("run", "S2", "--window", "--frames", "2", cwd=folder)
-        check(window.returncode == 0, "--window without a screen goes on")
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
             done = run("run", "S9", "--board", board, "--frames", "2", "--stats", cwd=folder)
             check(done.returncode == 0 and "rule " not in done.stderr, f"{board}: {done.stderr}")
 
 
+def screen_pixels(path):
+    """(width, height, bytes of BGRX) of an X server's frame buffer file, which is an XWD file."""
+    data = path.read_bytes()
+    size, _, _, _, width, height, _, _, _, _, _, bits, stride = struct.unpack(">13I", data[:52])
+    check(bits == 32 and stride == width * 4, "32 bits a pixel")
+    at = size + 12 * struct.unpack(">I", data[76:80])[0]
+    return width, height, data[at:at + stride * height]
+
+
+def differs(screen, shot, scale):
+    """Why the left half of a window at the screen's corner is not the glass, or None."""
+    width, _, pixels = screen
+    rows = png.read(shot)[2]
+    for y, row in enumerate(rows):
+        for x, (r, g, b) in enumerate(row):
+            at = ((y * scale + scale // 2) * width + x * scale + scale // 2) * 4
+            # The glass has six bits a channel, the drawing buffer five or six.
+            if max(abs(pixels[at] - b), abs(pixels[at + 1] - g), abs(pixels[at + 2] - r)) > 8:
+                return f"pixel {x}, {y}: {tuple(pixels[at:at + 3][::-1])} instead of {(r, g, b)}"
+    return None
+
+
+def on_x_server(folder):
+    """The window on an X server of its very size: the glass, pixel by pixel, the memory beside it; closing ends the run in good order."""
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x480x24", "-fbdir", folder, "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    try:
+        display = os.read(read, 16).decode().strip()
+        check(display != "", "Xvfb starts")
+        environment = {**WINDOWED, "DISPLAY": ":" + display, "SDL_VIDEODRIVER": "x11"}
+        shot = pathlib.Path(folder) / "still.png"
+        check(run("run", "S4", "--shot", str(shot)).returncode == 0, "a picture to compare with")
+        program = subprocess.Popen([SPANGLE, "run", "S4", "--window", "--frames", "1000000", "--json"], env=environment,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        problem, deadline = "nothing was looked at", time.monotonic() + 60
+        while problem is not None and time.monotonic() < deadline and program.poll() is None:
+            time.sleep(0.2)
+            screen = screen_pixels(pathlib.Path(folder) / "Xvfb_screen0")
+            problem = differs(screen, shot.read_bytes(), 2)
+        check(problem is None, f"the window shows the glass: {problem}")
+        width, _, pixels = screen
+        beside = [pixels[(y * width + x) * 4:(y * width + x) * 4 + 3] for y in range(0, 480, 16) for x in range(640, 1000, 16)]
+        check(len(set(beside)) > 20, "the controller's memory beside it")
+        program.send_signal(signal.SIGTERM)  # to SDL, the user who closes the window
+        out, err = program.communicate(timeout=60)
+        check(program.returncode == 0, f"closed: exit status {program.returncode}: {err}")
+        check(0 < json.loads(out)["frames"] < 1000000, "the frames that were drawn are reported")
+    finally:
+        server.terminate()
+        server.wait()
+        os.close(read)
+
+
+def window():
+    """--window on an X server where there is one, on SDL's dummy driver, and where nothing can be opened."""
+    with tempfile.TemporaryDirectory() as folder:
+        if shutil.which("Xvfb"):
+            on_x_server(folder)
+        words = ["run", "S2", "--window", "--frames", "2", "--json"]
+        expected = report("S2", "--frames", "2")["picture_hash"]
+        for driver, said in (("dummy", False), ("nonsense", True)):
+            done = subprocess.run([SPANGLE, *words], capture_output=True, text=True, env={**WINDOWED, "SDL_VIDEODRIVER": driver})
+            check(done.returncode == 0 and json.loads(done.stdout)["picture_hash"] == expected, f"{driver}: the run goes on: {done.stderr}")
+            lines = done.stderr.strip().splitlines()
+            check(len(lines) == 1 and "no window" in lines[0] if said else lines == [], f"{driver}: {done.stderr!r}")
+
+
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "window"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()

@@ -1,0 +1,97 @@
+// Orientation changes no pixel: every scene, drawn through EGL on a board whose panel is mounted in each of
+// the eight ways, looks the same to somebody who turns his head with it.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+#include <spangle/boards/boards.hpp>
+#include <spangle/native.hpp>
+#include <spangle/sim/board.hpp>
+
+#include "boards/scenes/scene.hpp"
+
+namespace {
+
+using namespace spangle;
+
+struct Seen {
+    sim::Image glass, memory;
+    std::string violations;
+};
+
+/// Two frames, so that the second one is sent as damage.
+Seen draw(const scenes::Scene& scene, const hal::Board& board) {
+    sim::SimBoard sim(board);
+    const EGLDisplay display = eglGetDisplay(native(sim.display()));
+    EGLConfig config;
+    EGLint count = 0;
+    const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                             EGL_WINDOW_BIT,
+                             EGL_RENDERABLE_TYPE,
+                             EGL_OPENGL_BIT,
+                             EGL_DEPTH_SIZE,
+                             16,
+                             EGL_STENCIL_SIZE,
+                             0,
+                             EGL_NONE};
+    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr));
+    EXPECT_TRUE(eglBindAPI(EGL_OPENGL_API));
+    EXPECT_TRUE(eglChooseConfig(display, wanted, &config, 1, &count));
+    EXPECT_EQ(count, 1);
+    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
+    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
+    EXPECT_TRUE(eglMakeCurrent(display, window, window, context));
+    const hal::DisplayInfo info = sim.display().info();
+    scene.setup(info.width, info.height);
+    for (int frame = 0; frame < 2; ++frame) {
+        scene.draw(frame);
+        EXPECT_TRUE(eglSwapBuffers(display, window));
+    }
+    Seen seen{sim.glass(), sim.memory(), sim.violations_text()};
+    EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    EXPECT_TRUE(eglTerminate(display));
+    return seen;
+}
+
+class Orientations : public testing::TestWithParam<const scenes::Scene*> {};
+
+/// Each mount against the first one of the same size: all eight of square glass, four and four of other
+/// glass.
+TEST_P(Orientations, ChangeNoPixel) {
+    int moved = 0;
+    for (const hal::Board* board : {&boards::st7789_240, &boards::st7735_128x160}) {
+        Seen first[2]; // upright, on its side
+        for (const hal::Orientation o : hal::orientations) {
+            hal::Board turned = *board;
+            turned.display.orientation = o;
+            const Seen seen = draw(*GetParam(), turned);
+            EXPECT_EQ(seen.violations, "");
+            Seen& reference = first[seen.glass.width >= seen.glass.height ? 0 : 1];
+            const std::string where = std::string(board->name) + " turned " +
+                                      std::to_string(90 * int(o.rotation)) + " degrees" +
+                                      (o.mirrored ? ", mirrored" : "");
+            if (reference.glass.width == 0) {
+                reference = seen;
+                continue;
+            }
+            EXPECT_EQ(seen.glass, reference.glass) << where;
+            moved += seen.memory == reference.memory ? 0 : 1;
+        }
+    }
+    // A dithered colour is its own transpose; nothing else here is its own turned picture.
+    EXPECT_GE(moved, 11) << "of 13 mounts: were they turned at all?";
+}
+
+std::vector<const scenes::Scene*> every_scene() {
+    std::vector<const scenes::Scene*> all;
+    for (const scenes::Scene& scene : scenes::all())
+        all.push_back(&scene);
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Orientations, testing::ValuesIn(every_scene()),
+                         [](const auto& info) { return std::string(info.param->id); });
+
+} // namespace
