@@ -4,7 +4,6 @@
 
 #if SPANGLE_FEATURE_LIGHTING
 
-#include "raster/numeric/matrix_build.hpp"
 #include "raster/numeric/power.hpp"
 #include "raster/numeric/trigonometry.hpp"
 
@@ -79,6 +78,37 @@ numeric::Unit3 half_vector(const numeric::Unit3& to_light, const numeric::Unit3&
     return numeric::normalize(numeric::add(numeric::to_block(to_light), numeric::to_block(to_eye)));
 }
 
+/// Plain lighting: cosines with 29 fraction bits in a signed word, sums of 49.
+constexpr int plain_factor_bits = 29, plain_sum_bits = intensity_bits + plain_factor_bits;
+
+/// v * 2^(e + plain_factor_bits), 0 for what is not positive, below 4.
+std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
+    const std::int32_t up = e + plain_factor_bits;
+    if (v <= 0 || up < -31)
+        return 0;
+    if (up < 0)
+        return v >> -up;
+    return up < numeric::clz32(static_cast<std::uint32_t>(v)) ? v << up : 0x7FFFFFFF;
+}
+
+std::uint32_t plain_color(std::int64_t sum) {
+    constexpr std::int64_t one = std::int64_t{1} << plain_sum_bits;
+    if (static_cast<std::uint64_t>(sum) >= static_cast<std::uint64_t>(one)) // or negative
+        return sum < 0 ? 0 : raster::color_one;
+    return FixedMath::color_units(static_cast<std::uint32_t>(
+        (sum + (std::int64_t{1} << (plain_sum_bits - 31))) >> (plain_sum_bits - 30)));
+}
+
+/// N^T u: n . u of normals as they are given is their product with it.
+numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const numeric::Unit3& u,
+                                   const numeric::Columns<3>& column) {
+    numeric::Block v[3];
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+            v[j] = numeric::add(v[j], numeric::mul(normal.at[3 * j + i], numeric::make_block(u.m[i], -30)));
+    return numeric::to_block_row(v, column);
+}
+
 constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 
 } // namespace
@@ -100,20 +130,25 @@ void FixedLighting::derive(const Context& context) {
         for (numeric::Block& element : normal.at)
             element = numeric::mul(element, normal.row_scale);
     normal_matrix_ = numeric::to_block_matrix(normal);
+    const std::int32_t(&row)[3] = normal_matrix_.row;
+    common_rows_ = row[0] == row[1] && row[1] == row[2];
     for (int c = 0; c < 3; ++c)
         model_ambient_[c] = intensity(state.model_ambient[c]);
     count_ = 0;
     needs_eye_ = local_viewer_;
+    all_simple_ = !local_viewer_;
     for (unsigned i = 0; i < max_lights; ++i) {
         if (!state.light_enabled[i])
             continue;
-        derive_source(state.light[i], source_[count_]);
+        derive_source(state.light[i], normal, source_[count_]);
+        all_simple_ = all_simple_ && source_[count_].simple();
         needs_eye_ = needs_eye_ || !source_[count_].directional;
         ++count_;
     }
 }
 
-void FixedLighting::derive_source(const Light& light, Source& out) const {
+void FixedLighting::derive_source(const Light& light, const numeric::NormalMatrix& normal,
+                                  Source& out) const {
     for (int c = 0; c < 3; ++c) {
         out.ambient[c] = intensity(light.ambient[c]);
         out.diffuse[c] = intensity(light.diffuse[c]);
@@ -125,6 +160,7 @@ void FixedLighting::derive_source(const Light& light, Source& out) const {
     out.spot = !(light.spot_cutoff == Real{0x43340000});
     if (out.directional) {
         out.to_light = numeric::normalize(numeric::xyz(p));
+        out.facing = in_object_space(normal, out.to_light, normal_matrix_.column);
         out.half = half_vector(out.to_light, toward_viewer);
     } else {
         out.position = numeric::mul(numeric::xyz(p), numeric::reciprocal(numeric::component(p, 3)));
@@ -168,6 +204,53 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
         }
         out.base[c] = numeric::saturate_i32(base);
     }
+    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_);
+}
+
+/// base + sum of (n . l) * diffuse: with unit normals n . l = (N n) . l / |N n|, else (N^T l) . n. False: a
+/// normal so short beside the matrix that its direction needs more care.
+bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVertex& out) const {
+    const Fold& fold = fold_[side];
+    const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, vertex.normal);
+    std::int32_t n[3] = {};
+    std::uint32_t r = 0;
+    int zeros = 0;
+    if (normalize_) {
+        std::uint64_t square = 0;
+        for (int i = 0; i < 3; ++i) {
+            n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
+            square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));
+        }
+        zeros = numeric::clz64(square) & ~1; // at least 4
+        if (zeros > 16)
+            return false;
+        r = numeric::rsqrt(
+            static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
+    }
+    std::int64_t sum[3];
+    for (int c = 0; c < 3; ++c)
+        sum[c] = std::int64_t{fold.base[c]} * (1 << plain_factor_bits);
+    for (int i = 0; i < count_; ++i) {
+        std::int32_t facing;
+        if (normalize_) {
+            const std::int64_t along = numeric::row_sum<3>(source_[i].to_light.m, n, std::int64_t{1} << 29);
+            facing = static_cast<std::int32_t>(along >> 30);
+            facing = numeric::mul_high_s32(side == 0 ? facing : -facing, static_cast<std::int32_t>(r >> 1));
+            facing = plain_factor(facing, zeros / 2 - 29);
+        } else {
+            const numeric::BlockRow3& l = source_[i].facing;
+            facing = numeric::row_times<3>(l.m, loaded.m);
+            facing = plain_factor(side == 0 ? facing : -facing, loaded.e + l.e + 1);
+        }
+        for (int c = 0; c < 3; ++c)
+            sum[c] += numeric::mul_s32(fold.diffuse[i][c], facing);
+    }
+    for (int c = 0; c < 3; ++c) {
+        out.color[c] = plain_color(sum[c]);
+        out.secondary[c] = 0;
+    }
+    out.color[3] = fold.alpha;
+    return true;
 }
 
 FixedLighting::Direction FixedLighting::direction_of(const Input& vertex, int side) const {
@@ -246,6 +329,8 @@ void FixedLighting::light(const Context& context, const Input& vertex, int side,
     if (!folded_)
         fold(context);
     const Fold& fold = fold_[side];
+    if (fold.plain && light_plain(vertex, side, out))
+        return;
     const Direction n = direction_of(vertex, side);
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)

@@ -8,6 +8,7 @@
 
 #include "gl/vertex/fixed_math.hpp"
 #include "raster/numeric/block_matrix.hpp"
+#include "raster/numeric/matrix_build.hpp"
 
 namespace spangle::gl {
 
@@ -51,8 +52,9 @@ class FixedLighting {
         bool directional = true, spot = false, attenuated = false;
         bool simple() const { return directional && !spot; } ///< reaches every vertex alike
         numeric::Unit3 to_light;                             ///< directional: unit vector to the light
-        numeric::Unit3 half;      ///< directional, viewer at infinity: unit half vector
-        numeric::Block3 position; ///< positional, eye space
+        numeric::BlockRow3 facing; ///< directional: to_light times the normal matrix, for normals as given
+        numeric::Unit3 half;       ///< directional, viewer at infinity: unit half vector
+        numeric::Block3 position;  ///< positional, eye space
         numeric::Unit3 spot_axis;
         std::int32_t spot_cosine = 0; ///< of the cutoff, Q0.30
         std::uint32_t spot_exponent;  ///< as numeric::power_exponent() gives it
@@ -66,6 +68,7 @@ class FixedLighting {
         bool has_specular = false;
         std::uint32_t shininess; ///< as numeric::power_exponent() gives it
         std::uint32_t alpha;     ///< colour units
+        bool plain = false;      ///< only ambient and diffuse terms of lights that reach every vertex alike
     };
     /// The normal of a vertex in eye space.
     struct Direction {
@@ -75,15 +78,18 @@ class FixedLighting {
 
     bool on_ = false, needs_eye_ = false, two_side_ = false, tracks_color_ = false, folded_ = false;
     bool normalize_ = false, local_viewer_ = false, separate_ = false;
-    int count_ = 0; ///< enabled lights
+    bool all_simple_ = false;  ///< no light asks where the vertex is
+    bool common_rows_ = false; ///< of the normal matrix: their results have one exponent
+    int count_ = 0;            ///< enabled lights
     Source source_[max_lights];
     Fold fold_[2];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
-    void derive_source(const Light& light, Source& out) const;
+    void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;
+    bool light_plain(const Input& vertex, int side, raster::FixedVertex& out) const;
     Direction direction_of(const Input& vertex, int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
                          Sum (&specular)[3]) const;

@@ -36,10 +36,12 @@ using BlockMatrix = BlockMatrixN<4>;
 using BlockMatrix3 = BlockMatrixN<3>; ///< for normals
 
 /// A row under the columns of a matrix, with an exponent of its own.
-struct BlockRow {
-    std::int32_t m[4] = {};
+template <int N> struct BlockRowN {
+    std::int32_t m[N] = {};
     std::int32_t e = 0;
 };
+using BlockRow = BlockRowN<4>;
+using BlockRow3 = BlockRowN<3>;
 
 namespace detail {
 
@@ -94,14 +96,27 @@ constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& c
     }
 }
 
-/// All rows, the last one first, the others not finer than it (`last_is_finest`): of a vertex they are
-/// divided by the last.
-template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N], bool last_is_finest) {
+/// The rows of normals under one exponent, if that costs none of them more than 4 bits.
+constexpr void common_rows(const Block (&a)[9], BlockMatrixN<3>& r) {
+    std::int32_t most = no_exponent, least = -no_exponent;
+    for (int i = 0; i < 3; ++i) {
+        most = r.row[i] > most ? r.row[i] : most;
+        least = r.row[i] < least ? r.row[i] : least;
+    }
+    if (most - least > 4)
+        return;
+    for (int i = 0; i < 3; ++i)
+        r.row[i] = scale_row<3>(a + i, 3, r.column, most, r.m + 3 * i);
+}
+
+/// All rows: of positions none finer than the last, by which they are divided.
+template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N]) {
     BlockMatrixN<N> r;
     r.column = column_exponents<N, N>(a);
     for (int i = N - 1; i >= 0; --i)
-        r.row[i] = scale_row<N>(a + i, N, r.column, last_is_finest && i < N - 1 ? r.row[N - 1] : no_exponent,
-                                r.m + N * i);
+        r.row[i] = scale_row<N>(a + i, N, r.column, N == 4 && i < 3 ? r.row[3] : no_exponent, r.m + N * i);
+    if constexpr (N == 3)
+        common_rows(a, r);
     return r;
 }
 
@@ -159,12 +174,12 @@ constexpr BlockMatrix to_block_matrix(const Matrix& a) {
     Block v[16];
     for (int i = 0; i < 16; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
-    return detail::scale_blocks<4>(v, true);
+    return detail::scale_blocks<4>(v);
 }
 
 /// Column-major.
 constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
-    return detail::scale_blocks<3>(v, false);
+    return detail::scale_blocks<3>(v);
 }
 
 /// Row i of a for vertices loaded under columns that need not be its own.
@@ -173,6 +188,12 @@ constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column
                         to_block(a.at(i, 3))};
     BlockRow r;
     r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
+    return r;
+}
+
+constexpr BlockRow3 to_block_row(const Block (&v)[3], const Columns<3>& column) {
+    BlockRow3 r;
+    r.e = detail::scale_row<3>(v, 1, column, detail::no_exponent, r.m);
     return r;
 }
 

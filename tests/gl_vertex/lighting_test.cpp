@@ -489,6 +489,46 @@ TEST_F(Lighting, RandomScenes) {
     EXPECT_LT(worst, 0.01);
 }
 
+/// Lights that reach every vertex alike, on objects stretched by up to 2^9 before and after they are turned.
+TEST_F(Lighting, StretchedObjects) {
+    std::mt19937 random(5);
+    const auto real = [&random](double low, double high) {
+        return static_cast<double>(static_cast<float>(std::uniform_real_distribution<>(low, high)(random)));
+    };
+    const auto stretch = [&random] { return std::ldexp(1.0, static_cast<int>(random() % 10)); };
+    const Mat4 turn = {2 / 3.0,  -2 / 3.0, 1 / 3.0, 0, 1 / 3.0, 2 / 3.0, 2 / 3.0, 0,
+                       -2 / 3.0, -1 / 3.0, 2 / 3.0, 0, 0,       0,       0,       1};
+    double worst = 0;
+    for (int n = 0; n < 20000; ++n) {
+        LitVertex v;
+        only_diffuse(v);
+        v.light[0].position = {real(-1, 1), real(-1, 1), real(-1, 1), 0};
+        v.light[3] = v.light[0];
+        v.light[3].position = {real(-1, 1), real(-1, 1), real(-1, 1), 0};
+        const bool before = (n & 1) != 0, after = (n & 2) != 0;
+        v.modelview = before ? times(turn, scaling(stretch(), stretch(), stretch())) : turn;
+        if (after)
+            v.modelview = times(scaling(stretch(), stretch(), stretch()), v.modelview);
+        if ((n & 4) != 0)
+            v.modelview = times(turn, v.modelview);
+        for (double& e : v.modelview)
+            e = static_cast<float>(e);
+        v.normalize = true;
+        for (double& c : v.normal)
+            c = real(-1, 1) * stretch();
+        if ((n & 8) != 0) { // what becomes a unit vector
+            const Mat4& m = v.modelview;
+            const Vec3 eye = unit(v.normal);
+            for (std::size_t c = 0; c < 3; ++c)
+                v.normal[c] =
+                    static_cast<float>(m[4 * c] * eye[0] + m[4 * c + 1] * eye[1] + m[4 * c + 2] * eye[2]);
+        }
+        worst = std::fmax(worst, difference(lit_point(v), equation(v, 0)));
+    }
+    std::printf("stretched objects: worst component off by %.6f / 255\n", worst);
+    EXPECT_LT(worst, 0.001);
+}
+
 /// Table 2.7, before anything is set.
 TEST_F(Lighting, Defaults) {
     const LitVertex v;
