@@ -1,9 +1,14 @@
 // What reaches an OLED controller over i2c-dev: control bytes, chunks, and errors.
 #include <cerrno>
 #include <numeric>
+#include <optional>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <linux/i2c-dev.h>
 #include <spangle/linux/i2c_bus.hpp>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "host_sim/linux/i2c_adapter.hpp"
 
@@ -122,6 +127,22 @@ TEST_F(I2c, ErrorsSayDeviceOperationAndCause) {
                                       "enabled (Raspberry Pi: dtparam=i2c_arm=on in config.txt)?");
     config.message_bytes = 1;
     EXPECT_EQ(open().error().fault, Fault::bad_argument);
+}
+
+TEST_F(I2c, TheModelNoticesAMissingControlByte) {
+    const int file = ::open(path, O_RDWR);
+    ASSERT_EQ(ioctl(file, I2C_SLAVE, 0x3Cul), 0);
+    const std::uint8_t bare[] = {0xAE}, mixed[] = {0x80, 0x21, 0x80, 0x05, 0xC0, 0x55, 0x40, 0x66, 0x77};
+    EXPECT_EQ(::write(file, bare, sizeof bare), 1);
+    EXPECT_NE(adapter.wrong().find("rule 14"), std::string::npos);
+    EXPECT_TRUE(adapter.received().empty());
+    adapter.forget();
+    EXPECT_EQ(::write(file, mixed, sizeof mixed), 9);
+    const std::vector<sim::I2cAdapter::Received> want = {
+        {0x21, false}, {0x05, false}, {0x55, true}, {0x66, true}, {0x77, true}};
+    EXPECT_EQ(adapter.received(), want);
+    EXPECT_EQ(adapter.wrong(), "");
+    ::close(file);
 }
 
 TEST_F(I2c, LostArbitrationIsTriedAgain) {
