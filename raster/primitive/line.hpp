@@ -19,26 +19,22 @@ constexpr std::int32_t center_of(std::int32_t i) {
 struct LineInterval {
     std::int32_t begin, end;
     LineInterval(const DiamondWalk& walk, std::int32_t a, std::int32_t b) {
-        const std::int32_t first = center_of(walk.major);
-        const std::int32_t last = center_of(walk.major + (walk.count - 1) * walk.direction);
-        begin = (first - a) * walk.direction < 0 ? first : a;
-        end = (last - b) * walk.direction > 0 ? last : b;
+        const std::int32_t low = center_of(walk.major), high = center_of(walk.major + walk.count - 1);
+        begin = walk.ascends ? (low < a ? low : a) : (high > a ? high : a);
+        end = walk.ascends ? (high > b ? high : b) : (low < b ? low : b);
     }
 };
 
 template <class P> void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width) {
     while (walk.count > 0) {
-        const std::int32_t row = walk.minor, from = walk.major;
-        std::int32_t to = from;
+        const std::int32_t row = walk.minor, left = walk.major;
         do {
-            to = walk.major;
             walk.step();
         } while (walk.count > 0 && walk.minor == row);
-        const std::int32_t left = from < to ? from : to, right = (from < to ? to : from) + 1;
         std::int32_t y = row < pen.row_begin() ? pen.row_begin() : row;
         const std::int32_t top = row + width < pen.row_end() ? row + width : pen.row_end();
         for (; y < top; ++y)
-            pen.add(y, left, right);
+            pen.add(y, left, walk.major);
     }
 }
 
@@ -59,6 +55,11 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     if (state.nothing || walk.count == 0)
         return;
     const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);
+    if (width == 1 && pen.walks(pa, pb)) {
+        Setup<P>(pen.span, a, b, provoking, true, interval.begin, interval.end);
+        if (pen.draw(walk.path()))
+            return;
+    }
     if (walk.along_x)
         walk.clip(pen.column_begin(), pen.column_end());
     else

@@ -78,8 +78,10 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
         assemble<Exact>(variant, key, state);
         break;
     }
-    if (const RowsFunction<Fixed> run = find_fused(key); run != nullptr)
-        variant.run = reinterpret_cast<AnyFunction>(run);
+    if (const FusedSpan* const fused = find_fused(key); fused != nullptr) {
+        variant.run = reinterpret_cast<AnyFunction>(fused->run);
+        variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
+    }
 }
 
 } // namespace
@@ -133,6 +135,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
         if (kind == Kind::textured && plain)
             continue;
         choose_span(draw.variant[i], key, state);
+        draw.walks = draw.walks || draw.variant[i].walk != nullptr;
     }
     return draw;
 }

@@ -35,8 +35,9 @@ struct Counters {
 #endif
 };
 
-/// A function of some signature: RowsFunction<P> to draw rows, void(Packet<N>&, const Span<P>&) for a stage
-/// of the chain. Whoever fills it in and whoever calls it agree on P and N.
+/// A function of some signature: RowsFunction<P> to draw rows, PathFunction<P> to draw paths,
+/// void(Packet<N>&, const Span<P>&) for a stage of the chain. Whoever fills it in and whoever calls it agree
+/// on P and N.
 using AnyFunction = void (*)();
 
 inline constexpr int max_stages = 14;
@@ -44,6 +45,7 @@ inline constexpr int max_stages = 14;
 /// The list of stages of one kind of primitive.
 struct Variant {
     AnyFunction run = nullptr;              ///< RowsFunction: a fused span, or the runner of `chain`
+    AnyFunction walk = nullptr;             ///< PathFunction, or null: paths are drawn as rows
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
     std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
 };
@@ -92,6 +94,7 @@ struct DrawState {
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
     Variant variant[kind_count];
+    bool walks = false; ///< some variant draws paths
     /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
     bool nothing = false;
 };

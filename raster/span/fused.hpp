@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 
@@ -152,7 +153,7 @@ SPANGLE_INLINE void fused_row(Span<Fixed>& span, std::int32_t begin, std::int32_
     fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, begin, n);
 }
 
-/// Case has: template <int Lanes> using System, List; static constexpr key, needs, tested, wide, heavy.
+/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy.
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     do {
@@ -169,6 +170,33 @@ template <class Case, int Wide = host_lanes>
                  format_info(Case::key.format).bytes_per_pixel, 1);
         fused_row<Case, Wide>(span, first - left, n);
     } while (++row != end);
+}
+
+/// A path over planes whose rows have the same stride in pixels.
+template <class Case> [[gnu::noinline]] void fused_path(Span<Fixed>& span, const Path& path) {
+    constexpr int bytes = format_info(Case::key.format).bytes_per_pixel;
+    static_assert(!Case::key.dither && bytes == 2 && Case::key.depth_format != DepthFormat::z24s8);
+    point_at(span.color, span.depth, *span.target, path.x, path.y, bytes, 1);
+    span.x = path.along_x ? path.x : path.y;
+    span.y = span.anchor_y;
+    const std::int32_t row = span.target->color_stride / bytes, up = path.falls ? -1 : 1;
+    const std::int32_t along = path.along_x ? 1 : row, aside = path.along_x ? (path.falls ? -row : row) : up;
+    const std::int32_t rise = path.rise, denominator = path.denominator;
+    std::int32_t count = path.count, rest = path.remainder - denominator;
+    typename Case::template List<1> list(span, 0);
+    Px<typename Case::template System<1>> p;
+    p.live = true;
+    p.i = 0;
+    do {
+        list(p);
+        list.step();
+        p.i += along;
+        rest += rise;
+        if (rest >= 0) {
+            rest -= denominator;
+            p.i += aside;
+        }
+    } while (--count != 0);
 }
 
 } // namespace spangle::raster

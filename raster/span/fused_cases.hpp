@@ -112,7 +112,13 @@ template <Key K> class FusedCase {
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
 
-    static constexpr Needs needs = needs_of(K);
+    /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
+    static constexpr PathFunction<Fixed> walk() {
+        if constexpr (raw && !textured)
+            return &fused_path<FusedCase>;
+        else
+            return nullptr;
+    }
 
     static void run(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (K.number == Number::raw565 && K.kind == Kind::flat && !tested) {

@@ -56,9 +56,9 @@ struct Say {
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
-    return {Case::key, &Case::run, nullptr};
+    return {Case::key, &Case::run, Case::walk(), nullptr};
 #else
-    return {Case::key, &Case::run, &fused<Case, 1>};
+    return {Case::key, &Case::run, Case::walk(), &fused<Case, 1>};
 #endif
 }
 
@@ -136,10 +136,10 @@ constexpr FusedSpan table[] = {
 
 } // namespace
 
-RowsFunction<Fixed> find_fused(const Key& key) {
+const FusedSpan* find_fused(const Key& key) {
     for (const FusedSpan& span : table)
         if (span.key == key)
-            return span.run;
+            return &span;
     return nullptr;
 }
 

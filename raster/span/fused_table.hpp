@@ -5,6 +5,7 @@
 
 #include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
+#include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 
 namespace spangle::raster {
@@ -12,11 +13,12 @@ namespace spangle::raster {
 struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
-    RowsFunction<Fixed> narrow; ///< the same with one lane only, for the tests; null in firmware
+    PathFunction<Fixed> walk;   ///< null where paths are drawn as rows
+    RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 
 /// null: draw with the chain.
-RowsFunction<Fixed> find_fused(const Key& key);
+const FusedSpan* find_fused(const Key& key);
 
 /// What runs the chain of a number system of the fixed policy.
 AnyFunction chain_runner(Number number);

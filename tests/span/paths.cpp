@@ -1,0 +1,98 @@
+// Lines drawn as paths against the same lines drawn as rows: colour, depth, touched columns, counters.
+#include <gtest/gtest.h>
+
+#include "raster/primitive/draw.hpp"
+#include "tests/span/sweep.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+constexpr int width = 48, height = 40;
+
+struct Drawn {
+    Canvas canvas;
+    std::vector<RowSpan> touched = std::vector<RowSpan>(height);
+    Counters counters;
+    DrawState state;
+
+    Drawn(const FragmentState& fragment, DepthFormat depth, bool walks)
+        : canvas(width, height, PixelFormat::rgb565_be, depth) {
+        canvas.noise(9);
+        canvas.surface.touched = touched.data();
+        canvas.surface.touched_step = 1;
+        state = compile<FixedVertex>(fragment, canvas.surface);
+        state.counters = &counters;
+        state.walks = state.walks && walks;
+    }
+    void line(const FixedVertex& a, const FixedVertex& b) {
+        touched.assign(touched.size(), RowSpan{});
+        draw_line<FixedVertex>(state, canvas.surface, a, b, b, 1);
+    }
+};
+
+FixedVertex random_end(std::mt19937& random, bool same_w, int beyond) {
+    const auto within = [&](int size) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>((size + 2 * beyond) * 256)) -
+               beyond * 256;
+    };
+    FixedVertex v{};
+    v.x = within(width);
+    v.y = within(height);
+    v.z = random() >> 1;
+    v.w_mantissa = same_w ? 0x80000000u : 0x80000000u | random();
+    v.w_exponent = same_w ? -31 : -31 - static_cast<int>(random() % 3);
+    for (auto& c : v.color)
+        c = random() % (255u << color_fraction_bits);
+    return v;
+}
+
+struct Case {
+    bool flat, same_w, depth;
+    Rect scissor;
+};
+
+long compare(const Case& c, bool& walks) {
+    FragmentState fragment;
+    fragment.scissor = c.scissor;
+    fragment.tier = Tier::balanced;
+    fragment.dither = false;
+    fragment.flat = c.flat;
+    fragment.depth_test = c.depth;
+    fragment.depth_func = Compare::less;
+    const DepthFormat format = c.depth ? DepthFormat::z16 : DepthFormat::none;
+    Drawn path(fragment, format, true), rows(fragment, format, false);
+    walks = path.state.walks;
+    std::mt19937 random(21);
+    for (int i = 0; i < 2000; ++i) {
+        const FixedVertex a = random_end(random, c.same_w, 4);
+        FixedVertex b = random_end(random, c.same_w, 4);
+        if (i % 5 == 0)
+            b.x = a.x + (i % 2 == 0 ? b.y - a.y : a.y - b.y); // 45 degrees
+        if (i % 7 == 0)
+            b.y = a.y;
+        path.line(a, b);
+        rows.line(a, b);
+        EXPECT_EQ(path.canvas.color, rows.canvas.color) << "line " << i;
+        EXPECT_EQ(path.canvas.depth, rows.canvas.depth) << "line " << i;
+        EXPECT_EQ(path.touched, rows.touched) << "line " << i;
+        if (testing::Test::HasFailure())
+            break;
+    }
+    EXPECT_EQ(path.counters.fragments, rows.counters.fragments);
+    EXPECT_EQ(path.counters.triangles, rows.counters.triangles);
+    return path.counters.fragments;
+}
+
+TEST(Paths, AreTheirRows) {
+    for (const bool flat : {false, true})
+        for (const bool same_w : {false, true})
+            for (const bool depth : {false, true})
+                for (const Rect scissor : {Rect{0, 0, width, height}, Rect{5, 7, 30, 21}}) {
+                    bool walks = false;
+                    EXPECT_GT(compare({flat, same_w, depth, scissor}, walks), 10000);
+                    EXPECT_TRUE(walks) << "a state with a loop over paths";
+                }
+}
+
+} // namespace
+} // namespace spangle::raster::test
