@@ -226,8 +226,10 @@ bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer dev
     const Verdict verdict = node != nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
     if (entry->dead)
         out = node != nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
-    else
-        out = verdict.error != 0 ? -verdict.error : device(*entry->file, verdict.limit);
+    else if (verdict.error == 0 || verdict.late)
+        out = device(*entry->file, verdict.limit);
+    if (!entry->dead && verdict.error != 0)
+        out = -verdict.error;
     return true;
 }
 

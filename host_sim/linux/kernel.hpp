@@ -30,6 +30,7 @@ struct Verdict {
     int error = 0;                ///< errno it fails with; 0: the device answers
     std::size_t limit = SIZE_MAX; ///< bytes of a transfer that still go out
     bool stall = false;           ///< it returns no sooner than Kernel::release()
+    bool late = false;            ///< the device acts before the call fails
 };
 
 /// An open file of a device. Answers are as the kernel gives them inside: negative errno on failure.

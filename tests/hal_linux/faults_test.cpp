@@ -271,6 +271,9 @@ Verdict chance(Random& random, Rig& rig, const Call& call, std::uint32_t one_in)
         break;
     default:
         verdict.error = errors[random.below(8)];
+        // Repeating what was done already is no way out: only calls that are given up may come late.
+        verdict.late =
+            verdict.error != EINTR && verdict.error != EAGAIN && carries(rig, call) && random.below(2) == 0;
         verdict.stall = random.below(300) == 0 && carries(rig, call); // on the bus's own thread
     }
     return verdict;

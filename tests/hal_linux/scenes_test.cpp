@@ -55,8 +55,7 @@ void expect_scene(Transport transport, const char* id, bool small, bool asynchro
     options.buffers = asynchronous ? 2 : 1;
     options.asynchronous = asynchronous;
     options.read_back = can_read(transport);
-    options.spi_hz =
-        board.write_hz < 20000000 ? board.write_hz : 20000000; // a slow test machine keeps deadlines
+    options.spi_hz = 2000000; // a slow test machine keeps deadlines
     Rig rig(transport, options);
     const auto opened = rig.open();
     ASSERT_TRUE(opened.ok()) << opened.error().rule;

@@ -119,6 +119,8 @@ TEST(Spidev, ReadsAtItsOwnClock) {
         const auto status = rig.display->status();
         ASSERT_TRUE(status.ok()) << status.error().rule;
         EXPECT_EQ(status.value().power_mode, 0x9C) << "awake, normal, on";
+        EXPECT_EQ(status.value().status >> 31, 1u) << "behind a dummy clock: booster on";
+        EXPECT_EQ(status.value().status >> 20 & 7, 5u) << "16 bits a pixel";
         EXPECT_EQ(status.value().colmod, 0x55) << name_of(t);
         ASSERT_TRUE(rig.draw(7));
         ASSERT_TRUE(rig.display->present().ok());
