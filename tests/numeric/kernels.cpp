@@ -37,7 +37,8 @@ TEST(Kernels, DivisionIsExact) {
         for (std::uint32_t d : {1u, 2u, 3u, 0x7FFFFFFFu, 0x80000000u, 0x80000001u, 0xFFFFFFFEu, 0xFFFFFFFFu})
             check(n, d);
     for (int i = 0; i < 3'000'000; ++i) {
-        const std::uint32_t d = (random.word() >> (random.next() & 31)) | 1u << (random.next() & 31);
+        const std::uint32_t some = random.word() >> (random.next() & 31);
+        const std::uint32_t d = some | 1u << (random.next() & 31);
         const std::uint64_t n = random.next() >> (random.next() & 63);
         check(n, d);
         check(n - n % d, d);
@@ -127,8 +128,8 @@ TEST(Kernels, SineAndCosine) {
     Random random(13);
     long double worst = 0;
     for (int i = 0; i < 500'000; ++i) {
-        const Real degrees = from_float(
-            std::ldexp(static_cast<float>(random.range(-(1 << 24), 1 << 24)), random.range(-40, 8)));
+        const auto mantissa = static_cast<float>(random.range(-(1 << 24), 1 << 24));
+        const Real degrees = from_float(std::ldexp(mantissa, random.range(-40, 8)));
         const SinCos a = sincos_degrees(degrees);
         const long double x =
             std::fmod(static_cast<long double>(to_float(degrees)), 360.0L) * 0.0174532925199432957692369L;

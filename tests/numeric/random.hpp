@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-/// splitmix64.
+/// splitmix64. One draw per statement, or in braces: in which order a call evaluates its arguments, and an
+/// operator its operands, is the compiler's choice, and with it which numbers are tested.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
