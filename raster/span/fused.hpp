@@ -64,12 +64,12 @@ SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) 
     return from(8 - first) & ~from(8 - last);
 }
 
-/// n >= 8 pixels from `begin`, eight at a time. What is left of a run is a group of its own, in which other
-/// lanes are dead; it stays inside of the span.
+/// n pixels from `begin`, eight at a time. What is left of a run is a group of its own in which other lanes
+/// are dead; it stays inside of the span, unless that has fewer than eight. The list is at the first of them.
 template <class N, class List>
-SPANGLE_INLINE void fused_wide(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t n) {
+SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
+                               std::int32_t n) {
     static_assert(N::lanes == 8);
-    List list(span, begin);
     Px<N> p;
     std::int32_t i = 0, stop = n;
     do {
@@ -78,98 +78,146 @@ SPANGLE_INLINE void fused_wide(const Span<typename N::Policy>& span, std::int32_
             stop = next < n ? next : n;
         }
         p.row = List::rows && list.row(stop - i);
-        for (; i + 8 <= stop; i += 8) {
-            p.live = N::L::all;
+        do {
             p.i = i;
+            p.live = N::L::all;
+            if (i + 8 > stop) {
+                p.i = n < 8 ? 0 : i < n - 8 ? i : n - 8;
+                p.live = some_lanes(i - p.i, stop - p.i);
+                if (p.i != i)
+                    list.jump(span, begin + p.i, p.i - i);
+            }
             list(p);
             list.step();
-        }
-        if (i != stop) {
-            p.i = i < n - 8 ? i : n - 8;
-            p.live = some_lanes(i - p.i, stop - p.i);
-            list.jump(span, begin + p.i, p.i - i);
-            list(p);
-            if (List::runs && stop != n)
-                list.jump(span, begin + stop, stop - p.i);
-            i = stop;
-        }
+            i = p.i + 8;
+        } while (i < stop);
+        if (List::runs && i > stop && stop != n)
+            list.jump(span, begin + stop, stop - i);
+        i = stop;
     } while (List::runs && i != n);
 }
 
 namespace detail {
 
-/// n < 8 words of 16 bits.
-SPANGLE_INLINE void copy_words(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
-    if ((n & 4) != 0) {
-        __builtin_memcpy(to, from, 8);
-        to += 8, from += 8;
+/// n < 8 words of 16 bits in eight lanes, without a byte behind them, and back. Words that two loads or
+/// stores share are the same in both.
+SPANGLE_INLINE Lanes<8>::U16 load_words(const std::uint8_t* at, std::int32_t n) {
+    std::uint64_t low = 0, high = 0;
+    if (n >= 4) {
+        __builtin_memcpy(&low, at, 8);
+        __builtin_memcpy(&high, at + 2 * (n - 4), 8);
+        high = high >> 1 >> (16 * (8 - n) - 1);
+    } else {
+        std::uint32_t two = 0;
+        std::uint16_t one = 0;
+        if (n >= 2)
+            __builtin_memcpy(&two, at, 4);
+        __builtin_memcpy(&one, at + 2 * (n - 1), 2);
+        low = two | std::uint64_t{one} << (16 * (n - 1));
     }
-    if ((n & 2) != 0) {
-        __builtin_memcpy(to, from, 4);
-        to += 4, from += 4;
+    return Lanes<8>::halves(low, high);
+}
+SPANGLE_INLINE void store_words(std::uint8_t* at, Lanes<8>::U16 v, std::int32_t n) {
+    const std::uint64_t low = Lanes<8>::half(v, 0), high = Lanes<8>::half(v, 1);
+    if (n >= 4) {
+        const std::uint64_t last = low >> (16 * (n - 4)) | high << 1 << (16 * (8 - n) - 1);
+        __builtin_memcpy(at, &low, 8);
+        __builtin_memcpy(at + 2 * (n - 4), &last, 8);
+    } else {
+        const auto two = static_cast<std::uint32_t>(low);
+        const auto one = static_cast<std::uint16_t>(low >> (16 * (n - 1)));
+        if (n >= 2)
+            __builtin_memcpy(at, &two, 4);
+        __builtin_memcpy(at + 2 * (n - 1), &one, 2);
     }
-    if ((n & 1) != 0)
-        __builtin_memcpy(to, from, 2);
 }
 
 } // namespace detail
 
-/// n < 8 pixels from `begin`, as one group of eight that works on copies: nothing outside is touched.
-template <class Case> SPANGLE_INLINE void fused_few(Span<Fixed>& span, std::int32_t begin, std::int32_t n) {
-    alignas(16) std::uint8_t color[16] = {}, depth[16] = {};
-    detail::copy_words(color, span.color, n);
-    std::uint8_t* const color_plane = span.color;
-    std::uint8_t* const depth_plane = span.depth;
-    span.color = color;
-    if constexpr (Case::tested) {
-        detail::copy_words(depth, span.depth, n);
-        span.depth = depth;
+/// Pixels [first, last) of a row are next.
+template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const Row& row) {
+    // Where no run is anchored, pixel 0 is the first one drawn.
+    span.x = row.first;
+    if constexpr (Case::template List<1>::runs) {
+        span.x = row.left;
+        span.length = row.right - row.left;
     }
-    using N = typename Case::template System<8>;
-    typename Case::template List<8> list(span, begin);
-    Px<N> p;
-    p.row = Case::template List<8>::rows && list.row(n);
-    p.live = some_lanes(0, n);
-    p.i = 0;
-    list(p);
-    span.color = color_plane;
-    span.depth = depth_plane;
-    detail::copy_words(span.color, color, n);
-    if constexpr (Case::tested)
-        detail::copy_words(span.depth, depth, n);
+    span.y = row.y;
+    point_at(span.color, span.depth, *span.target, row.first, row.y,
+             format_info(Case::key.format).bytes_per_pixel, 1);
 }
 
-template <class Case, int Wide>
-SPANGLE_INLINE void fused_row(Span<Fixed>& span, std::int32_t begin, std::int32_t n) {
-    if constexpr (Wide == 8 && Case::wide) {
-        using List = typename Case::template List<8>;
-        if (n >= 8)
-            return fused_wide<typename Case::template System<8>, List>(span, begin, n);
-        if constexpr (Case::heavy && !List::runs) {
-            if (n > 2)
-                return fused_few<Case>(span, begin, n);
+template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
+    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, row.first - span.x,
+                                                                                     row.last - row.first);
+}
+
+/// One list for all rows: what it has of the primitive is found once. Fewer than eight pixels are one group
+/// that works on copies: nothing outside is touched.
+template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    using N = typename Case::template System<8>;
+    using List = typename Case::template List<8>;
+    using L = typename N::L;
+    alignas(16) std::uint8_t color_copy[16], depth_copy[16];
+    std::uint8_t *color, *depth;
+    std::int32_t n;
+    bool copied;
+    const auto enter = [&] {
+        enter_fused<Case>(span, *row);
+        color = span.color;
+        depth = span.depth;
+        n = row->last - row->first;
+        copied = n > 2 && n < 8 && !List::runs;
+        if (copied) {
+            span.color = color_copy;
+            span.depth = depth_copy;
         }
+    };
+    enter();
+    List list(span, row->first - span.x);
+    for (;;) {
+        if (n < 8 && !copied) {
+            fused_narrow_row<Case>(span, *row);
+        } else {
+            if (copied) {
+                L::store(color_copy, detail::load_words(color, n));
+                if constexpr (Case::tested)
+                    L::store(depth_copy, detail::load_words(depth, n));
+            }
+            fused_wide<N>(list, span, row->first - span.x, n);
+            if (copied) {
+                detail::store_words(color, L::load(color_copy), n);
+                if constexpr (Case::tested)
+                    detail::store_words(depth, L::load(depth_copy), n);
+            }
+        }
+        if (++row == end)
+            return;
+        enter();
+        if (n >= 8 || copied)
+            list.start(span, row->first - span.x);
     }
-    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, begin, n);
 }
 
 /// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy.
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
-    do {
-        const std::int32_t first = row->first, n = row->last - first;
-        // Where no run is anchored, pixel 0 is the first one drawn.
-        std::int32_t left = first;
-        if constexpr (Case::template List<1>::runs) {
-            left = row->left;
-            span.length = row->right - left;
-        }
-        span.x = left;
-        span.y = row->y;
-        point_at(span.color, span.depth, *span.target, first, row->y,
-                 format_info(Case::key.format).bytes_per_pixel, 1);
-        fused_row<Case, Wide>(span, first - left, n);
-    } while (++row != end);
+    if constexpr (Wide == 8 && Case::heavy) {
+        fused_rows<Case>(span, row, end);
+    } else {
+        do {
+            enter_fused<Case>(span, *row);
+            const std::int32_t n = row->last - row->first;
+            if constexpr (Wide == 8 && Case::wide) {
+                if (n >= 8) {
+                    typename Case::template List<8> list(span, row->first - span.x);
+                    fused_wide<typename Case::template System<8>>(list, span, row->first - span.x, n);
+                    continue;
+                }
+            }
+            fused_narrow_row<Case>(span, *row);
+        } while (++row != end);
+    }
 }
 
 /// A path over planes whose rows have the same stride in pixels.

@@ -106,7 +106,7 @@ template <Key K> class FusedCase {
     static constexpr Key key = K;
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Few fragments cost more one by one than eight with copies of what is stored.
-    static constexpr bool heavy = !raw && (textured || K.blend || K.fog);
+    static constexpr bool heavy = !raw && is_565(K.format) && (textured || K.blend || K.fog);
     /// Fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = !(raw && textured) && is_565(K.format);
     template <int L> using System = typename Stages<L>::N;

@@ -153,6 +153,15 @@ template <> struct Lanes<8> {
         return v;
     }
     SPANGLE_INLINE static void store(std::uint8_t* p, U16 v) { __builtin_memcpy(p, &v, 16); }
+    /// Lanes 0 to 3 and 4 to 7.
+    SPANGLE_INLINE static U16 halves(std::uint64_t low, std::uint64_t high) {
+        using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+        return std::bit_cast<U16>(Halves{low, high});
+    }
+    SPANGLE_INLINE static std::uint64_t half(U16 v, int n) {
+        using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+        return std::bit_cast<Halves>(v)[n];
+    }
     /// Eight words of 32 bits in a row.
     SPANGLE_INLINE static U32 load32(const std::uint8_t* p) {
         Words low, high;

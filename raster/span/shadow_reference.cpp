@@ -66,7 +66,7 @@ template <class N> class Fragment {
 
     void depth(const DrawState& state) {
         const int bits = state.depth_format == DepthFormat::z16 ? 16 : 24;
-        const double code = DepthValue<Exact>(fixed_, x_).z >> (32 - bits);
+        const double code = DepthValue<Exact>(fixed_, x_).word() >> (32 - bits);
         report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.at(x_, twin_.z)), 1.0);
     }
 
@@ -90,9 +90,9 @@ template <class N> class Fragment {
         const auto one = [&](std::uint32_t v, double exact) {
             report_[ShadowStage::primary].add((v * 0x1p-24 - 0.5) / 255.0, exact, 1.0);
         };
-        one(fixed.r, d_.color.r);
-        one(fixed.g, d_.color.g);
-        one(fixed.b, d_.color.b);
+        one(fixed.r.at, d_.color.r);
+        one(fixed.g.at, d_.color.g);
+        one(fixed.b.at, d_.color.b);
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {

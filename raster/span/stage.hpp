@@ -8,6 +8,9 @@
 //   before the
 //                                               first fragment, then whenever x reaches a value some stage
 //                                               returned; returns the end of the run that holds x;
+//   void start(span, x)                         the same as construction in another row of the primitive
+//   (fused
+//                                               lists);
 //   static in, out                              fields of Px it reads and writes (Field); out counts only
 //   where it
 //                                               writes every lane that is alive;
@@ -15,7 +18,7 @@
 //   in runs.
 //   bool row(std::int32_t n), void step_row()   only if `rows` (fused lists): the next n fragments lie in one
 //                                               row of the texture; where p.row says so, step_row() steps.
-//   void jump(std::int32_t pixels)              only if `rows`: on or back, without a change of runs.
+//   void jump(std::int32_t pixels)              only if `runs` (eight lanes): on or back within the run.
 // With more than one lane a stage drops fragments by clearing lanes of p.live, and one with an effect honours
 // p.live. With one lane p.live need not be looked at or written: the result of operator() says it. The order
 // of the list is the order of operations of GL; a stage never writes outside pixels [begin, end).
@@ -53,6 +56,24 @@ struct StageBase {
     static constexpr unsigned in = 0, out = 0;
     static constexpr bool kill = false, effect = false, runs = false, rows = false;
     SPANGLE_INLINE void step() {}
+    template <class S> SPANGLE_INLINE void start(const S&, std::int32_t) {}
+};
+
+/// An affine plane along rows, one value per lane.
+template <class L> class Ramp {
+  public:
+    typename L::U32 at;
+    SPANGLE_INLINE Ramp(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Affine& plane)
+        : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))) {
+        start(span, x, plane);
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Affine& plane) {
+        at = L::splat32(span.at(x, plane)) + offset_;
+    }
+    SPANGLE_INLINE void step() { at += by_; }
+
+  private:
+    typename L::U32 offset_, by_; ///< of the lanes of one group; from group to group
 };
 
 /// Stages in a row are a stage again. `S` are distinct types (a second texture unit has another template
@@ -91,13 +112,14 @@ template <class N, class... S> struct Seq : S... {
         };
         (one(static_cast<S&>(*this)), ...);
     }
+    SPANGLE_INLINE void start(const Span<Policy>& span, std::int32_t x) { (S::start(span, x), ...); }
     /// On or back by some pixels, to pixel x of the span; the run stays.
     SPANGLE_INLINE void jump(const Span<Policy>& span, std::int32_t x, std::int32_t pixels) {
         const auto one = [&]<class T>(T& stage) {
-            if constexpr (T::rows)
+            if constexpr (T::runs)
                 stage.jump(pixels);
             else
-                stage = T(span, x);
+                stage.start(span, x);
         };
         (one(static_cast<S&>(*this)), ...);
     }

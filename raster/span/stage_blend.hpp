@@ -29,6 +29,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     using L = typename N::L;
     const std::uint8_t* plane;
     SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t) { plane = s.color; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const typename N::T a = s.a;
@@ -64,6 +65,7 @@ template <PixelFormat Format> struct BlendPacked : StageBase {
     using Words = Words565<Lanes<1>, Format>;
     std::uint8_t* plane;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
     SPANGLE_INLINE bool operator()(Px<Packed>& p) const {
         if (p.color.a == 0)
             return false;

@@ -27,40 +27,42 @@ SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
 /// Colour affine in the window (or constant). Alpha: it is looked at.
 template <class N, bool Alpha> struct Gouraud : StageBase {
     static constexpr unsigned out = field_color;
-    using U32 = typename N::L::U32;
-    U32 r, g, b, dr, dg, db;
-    [[no_unique_address]] std::conditional_t<Alpha, U32, StageBase> a, da;
+    Ramp<typename N::L> r, g, b;
+    [[no_unique_address]] std::conditional_t<Alpha, Ramp<typename N::L>, StageBase> a;
 
-    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x) {
-        start(s, x, 0, r, dr);
-        start(s, x, 1, g, dg);
-        start(s, x, 2, b, db);
-        if constexpr (Alpha)
-            start(s, x, 3, a, da);
-    }
+    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
+        : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]), a(alpha(s, x)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.r = N::from_affine(r);
-        p.color.g = N::from_affine(g);
-        p.color.b = N::from_affine(b);
+        p.color.r = N::from_affine(r.at);
+        p.color.g = N::from_affine(g.at);
+        p.color.b = N::from_affine(b.at);
         if constexpr (Alpha)
-            p.color.a = N::from_affine(a);
+            p.color.a = N::from_affine(a.at);
         else
             p.color.a = N::from_units(color_one);
         return true;
     }
     SPANGLE_INLINE void step() {
-        r += dr;
-        g += dg;
-        b += db;
+        r.step();
+        g.step();
+        b.step();
         if constexpr (Alpha)
-            a += da;
+            a.step();
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+        r.start(s, x, s.color_value[0]);
+        g.start(s, x, s.color_value[1]);
+        b.start(s, x, s.color_value[2]);
+        if constexpr (Alpha)
+            a.start(s, x, s.color_value[3]);
     }
 
   private:
-    SPANGLE_INLINE static void start(const Span<Fixed>& s, std::int32_t x, int c, U32& v, U32& dv) {
-        const auto& interpolant = s.color_value[c];
-        v = N::L::ramp(s.at(x, interpolant), interpolant.dx);
-        dv = N::L::splat32(interpolant.dx * static_cast<std::uint32_t>(N::lanes));
+    SPANGLE_INLINE static auto alpha(const Span<Fixed>& s, std::int32_t x) {
+        if constexpr (Alpha)
+            return Ramp<typename N::L>(s, x, s.color_value[3]);
+        else
+            return StageBase{};
     }
 };
 
@@ -79,22 +81,23 @@ template <class N> struct White : StageBase {
 template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
-    typename N::L::U32 r, g, b, dr, dg, db;
+    Ramp<typename N::L> r, g, b;
 
     SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
-        : r(N::L::ramp(s.at(x, s.color_value[0]), s.color_value[0].dx)),
-          g(N::L::ramp(s.at(x, s.color_value[1]), s.color_value[1].dx)),
-          b(N::L::ramp(s.at(x, s.color_value[2]), s.color_value[2].dx)),
-          dr(N::L::splat32(s.color_value[0].dx * Count)), dg(N::L::splat32(s.color_value[1].dx * Count)),
-          db(N::L::splat32(s.color_value[2].dx * Count)) {}
+        : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color = N::from_affine(r, g, b);
+        p.color = N::from_affine(r.at, g.at, b.at);
         return true;
     }
     SPANGLE_INLINE void step() {
-        r += dr;
-        g += dg;
-        b += db;
+        r.step();
+        g.step();
+        b.step();
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+        r.start(s, x, s.color_value[0]);
+        g.start(s, x, s.color_value[1]);
+        b.start(s, x, s.color_value[2]);
     }
 };
 
@@ -188,15 +191,14 @@ template <class N, bool Projective> struct FogCoord;
 
 template <class N> struct FogCoord<N, false> : StageBase {
     static constexpr unsigned out = field_fog;
-    typename N::L::U32 v, dv;
-    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
-        : v(N::L::ramp(s.at(x, s.fog), s.fog.dx)),
-          dv(N::L::splat32(s.fog.dx * static_cast<std::uint32_t>(N::lanes))) {}
+    Ramp<typename N::L> v;
+    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.fog) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = v;
+        p.fog = v.at;
         return true;
     }
-    SPANGLE_INLINE void step() { v += dv; }
+    SPANGLE_INLINE void step() { v.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.fog); }
 };
 
 template <class N> struct FogCoord<N, true> : StageBase {

@@ -117,7 +117,7 @@ template <int Unit> class CoordRuns {
     std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
-        : span_(span), row_(span, Unit), next_(x), log2_(-1) {}
+        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -131,9 +131,9 @@ template <int Unit> class CoordRuns {
         const bool first = log2_ < 0;
         if (first)
             log2_ = choose_log2();
-        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_.length - 1;
+        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
         const std::int32_t to = from + length < limit ? from + length : limit;
-        const auto& unit = span_.unit[Unit];
+        const auto& unit = span_->unit[Unit];
         const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
         last_ = Sample(row_, to, unit.exponent);
         next_ = from + length;
@@ -146,8 +146,8 @@ template <int Unit> class CoordRuns {
                             static_cast<std::int32_t>(v);
             dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : slope(d, to - from);
         };
-        along(start.s, last_.s, span_.state->wraps[Unit].s, unit.s_base, s, ds);
-        along(start.t, last_.t, span_.state->wraps[Unit].t, unit.t_base, t, dt);
+        along(start.s, last_.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
+        along(start.t, last_.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
         s += static_cast<std::uint32_t>(x - from) * ds;
         t += static_cast<std::uint32_t>(x - from) * dt;
         return next_;
@@ -179,12 +179,12 @@ template <int Unit> class CoordRuns {
     }
 
     int choose_log2() const {
-        const auto& unit = span_.unit[Unit];
+        const auto& unit = span_->unit[Unit];
         if (row_.dq == 0)
             return row_log2;
-        if (span_.state->tier == Tier::fast)
+        if (span_->state->tier == Tier::fast)
             return 4;
-        const std::int32_t s0 = row_.s(0), t0 = row_.t(0), q0 = row_.q(0), end = row_.q(span_.length - 1);
+        const std::int32_t s0 = row_.s(0), t0 = row_.t(0), q0 = row_.q(0), end = row_.q(span_->length - 1);
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return 0;
@@ -193,7 +193,7 @@ template <int Unit> class CoordRuns {
         const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
             return numeric::abs_u64(unguarded(dv) * std::int64_t{q0} - v * dq) + (std::uint64_t{1} << 31);
         };
-        const int width = span_.state->log2_width[Unit], height = span_.state->log2_height[Unit];
+        const int width = span_->state->log2_width[Unit], height = span_->state->log2_height[Unit];
         const std::int32_t ns = log2_fraction8(numerator(row_.ds, s0)) + (width << 8);
         const std::int32_t nt = log2_fraction8(numerator(row_.dt, t0)) + (height << 8);
         constexpr std::int32_t margin = 6; // of three logarithms within 1/256 each
@@ -204,7 +204,7 @@ template <int Unit> class CoordRuns {
         return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
     }
 
-    const Span<Fixed>& span_;
+    const Span<Fixed>* span_;
     detail::HomogeneousRow row_;
     Sample last_;
     std::int32_t next_;

@@ -40,13 +40,13 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
 
 /// The interpolated depth of the fixed policy. `code<Bits>()`: what a depth buffer of 16 or 24 bits stores.
 template <class N> struct DepthValue : StageBase {
-    typename N::L::U32 z, dz;
-    SPANGLE_INLINE DepthValue(const Span<Fixed>& s, std::int32_t x)
-        : z(N::L::ramp(s.at(x, s.z), s.z.dx)),
-          dz(N::L::splat32(s.z.dx * static_cast<std::uint32_t>(N::lanes))) {}
+    Ramp<typename N::L> z;
+    SPANGLE_INLINE DepthValue(const Span<Fixed>& s, std::int32_t x) : z(s, x, s.z) {}
+    /// All bits (one lane).
+    SPANGLE_INLINE std::uint32_t word() const { return z.at; }
     /// The code of 24 bits (one lane).
-    SPANGLE_INLINE std::uint32_t code24() const { return z >> 8; }
-    SPANGLE_INLINE void step() { z += dz; }
+    SPANGLE_INLINE std::uint32_t code24() const { return z.at >> 8; }
+    SPANGLE_INLINE void step() { z.step(); }
 };
 
 template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
@@ -57,10 +57,14 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     using L = typename N::L;
     std::uint8_t* plane;
     SPANGLE_INLINE Depth(const Span<Fixed>& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+        this->z.start(s, x, s.z);
+        plane = s.depth;
+    }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = plane + 2 * p.i;
-        const typename L::U16 incoming = L::high_half(this->z);
+        const typename L::U16 incoming = L::high_half(this->z.at);
         if constexpr (N::lanes == 1) {
             if (!compare<Func>(incoming, L::load(at)))
                 return false;
@@ -112,10 +116,10 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
         auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
         std::uint32_t stored;
         __builtin_memcpy(&stored, at, 4);
-        if (!compare<Func>(this->z >> 8, stored >> 8))
+        if (!compare<Func>(this->word() >> 8, stored >> 8))
             return false;
         if constexpr (Write) {
-            const std::uint32_t word = (this->z & ~0xFFu) | (stored & 0xFF);
+            const std::uint32_t word = (this->word() & ~0xFFu) | (stored & 0xFF);
             __builtin_memcpy(at, &word, 4);
         }
         return true;
@@ -141,7 +145,7 @@ template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
             __builtin_assume_aligned(plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
         Word stored;
         __builtin_memcpy(&stored, at, sizeof stored);
-        const auto word = static_cast<Word>(this->z >> (32 - 8 * sizeof(Word)));
+        const auto word = static_cast<Word>(this->word() >> (32 - 8 * sizeof(Word)));
         if (!compare<std::uint32_t>(func, word >> stencil_bits, stored >> stencil_bits))
             return false;
         if (write) {

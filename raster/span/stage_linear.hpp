@@ -53,6 +53,12 @@ template <class T, int Unit, bool Projective> struct LinearWalk : T {
         if constexpr (!Projective)
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
+        if constexpr (Projective)
+            run = CoordRuns<Unit>(span, x);
+        else
+            walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
+    }
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
         const std::int32_t end = run.begin(x);
         walk(run.s, run.t, run.ds, run.dt);
@@ -76,11 +82,15 @@ template <class T, int Unit, bool Projective> struct LinearWalk : T {
         } else {
             if (p.row)
                 return group(
-                    p, across, [&](std::uint32_t) { return near; }, [&](std::uint32_t) { return far; });
-            const auto j = [&](std::uint32_t k) { return LinearAxis::texel(t.position(k)); };
+                    p, across, [&](std::uint32_t) __attribute__((always_inline)) { return near; },
+                    [&](std::uint32_t) __attribute__((always_inline)) { return far; });
             return group(
-                p, Weights(t.template weights<L>()), [&](std::uint32_t k) { return line(j(k)); },
-                [&](std::uint32_t k) { return line(t.next(j(k))); });
+                p, Weights(t.template weights<L>()),
+                [&](std::uint32_t k)
+                    __attribute__((always_inline)) { return line(LinearAxis::texel(t.position(k))); },
+                [&](std::uint32_t k) __attribute__((always_inline)) {
+                    return line(t.next(LinearAxis::texel(t.position(k))));
+                });
         }
     }
     SPANGLE_INLINE void step() {
@@ -109,17 +119,18 @@ template <class T, int Unit, bool Projective> struct LinearWalk : T {
                                  T::mix(filter, this->word_at(n + i0), this->word_at(n + i1),
                                         this->word_at(f + i0), this->word_at(f + i1), LinearAxis::weight(u)));
     }
+    /// Texels of one row per lane, in the column or in the next one.
+    template <bool Next, class Line> SPANGLE_INLINE auto texels(Line line_of) const {
+        return L::generate([&](int lane) __attribute__((always_inline)) {
+            const auto k = static_cast<std::uint32_t>(lane);
+            const std::uint32_t i = LinearAxis::texel(s.position(k));
+            return this->word_at(line_of(k) + T::bytes * (Next ? s.next(i) : i));
+        });
+    }
     template <class Near, class Far>
     SPANGLE_INLINE bool group(Px<N>& p, const Weights& filter, Near n, Far f) const {
-        const auto i = [&](std::uint32_t k) { return LinearAxis::texel(s.position(k)); };
-        const auto texels = [&](auto line_of, bool second) {
-            return L::generate([&](int lane) {
-                const auto k = static_cast<std::uint32_t>(lane);
-                return this->word_at(line_of(k) + T::bytes * (second ? s.next(i(k)) : i(k)));
-            });
-        };
-        return this->environment(p, T::mix(filter, texels(n, false), texels(n, true), texels(f, false),
-                                           texels(f, true), s.template weights<L>()));
+        return this->environment(p, T::mix(filter, texels<false>(n), texels<true>(n), texels<false>(f),
+                                           texels<true>(f), s.template weights<L>()));
     }
 };
 

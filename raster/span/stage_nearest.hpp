@@ -46,6 +46,12 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
         if constexpr (!Projective)
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
+        if constexpr (Projective)
+            run = CoordRuns<Unit>(span, x);
+        else
+            walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
+    }
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
         const std::int32_t end = run.begin(x);
         walk(run.s, run.t, run.ds, run.dt);
@@ -65,11 +71,14 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
                 if (one_to_one && static_cast<std::int32_t>(i) + N::lanes <= 1 << this->log2_width)
                     return this->combine_words(p, N::L::load32(row_at + i * T::bytes));
             }
-            return this->combine(p, [&](std::uint32_t k) { return row_at + s.index(k) * T::bytes; });
+            return this->combine(
+                p, [&](std::uint32_t k)
+                       __attribute__((always_inline)) { return row_at + s.index(k) * T::bytes; });
         }
-        return this->combine(p, [&](std::uint32_t k) {
-            return this->at(static_cast<std::int32_t>(s.index(k)), static_cast<std::int32_t>(t.index(k)));
-        });
+        return this->combine(
+            p, [&](std::uint32_t k) __attribute__((always_inline)) {
+                return this->at(static_cast<std::int32_t>(s.index(k)), static_cast<std::int32_t>(t.index(k)));
+            });
     }
     SPANGLE_INLINE void step() {
         s.step(lanes);

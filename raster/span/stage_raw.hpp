@@ -28,6 +28,7 @@ template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     std::uint8_t* plane;
     SPANGLE_INLINE StoreRaw(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = plane + 2 * p.i;
         typename L::U16 word = p.color.word;

@@ -33,6 +33,7 @@ template <> struct DepthValue<Reference> : StageBase {
         : span(s), x(first), max(s.state->depth_format == DepthFormat::z16 ? 65535.0 : 16777215.0) {
         code();
     }
+    std::uint32_t word() const { return z; }
     std::uint32_t code24() const { return z >> 8; }
     void step() {
         ++x;

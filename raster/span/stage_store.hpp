@@ -43,6 +43,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     using L = typename N::L;
     std::uint8_t* plane;
     SPANGLE_INLINE Store(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
+    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t) { plane = s.color; }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (is_565(Format)) {
@@ -98,6 +99,10 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     detail::DitherRow<L> dither;
     SPANGLE_INLINE StoreDithered(const Span<typename N::Policy>& s, std::int32_t x)
         : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
+    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t x) {
+        Store<N, Format>::start(s, x);
+        dither = detail::DitherRow<L>(s.x + x, s.y);
+    }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (!is_565(Format)) {

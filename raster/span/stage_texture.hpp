@@ -183,7 +183,7 @@ struct TextureFixed : StageBase {
         } else if constexpr (N::lanes == 1) {
             return environment(p, read_texel<N, Texels>(address(0)));
         } else {
-            return environment(p, unpack(N::L::generate([&](int k) {
+            return environment(p, unpack(N::L::generate([&](int k) __attribute__((always_inline)) {
                                    return word_at(address(static_cast<std::uint32_t>(k)));
                                })));
         }
