@@ -54,6 +54,12 @@ template <> struct Lanes<1> {
         const auto word = static_cast<std::uint16_t>(v);
         __builtin_memcpy(__builtin_assume_aligned(p, 2), &word, 2);
     }
+    /// min(max(v, 0), 2^24 - 1) / 2^8, v signed.
+    SPANGLE_INLINE static U16 clamped_24_to_16(U32 v) {
+        constexpr std::int32_t most = (1 << 24) - 1;
+        const auto s = static_cast<std::int32_t>(v);
+        return static_cast<std::uint32_t>(s < 0 ? 0 : s > most ? most : s) >> 8;
+    }
     /// One element per lane.
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
@@ -106,16 +112,14 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U16 high_half(const U32& v) {
         return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));
     }
-    /// min(max(v, 0), high), v signed.
-    SPANGLE_INLINE static U32 clamp_signed(const U32& v, std::int32_t high) {
-        using Signed [[gnu::vector_size(16)]] = std::int32_t;
-        const Signed top = {high, high, high, high};
-        const auto one = [&](Words w) {
-            const auto s = std::bit_cast<Signed>(w);
-            const Signed over = s > top, kept = s & (s > 0);
-            return std::bit_cast<Words>((kept & ~over) | (top & over));
+    SPANGLE_INLINE static U16 clamped_24_to_16(const U32& v) {
+        using Signed32 [[gnu::vector_size(16)]] = std::int32_t;
+        const auto one = [](Words w) {
+            const auto s = std::bit_cast<Signed32>(w);
+            const Signed32 over = s > (1 << 24) - 1; // all ones: 16 of them are left below
+            return std::bit_cast<Words>((s & ~(s >> 31)) | over) >> 8;
         };
-        return {one(v.even), one(v.odd)};
+        return low_half({one(v.even), one(v.odd)});
     }
     SPANGLE_INLINE static U16 low_half(const U32& v) {
         return std::bit_cast<U16>((v.even & 0xFFFFu) | (v.odd << 16));

@@ -68,10 +68,13 @@ struct Exact {
                               16);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
-    /// A factor with 24 fraction bits, 0 .. 2^24 (fog).
-    SPANGLE_INLINE static T from_fraction24(L::U32 f) {
+    /// A factor for `mix`: min(max(v, 0), 1), v signed with 24 fraction bits (fog).
+    SPANGLE_INLINE static T clamped_fraction(L::U32 v) {
+        const auto s = static_cast<std::int32_t>(v);
+        const std::uint32_t f = s < 0 ? 0 : s > 1 << 24 ? 1u << 24 : v;
         return static_cast<T>((numeric::mul_u32(f, color_one) + (1u << 23)) >> 24);
     }
+    SPANGLE_INLINE static T mix(T a, T b, T f) { return lerp(a, b, f); }
     /// floor(v (2^Bits - 1) + t), t given in 32nds, odd: exact steps stay (GL 1.3, 4.1.8).
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
         // Up to 2^Bits - 1 steps of 2^(32 - Bits); the threshold is at most 31/32 of one, so nothing wraps.
@@ -96,18 +99,18 @@ template <int Count> struct Balanced {
 
     SPANGLE_INLINE static T from8(T k) { return k << 8; }
     SPANGLE_INLINE static T to8(T v) { return (v + 128) >> 8; }
-    SPANGLE_INLINE static T from5(T k) { return k * 2105 + (k * 26 >> 5); }
-    SPANGLE_INLINE static T from6(T k) { return k * 1036 + (k * 13 >> 6); }
+    /// Within a 50th of a 255th.
+    SPANGLE_INLINE static T from5(T k) { return k * 2106 - (k >> 2); }
+    SPANGLE_INLINE static T from6(T k) { return k * 1036 + (k >> 3); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
-    /// The half that rounds to 8.8 was added in set-up.
-    SPANGLE_INLINE static T from_affine(const typename L::U32& v) {
-        return L::minimum(L::high_half(v), L::splat(one));
-    }
-    /// At most one 256th of a 255th from a b.
-    SPANGLE_INLINE static T mul(T a, T b) { return unit(L::mul_high(a, b)); }
-    SPANGLE_INLINE static T lerp(T a, T b, T k) {
-        return unit(L::mul_high(a, L::splat(one) - k) + L::mul_high(b, k));
-    }
+    /// The half that rounds to 8.8 was added in set-up. Set-up is off by less than it, and fragments lie
+    /// inside of their primitive, so that nothing is above one.
+    SPANGLE_INLINE static T from_affine(const typename L::U32& v) { return L::high_half(v); }
+    /// At most 1.3 256ths of a 255th below a b.
+    SPANGLE_INLINE static T mul(T a, T b) { return L::mul_high(a, fraction(b)); }
+    SPANGLE_INLINE static T lerp(T a, T b, T k) { return mix(a, b, fraction(k)); }
+    /// The same with a fraction of 16 bits, 65535 standing for 1.
+    SPANGLE_INLINE static T mix(T a, T b, T f) { return L::mul_high(a, 65535 - f) + L::mul_high(b, f); }
     SPANGLE_INLINE static T add(T a, T b) { return a + L::minimum(b, L::splat(one) - a); }
     /// The sum in 65025ths, which 16 bits hold: what is stored needs no expansion to 8 bits, its weight makes
     /// 65025ths of 31sts and 63rds. At most 1/5 of a 255th off; exact to 8 bits where s, a and k have 8 bits.
@@ -128,10 +131,8 @@ template <int Count> struct Balanced {
         return L::mul_high(a, wa) + L::mul_high(b, wb) + L::mul_high(c, wc) + L::mul_high(d, wd);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
-    SPANGLE_INLINE static T from_fraction24(const typename L::U32& f) {
-        const typename L::U32 w = f >> 8;
-        return L::low_half(w - (w >> 8));
-    }
+    /// For `mix`: min(max(v, 0), 1), v signed with 24 fraction bits.
+    SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
         // Steps of 2^(16 - Bits). Exact steps come out at most 3 too small; the least threshold is 32 or
         // more.
@@ -140,8 +141,8 @@ template <int Count> struct Balanced {
     }
 
   private:
-    /// A product of two 8.8 numbers, shifted down by 16, is in 65025ths; 255 / 256 of that is missing to one.
-    SPANGLE_INLINE static T unit(T product) { return product + ((product + 255) >> 8); }
+    /// 0 .. one as 0 .. 65535.
+    SPANGLE_INLINE static T fraction(T v) { return v + (v >> 8); }
 };
 
 /// Full weight of a texel, counted in 2^-16; what 16 bits hold where lanes are 16 bits wide.

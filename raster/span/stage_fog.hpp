@@ -8,14 +8,12 @@
 namespace spangle::raster {
 
 /// f with 24 fraction bits, 0 .. 2^24, of a coordinate in s7.24.
-SPANGLE_INLINE std::uint32_t fog_factor_linear(std::uint32_t coordinate) {
-    constexpr std::int32_t one = 1 << 24;
-    const auto c = static_cast<std::int32_t>(coordinate);
-    return static_cast<std::uint32_t>(c < 0 ? 0 : c > one ? one : c);
-}
 inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
-    if (mode == FogMode::linear)
-        return fog_factor_linear(coordinate);
+    if (mode == FogMode::linear) {
+        constexpr std::int32_t one = 1 << 24;
+        const auto f = static_cast<std::int32_t>(coordinate);
+        return static_cast<std::uint32_t>(f < 0 ? 0 : f > one ? one : f);
+    }
     const std::uint32_t c = numeric::abs_u32(static_cast<std::int32_t>(coordinate));
     const std::uint64_t square = numeric::mul_u32(c, c) >> 24;
     const std::uint64_t exponent = mode == FogMode::exp ? c : square;
@@ -33,10 +31,14 @@ template <class N> struct Fog : StageBase {
           g(N::from_units(s.state->fragment.fog_color[1])), b(N::from_units(s.state->fragment.fog_color[2])) {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::T f = N::from_fraction24(fog_factor(mode, p.fog));
-        p.color.r = N::lerp(r, p.color.r, f);
-        p.color.g = N::lerp(g, p.color.g, f);
-        p.color.b = N::lerp(b, p.color.b, f);
+        return blend(p, N::clamped_fraction(fog_factor(mode, p.fog)));
+    }
+
+  protected:
+    SPANGLE_INLINE bool blend(Px<N>& p, typename N::T f) const {
+        p.color.r = N::mix(r, p.color.r, f);
+        p.color.g = N::mix(g, p.color.g, f);
+        p.color.b = N::mix(b, p.color.b, f);
         return true;
     }
 };
@@ -44,21 +46,7 @@ template <class N> struct Fog : StageBase {
 /// FOG_MODE LINEAR.
 template <class N> struct FogLinear : Fog<N> {
     using Fog<N>::Fog;
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::T f = N::from_fraction24(clamped(p.fog));
-        p.color.r = N::lerp(this->r, p.color.r, f);
-        p.color.g = N::lerp(this->g, p.color.g, f);
-        p.color.b = N::lerp(this->b, p.color.b, f);
-        return true;
-    }
-
-  private:
-    SPANGLE_INLINE static typename N::Fog clamped(const typename N::Fog& c) {
-        if constexpr (N::lanes == 1)
-            return fog_factor_linear(c);
-        else
-            return N::L::clamp_signed(c, 1 << 24);
-    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, N::clamped_fraction(p.fog)); }
 };
 
 } // namespace spangle::raster

@@ -35,7 +35,9 @@ class TexelAxis {
 template <class T, int Unit, bool Projective> struct NearestWalk : T {
     using N = typename T::System;
     static constexpr unsigned in = T::in & field_color, out = T::out;
-    static constexpr bool runs = Projective, rows = true;
+    static constexpr bool runs = Projective;
+    /// With lanes only whole rows of words gain from it.
+    static constexpr bool rows = N::lanes == 1 || T::loads_words;
     static constexpr std::uint32_t lanes = N::lanes;
     TexelAxis s, t;
     const std::uint8_t* row_at;
