@@ -32,36 +32,31 @@ const Word* play_end_draw(Context& context, const Word* words) {
     return words;
 }
 
-GLuint index_at(GLenum type, const void* indices, GLsizei i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (type == GL_UNSIGNED_BYTE)
-        return static_cast<const GLubyte*>(indices)[at];
-    if (type == GL_UNSIGNED_SHORT) {
-        GLushort value;
-        std::memcpy(&value, static_cast<const unsigned char*>(indices) + at * sizeof value, sizeof value);
-        return value;
-    }
-    GLuint value;
-    std::memcpy(&value, static_cast<const unsigned char*>(indices) + at * sizeof value, sizeof value);
-    return value;
+void capture(Context& context, const ElementReader& reader, GLuint index) {
+    Real v[4];
+    const auto has = [&v, index](const ArrayReader& array) {
+        if (!array.on())
+            return false;
+        v[0] = v[1] = v[2] = numeric::zero;
+        v[3] = numeric::one;
+        array.read(index, v);
+        return true;
+    };
+    if (has(reader.normal))
+        encode::Normal(context, v[0], v[1], v[2]);
+    if (has(reader.color))
+        encode::Color(context, v[0], v[1], v[2], v[3]);
+    if (has(reader.tex_coord))
+        encode::TexCoord(context, v[0], v[1], v[2], v[3]);
+    if (has(reader.vertex))
+        encode::Vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-void capture(Context& context, GLuint index) {
-    const ElementValues e = fetch_element(context.arrays, index);
-    if (e.has_normal)
-        encode::Normal(context, e.normal[0], e.normal[1], e.normal[2]);
-    if (e.has_color)
-        encode::Color(context, e.color[0], e.color[1], e.color[2], e.color[3]);
-    if (e.has_tex_coord)
-        encode::TexCoord(context, e.tex_coord[0], e.tex_coord[1], e.tex_coord[2], e.tex_coord[3]);
-    if (e.has_vertex)
-        encode::Vertex(context, e.vertex[0], e.vertex[1], e.vertex[2], e.vertex[3]);
-}
-
-template <class Index> void capture_draw(Context& context, GLenum mode, GLsizei count, Index index) {
+void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
+    const ElementReader reader(context.arrays);
     Word* const begin = list::record(context, &play_begin_draw, 1 + list::address_words);
     for (GLsizei i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
-        capture(context, index(i));
+        capture(context, reader, indices.at(static_cast<std::uint32_t>(i)));
     // The record of End is never the first of a chunk without a link to it, so its address is where a skip
     // goes on.
     Word* const end = list::record(context, &play_end_draw, 0);
@@ -83,7 +78,7 @@ namespace encode {
 void ArrayElement(Context& context, GLint i) {
     if (i < 0)
         return list::record_error(context, GL_INVALID_VALUE, true);
-    capture(context, static_cast<GLuint>(i));
+    capture(context, ElementReader(context.arrays), static_cast<GLuint>(i));
 }
 
 void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
@@ -91,8 +86,7 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (first < 0 || count < 0)
         return list::record_error(context, GL_INVALID_VALUE, false);
-    capture_draw(context, mode, count,
-                 [first](GLsizei i) { return static_cast<GLuint>(first) + static_cast<GLuint>(i); });
+    capture_draw(context, mode, count, {.first = static_cast<GLuint>(first)});
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
@@ -100,7 +94,7 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (count < 0 || (indices == nullptr && count > 0))
         return list::record_error(context, GL_INVALID_VALUE, false);
-    capture_draw(context, mode, count, [=](GLsizei i) { return index_at(type, indices, i); });
+    capture_draw(context, mode, count, {.type = type, .data = indices});
 }
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,

@@ -1,16 +1,84 @@
-// One element of the enabled vertex arrays, as canonical values (GL 1.3, 2.8).
+// Elements of the enabled vertex arrays, as canonical values (GL 1.3, 2.8).
 #pragma once
+
+#include <cstddef>
 
 #include "gl/vertex/arrays_state.hpp"
 
 namespace spangle::gl {
 
-struct ElementValues {
-    bool has_color = false, has_normal = false, has_tex_coord = false, has_vertex = false;
-    Real color[4], normal[3], tex_coord[4], vertex[4];
+/// One array, prepared for any number of elements.
+class ArrayReader {
+  public:
+    ArrayReader() = default;
+    /// Integers become fractions if `normalized` (GL 1.3, table 2.6).
+    ArrayReader(const ClientArray& array, bool normalized);
+
+    /// The array is enabled and its pointer is not null.
+    bool on() const { return base_ != nullptr; }
+
+    /// Components of an element; those beyond the array's size keep what `out` holds.
+    SPANGLE_INLINE void read(std::uint32_t index, Real* out) const {
+        const std::uint8_t* const at = base_ + stride_ * index;
+        if (!aligned_floats_)
+            return convert(at, out);
+        out[0] = float_at(at);
+        if (components_ < 2)
+            return;
+        out[1] = float_at(at + 4);
+        if (components_ < 3)
+            return;
+        out[2] = float_at(at + 8);
+        if (components_ > 3)
+            out[3] = float_at(at + 12);
+    }
+
+  private:
+    const std::uint8_t* base_ = nullptr;
+    std::size_t stride_ = 0;
+    GLenum type_ = GL_FLOAT;
+    std::uint8_t components_ = 4;
+    bool normalized_ = false;
+    bool aligned_floats_ = false; ///< the usual case, read in line
+
+    static Real float_at(const std::uint8_t* at) {
+        std::uint32_t bits;
+        __builtin_memcpy(&bits, __builtin_assume_aligned(at, 4), sizeof bits);
+        return (bits << 1) < 0xFF000000u ? Real{bits} : numeric::from_float_bits(bits);
+    }
+    void convert(const std::uint8_t* at, Real* out) const;
 };
 
-/// Reads element `index` of every enabled array whose pointer is not null.
-ElementValues fetch_element(const ArraysState& arrays, std::uint32_t index);
+/// What glArrayElement reads: the arrays of one moment.
+struct ElementReader {
+    ArrayReader vertex, normal, color, tex_coord;
+
+    explicit ElementReader(const ArraysState& arrays)
+        : vertex(arrays.vertex, false), normal(arrays.normal, true), color(arrays.color, true),
+          tex_coord(arrays.tex_coord[0], false) {}
+};
+
+/// What the elements of a draw are numbered by: consecutively from `first`, or from client memory.
+struct Indices {
+    GLenum type = GL_NONE; ///< GL_UNSIGNED_BYTE, SHORT or INT: `data` holds them
+    std::uint32_t first = 0;
+    const void* data = nullptr;
+
+    SPANGLE_INLINE std::uint32_t at(std::uint32_t i) const {
+        if (type == GL_UNSIGNED_SHORT)
+            return read<std::uint16_t>(i);
+        if (type == GL_NONE)
+            return first + i;
+        return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
+    }
+
+  private:
+    template <class T> std::uint32_t read(std::uint32_t i) const {
+        T value;
+        __builtin_memcpy(&value, static_cast<const std::uint8_t*>(data) + std::size_t{i} * sizeof value,
+                         sizeof value);
+        return value;
+    }
+};
 
 } // namespace spangle::gl

@@ -1,6 +1,4 @@
 // Vertex arrays: where they are, which are on, and how their elements become canonical values (GL 1.3, 2.8).
-#include <initializer_list>
-
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/vertex/array_element.hpp"
@@ -61,25 +59,6 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     }
 }
 
-/// Components of element `index`; those beyond the array's size keep what `out` holds.
-bool fetch(const ClientArray& array, std::uint32_t index, bool normalized, Real* out) {
-    if (!array.enabled || array.pointer == nullptr)
-        return false;
-    const unsigned bytes = bytes_of(array.type);
-    const auto size = static_cast<unsigned>(array.size);
-    const std::size_t stride =
-        array.stride != 0 ? static_cast<std::size_t>(array.stride) : std::size_t{bytes} * size;
-    const auto* at = static_cast<const std::uint8_t*>(array.pointer) + stride * index;
-    if (array.type == GL_FLOAT) { // the usual case, in line
-        for (unsigned c = 0; c < size; ++c)
-            out[c] = numeric::from_float_bits(read<std::uint32_t>(at + 4 * c));
-        return true;
-    }
-    for (unsigned c = 0; c < size; ++c)
-        out[c] = component(at + std::size_t{c} * bytes, array.type, normalized);
-    return true;
-}
-
 void point(ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer) {
     array.size = size;
     array.type = type;
@@ -93,17 +72,19 @@ bool is_position_type(GLenum type) {
 
 } // namespace
 
-ElementValues fetch_element(const ArraysState& arrays, std::uint32_t index) {
-    ElementValues v;
-    for (Real* four : {v.color, v.tex_coord, v.vertex}) {
-        four[0] = four[1] = four[2] = numeric::zero;
-        four[3] = numeric::one;
-    }
-    v.has_color = fetch(arrays.color, index, true, v.color);
-    v.has_normal = fetch(arrays.normal, index, true, v.normal);
-    v.has_tex_coord = fetch(arrays.tex_coord[0], index, false, v.tex_coord);
-    v.has_vertex = fetch(arrays.vertex, index, false, v.vertex);
-    return v;
+ArrayReader::ArrayReader(const ClientArray& array, bool normalized)
+    : base_(array.enabled ? static_cast<const std::uint8_t*>(array.pointer) : nullptr), type_(array.type),
+      components_(static_cast<std::uint8_t>(array.size)), normalized_(normalized) {
+    const unsigned bytes = bytes_of(array.type);
+    stride_ = array.stride != 0 ? static_cast<std::size_t>(array.stride) : std::size_t{bytes} * components_;
+    aligned_floats_ =
+        type_ == GL_FLOAT && ((reinterpret_cast<std::uintptr_t>(base_) | stride_) & (sizeof(float) - 1)) == 0;
+}
+
+void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
+    const unsigned bytes = bytes_of(type_);
+    for (unsigned c = 0; c < components_; ++c)
+        out[c] = component(at + std::size_t{c} * bytes, type_, normalized_);
 }
 
 namespace cmd {

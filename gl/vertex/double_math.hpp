@@ -14,7 +14,6 @@ struct DoubleMath {
     struct Clip {
         double v[4];
     };
-    using Loaded = Clip; ///< the position
     using Eye = Clip;
     using Depth = double;
     using Parameter = double;
@@ -62,21 +61,19 @@ struct DoubleMath {
     }
 
     static Clip times(const Matrix& a, const Real (&v)[4]) {
-        return times(a, Loaded{{number(v[0]), number(v[1]), number(v[2]), number(v[3])}});
-    }
-    static Clip times(const Matrix& a, const Loaded& p) {
         Clip out;
         for (int i = 0; i < 4; ++i)
-            out.v[i] = a.m[i][0] * p.v[0] + a.m[i][1] * p.v[1] + a.m[i][2] * p.v[2] + a.m[i][3] * p.v[3];
+            out.v[i] = a.m[i][0] * number(v[0]) + a.m[i][1] * number(v[1]) + a.m[i][2] * number(v[2]) +
+                       a.m[i][3] * number(v[3]);
         return out;
     }
-    static Loaded load(const Transforms&, const Real (&v)[4]) {
-        return {{number(v[0]), number(v[1]), number(v[2]), number(v[3])}};
-    }
     /// Vertices take the way through clip coordinates, all of them.
-    static bool to_window(const Transforms&, const Loaded&, Window&, unsigned&, unsigned&) { return false; }
-    static Clip to_clip(const Transforms& t, const Loaded& v) { return times(t.to_clip, v); }
-    static Depth depth(const Transforms& t, const Loaded& v) { return times(t.to_eye, v).v[2]; }
+    static bool to_window(const Transforms& t, const Real (&v)[4], Window&, unsigned&, Depth* eye_z) {
+        if (eye_z != nullptr)
+            *eye_z = times(t.to_eye, v).v[2];
+        return false;
+    }
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }
 
     static double volume_distance(const Clip& c, int plane) {

@@ -11,6 +11,7 @@
 namespace spangle::gl {
 
 struct Context;
+struct Indices; // gl/vertex/array_element.hpp
 
 struct Engine {
     std::size_t pipeline_bytes; ///< what Context::pipeline points at
@@ -19,6 +20,8 @@ struct Engine {
     void (*begin)(Context&, GLenum mode);
     /// A vertex with the current attributes.
     void (*vertex)(Context&, Real x, Real y, Real z, Real w);
+    /// Elements of the enabled arrays, between begin and end.
+    void (*elements)(Context&, std::uint32_t count, const Indices&);
     void (*end)(Context&);
     /// Before a material changes inside Begin/End: vertices given so far get their colours.
     void (*settle_colors)(Context&);

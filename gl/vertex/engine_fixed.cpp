@@ -38,7 +38,11 @@ void begin(Context& context, GLenum mode) {
 }
 
 void vertex(Context& context, Real x, Real y, Real z, Real w) {
-    pipeline(context).vertex(context, {x, y, z, w});
+    pipeline(context).vertex(context, x, y, z, w);
+}
+
+void elements(Context& context, std::uint32_t count, const Indices& indices) {
+    pipeline(context).elements(context, count, indices);
 }
 
 void end(Context& context) {
@@ -51,6 +55,7 @@ void settle_colors(Context& context) {
 
 } // namespace
 
-const Engine fixed_engine = {sizeof(FixedPipeline), construct, compile, begin, vertex, end, settle_colors};
+const Engine fixed_engine = {sizeof(FixedPipeline), construct, compile, begin, vertex, elements, end,
+                             settle_colors};
 
 } // namespace spangle::gl

@@ -27,7 +27,10 @@ template <class M, class L> constexpr Engine engine_of() {
         },
         [](Context& context, GLenum mode) { pipeline<P>(context).begin(context, mode); },
         [](Context& context, Real x, Real y, Real z, Real w) {
-            pipeline<P>(context).vertex(context, {x, y, z, w});
+            pipeline<P>(context).vertex(context, x, y, z, w);
+        },
+        [](Context& context, std::uint32_t count, const Indices& indices) {
+            pipeline<P>(context).elements(context, count, indices);
         },
         [](Context& context) { pipeline<P>(context).end(); },
         [](Context& context) { pipeline<P>(context).settle_colors(); },

@@ -217,6 +217,7 @@ bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVert
     int zeros = 0;
     if (normalize_) {
         std::uint64_t square = 0;
+#pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) {
             n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
             square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));
@@ -228,6 +229,7 @@ bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVert
             static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
     }
     std::int64_t sum[3];
+#pragma GCC unroll 3
     for (int c = 0; c < 3; ++c)
         sum[c] = std::int64_t{fold.base[c]} * (1 << plain_factor_bits);
     for (int i = 0; i < count_; ++i) {
@@ -242,9 +244,11 @@ bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVert
             facing = numeric::row_times<3>(l.m, loaded.m);
             facing = plain_factor(side == 0 ? facing : -facing, loaded.e + l.e + 1);
         }
+#pragma GCC unroll 3
         for (int c = 0; c < 3; ++c)
             sum[c] += numeric::mul_s32(fold.diffuse[i][c], facing);
     }
+#pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
         out.color[c] = plain_color(sum[c]);
         out.secondary[c] = 0;

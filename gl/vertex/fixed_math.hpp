@@ -14,23 +14,41 @@ namespace spangle::gl {
 
 struct FixedMath {
     using Window = raster::FixedVertex;
-    using Loaded = numeric::Mantissas<4>; ///< a position under the exponents of the columns of to_clip
     using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
     using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
+
+    /// From a quotient, -1 .. 1, to a coordinate of the window.
+    struct Range {
+        std::int32_t middle = 0, minus_half = 0;
+        std::int64_t rounded_middle = 0; ///< with the fraction bits of the quotient, and half a unit more
+
+        Range() = default;
+        Range(std::int32_t at, std::int32_t half, int quotient_bits)
+            : middle(at), minus_half(-half),
+              rounded_middle(((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (quotient_bits - 1))) {}
+
+        /// Nearest to middle + half * q, of -q with `bits` fraction bits: those of rounded_middle.
+        SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
+            return static_cast<std::int32_t>((rounded_middle + numeric::mul_s32(minus_half, minus_q)) >>
+                                             bits);
+        }
+    };
+    static constexpr std::int32_t lift_room[3] = {3, 3, 1};
+    static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
 
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
         numeric::BlockMatrix to_clip, to_eye, texture;
         numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
         bool texture_is_identity = true;
-        std::int32_t lift[3] = {};                    ///< exponents of the rows x, y, z over that of w
-        std::uint32_t most_zeros = 0;                 ///< of a w that to_window() divides by
-        std::int32_t half_width = 0, half_height = 0; ///< viewport, n.8
-        std::int32_t center_x = 0, center_y = 0;      ///< n.8
-        std::int32_t depth_middle = 0;                ///< (n + f) / 2, Q0.30
-        std::int32_t depth_half = 0;                  ///< (f - n) / 2, Q0.30
+        /// Exponents of the rows x, y, z over that of w, less lift_room.
+        std::int32_t lift[3] = {};
+        std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
+        std::uint32_t most_zeros = 0; ///< of a w that to_window() divides by
+        Range x, y;                   ///< the viewport, n.8
+        Range depth;                  ///< DepthRange, Q0.30
     };
 
     static void derive(const TransformState& state, Transforms& out) {
@@ -41,65 +59,65 @@ struct FixedMath {
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
         out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
         for (int i = 0; i < 3; ++i)
-            out.lift[i] = out.to_clip.row[i] - out.to_clip.row[3]; // >= 0
+            out.lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
+        out.w_exponent = -63 - out.to_clip.row[3];
         out.most_zeros = most_zeros(out.lift);
         out.texture = numeric::to_block_matrix(texture);
         out.texture_is_identity = is_identity(texture);
         const GLint* v = state.viewport;
-        out.half_width = v[2] * (raster::subpixel_one / 2);
-        out.half_height = v[3] * (raster::subpixel_one / 2);
-        out.center_x = v[0] * raster::subpixel_one + out.half_width;
-        out.center_y = v[1] * raster::subpixel_one + out.half_height;
+        const std::int32_t half_width = v[2] * (raster::subpixel_one / 2),
+                           half_height = v[3] * (raster::subpixel_one / 2);
+        out.x = {v[0] * raster::subpixel_one + half_width, half_width, quotient_bits};
+        out.y = {v[1] * raster::subpixel_one + half_height, half_height, quotient_bits};
         const std::int32_t n = numeric::to_fixed(state.depth_range[0], 30),
                            f = numeric::to_fixed(state.depth_range[1], 30);
-        out.depth_middle = (n >> 1) + (f >> 1) + (n & f & 1);
-        out.depth_half = (f - n) / 2;
+        out.depth = {(n >> 1) + (f >> 1) + (n & f & 1), (f - n) / 2, depth_quotient_bits};
     }
 
     /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
     /// keep their bits.
-    static Loaded load(const Transforms& t, const Real (&v)[4]) { return numeric::load(t.to_clip.column, v); }
-    static Clip to_clip(const Transforms& t, const Loaded& v) { return numeric::product(t.to_clip, v); }
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
-    static Depth depth(const Transforms& t, const Loaded& v) { return numeric::product(t.eye_z, v); }
 
     /// From the position to the window without a stop: perspective division, viewport, depth range (GL 1.3,
-    /// 2.10.1). `outside` gets the planes of the view volume that the vertex is outside of, `beyond` those it
-    /// must be clipped by. False: not in front of the eye, or so far outside that the quotients overflow.
+    /// 2.10.1). `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on
+    /// those that it must be clipped by; `eye_z`, unless null, z in eye coordinates. False: not in front of
+    /// the eye, or so far outside that the quotients overflow.
     ///
     /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8, so the word x' holds what is
-    /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1).
-    SPANGLE_INLINE static bool to_window(const Transforms& t, const Loaded& v, Window& out, unsigned& outside,
-                                         unsigned& beyond) {
+    /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1) (lift_room).
+    [[gnu::noinline]] static bool to_window(const Transforms& t, const Real (&position)[4], Window& out,
+                                            unsigned& planes, Depth* eye_z) {
+        numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
+        if (eye_z != nullptr)
+            *eye_z = numeric::product(t.eye_z, v);
         const std::int32_t* const rows = t.to_clip.m;
-        const auto w = static_cast<std::uint32_t>(numeric::row_times(rows + 12, v.m));
+        const auto w = static_cast<std::uint32_t>(row(rows + 12, v));
         const int zeros = numeric::clz32(w); // 3 .. 31; 0 where w is negative, 32 where it is 0
         if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
             return false;
-        const std::int32_t x = numeric::row_times(rows, v.m), y = numeric::row_times(rows + 4, v.m),
-                           z = numeric::row_times(rows + 8, v.m);
-        const int by_x = zeros + t.lift[0] - 3, by_y = zeros + t.lift[1] - 3, by_z = zeros + t.lift[2] - 1;
+        const std::int32_t x = row(rows, v), y = row(rows + 4, v), z = row(rows + 8, v);
+        const int by_x = zeros + t.lift[0], by_y = zeros + t.lift[1], by_z = zeros + t.lift[2]; // >= 0
         const std::int32_t lifted_x = lifted(x, by_x), lifted_y = lifted(y, by_y), lifted_z = lifted(z, by_z);
         if ((((lifted_x >> by_x) ^ x) | ((lifted_y >> by_y) ^ y) | ((lifted_z >> by_z) ^ z)) != 0)
             return false;
         const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
         const int up = r >> 31 == 0 ? 1 : 0;                     // r is 2^31 where w is a power of two
         out.w_mantissa = r << up;
-        out.w_exponent = static_cast<std::int16_t>(zeros - 63 - v.e - t.to_clip.row[3] - up);
+        out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - v.e - up);
         const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
         const std::int32_t minus_x = high_word(lifted_x, minus_r), minus_y = high_word(lifted_y, minus_r),
-                           minus_z = high_word(lifted_z, minus_r); // quotients: Q.27, Q.27, Q.29
-        out.x = place(t.center_x, t.half_width, minus_x, 27);
-        out.y = place(t.center_y, t.half_height, minus_y, 27);
-        out.z = static_cast<std::uint32_t>(place(t.depth_middle, t.depth_half, minus_z, 29));
-        constexpr std::uint32_t one = 1u << 27, z_one = 1u << 29;
-        outside = beyond = 0;
+                           minus_z = high_word(lifted_z, minus_r); // quotients
+        out.x = t.x.place(minus_x, quotient_bits);
+        out.y = t.y.place(minus_y, quotient_bits);
+        out.z = static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits));
+        constexpr std::uint32_t one = 1u << quotient_bits, z_one = 1u << depth_quotient_bits;
+        planes = 0;
         if (static_cast<std::uint32_t>(minus_x) + one > 2 * one ||
             static_cast<std::uint32_t>(minus_y) + one > 2 * one ||
-            static_cast<std::uint32_t>(minus_z) + z_one > 2 * z_one) {
-            outside = planes(minus_x, minus_y, minus_z, one, z_one);
-            beyond = planes(minus_x, minus_y, minus_z, 4 * one, z_one);
-        }
+            static_cast<std::uint32_t>(minus_z) + z_one > 2 * z_one)
+            planes = planes_of(minus_x, minus_y, minus_z, one, z_one) |
+                     planes_of(minus_x, minus_y, minus_z, 4 * one, z_one) << 8;
         return true;
     }
 
@@ -172,10 +190,11 @@ struct FixedMath {
         const std::int64_t x = numeric::clamp<std::int64_t>(quotient(c.m[0], r, zeros, 28), -band, band),
                            y = numeric::clamp<std::int64_t>(quotient(c.m[1], r, zeros, 28), -band, band);
         constexpr std::int64_t half = std::int64_t{1} << 27;
-        out.x = limit(t.center_x + ((x * t.half_width + half) >> 28));
-        out.y = limit(t.center_y + ((y * t.half_height + half) >> 28));
+        out.x = limit(t.x.middle + ((half - x * t.x.minus_half) >> 28));
+        out.y = limit(t.y.middle + ((half - y * t.y.minus_half) >> 28));
         const std::int64_t z = numeric::clamp<std::int64_t>(quotient(c.m[2], r, zeros, 30), -one, one);
-        const std::int64_t depth = t.depth_middle + ((z * t.depth_half + (std::int64_t{1} << 29)) >> 30);
+        const std::int64_t depth =
+            t.depth.middle + (((std::int64_t{1} << 29) - z * t.depth.minus_half) >> 30);
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
 
@@ -220,10 +239,22 @@ struct FixedMath {
     static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
         std::int32_t most = 31;
         for (int i = 0; i < 3; ++i) {
-            const std::int32_t own = (i < 2 ? 34 : 32) - lift[i];
+            const std::int32_t own = 31 - lift[i];
             most = own < most ? own : most;
         }
         return most < 0 ? 0 : static_cast<std::uint32_t>(most);
+    }
+
+    /// Row by row: with all four under way at once the words would not fit the registers of an ARM.
+    SPANGLE_INLINE static std::int32_t row(const std::int32_t* elements, numeric::Mantissas<4>& v) {
+#pragma GCC unroll 4
+        for (std::int32_t& m : v.m)
+            m = numeric::factor32(m);
+        const std::int32_t r = numeric::row_times(elements, v.m);
+#if __SIZEOF_POINTER__ == 4
+        asm("" : "+r"(v.m[0]) : "r"(r)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+        return r;
     }
 
     static std::int32_t lifted(std::int32_t v, int n) {
@@ -232,14 +263,9 @@ struct FixedMath {
     static std::int32_t high_word(std::int32_t a, std::int32_t b) {
         return static_cast<std::int32_t>((numeric::mul_s32(a, b) + (std::int64_t{1} << 31)) >> 32);
     }
-    /// middle - half * minus_q, nearest.
-    static std::int32_t place(std::int32_t middle, std::int32_t half, std::int32_t minus_q, int bits) {
-        const std::int64_t from = (std::int64_t{middle} << bits) + (std::int64_t{1} << (bits - 1));
-        return static_cast<std::int32_t>((from - numeric::mul_s32(half, minus_q)) >> bits);
-    }
     /// The planes that quotients, negated, lie beyond.
-    static unsigned planes(std::int32_t minus_x, std::int32_t minus_y, std::int32_t minus_z, std::uint32_t xy,
-                           std::uint32_t z) {
+    static unsigned planes_of(std::int32_t minus_x, std::int32_t minus_y, std::int32_t minus_z,
+                              std::uint32_t xy, std::uint32_t z) {
         const auto most = static_cast<std::int32_t>(xy), most_z = static_cast<std::int32_t>(z);
         return (minus_x > most ? 1u : 0u) | (minus_x < -most ? 2u : 0u) | (minus_y > most ? 4u : 0u) |
                (minus_y < -most ? 8u : 0u) | (minus_z > most_z ? 16u : 0u) | (minus_z < -most_z ? 32u : 0u);

@@ -1,9 +1,7 @@
 // Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/context/features.hpp"
-#include "gl/vertex/array_element.hpp"
-#include "gl/vertex/color_tracking.hpp"
+#include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
@@ -18,45 +16,29 @@ void set_gate(Context& context, bool inside) {
 void color(Context& context, const Real (&rgba)[4]) {
     for (int c = 0; c < 4; ++c)
         context.current.color[c] = rgba[c];
-#if SPANGLE_FEATURE_LIGHTING
-    if (context.lighting.color_material)
-        color_changed(context);
-#endif
+    follow_color(context);
 }
 
 /// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
-    const ElementValues v = fetch_element(context.arrays, index);
-    if (v.has_normal)
-        for (int c = 0; c < 3; ++c)
-            context.current.normal[c] = v.normal[c];
-    if (v.has_color)
-        color(context, v.color);
-    if (v.has_tex_coord)
-        for (int c = 0; c < 4; ++c)
-            context.current.tex_coord[0][c] = v.tex_coord[c];
-    if (v.has_vertex && context.inside_begin_end())
-        context.engine->vertex(context, v.vertex[0], v.vertex[1], v.vertex[2], v.vertex[3]);
+    const ElementReader reader(context.arrays);
+    set_attributes(context, reader, index);
+    if (!reader.vertex.on() || !context.inside_begin_end())
+        return;
+    Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    reader.vertex.read(index, v);
+    context.engine->vertex(context, v[0], v[1], v[2], v[3]);
 }
 
 bool is_mode(GLenum mode) {
     return mode <= GL_POLYGON;
 }
 
-/// Draws `count` elements as one primitive; `index(i)` numbers them.
-template <class Index> void draw(Context& context, GLenum mode, GLsizei count, Index index) {
+/// Draws `count` elements as one primitive.
+void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     cmd::Begin(context, mode);
-    for (GLsizei i = 0; i < count; ++i)
-        element(context, index(i));
+    context.engine->elements(context, static_cast<std::uint32_t>(count), indices);
     cmd::End(context);
-}
-
-template <class T> std::uint32_t index_at(const void* indices, GLsizei i) {
-    T value;
-    __builtin_memcpy(&value,
-                     static_cast<const std::uint8_t*>(indices) + static_cast<std::size_t>(i) * sizeof value,
-                     sizeof value);
-    return value;
 }
 
 } // namespace
@@ -120,8 +102,7 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return error(context, GL_INVALID_ENUM);
     if (first < 0 || count < 0)
         return error(context, GL_INVALID_VALUE);
-    draw(context, mode, count,
-         [first](GLsizei i) { return static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(i); });
+    draw(context, mode, count, {.first = static_cast<std::uint32_t>(first)});
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
@@ -133,13 +114,7 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return error(context, GL_INVALID_ENUM);
     if (indices == nullptr && count > 0)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawElements: null pointer"));
-    if (type == GL_UNSIGNED_BYTE)
-        return draw(context, mode, count,
-                    [indices](GLsizei i) { return index_at<std::uint8_t>(indices, i); });
-    if (type == GL_UNSIGNED_SHORT)
-        return draw(context, mode, count,
-                    [indices](GLsizei i) { return index_at<std::uint16_t>(indices, i); });
-    draw(context, mode, count, [indices](GLsizei i) { return index_at<std::uint32_t>(indices, i); });
+    draw(context, mode, count, {.type = type, .data = indices});
 }
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,

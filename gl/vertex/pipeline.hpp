@@ -7,6 +7,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "gl/vertex/current_element.hpp"
 #include "raster/primitive/draw.hpp"
 
 namespace spangle::gl {
@@ -27,10 +28,29 @@ template <class M, class L> class Pipeline {
         state_ = &draw_state(context);
     }
 
-    void vertex(Context& context, const Real (&position)[4]) {
-        process(context, position, *corner_[held_]);
-        if (++held_ == full_)
-            primitive();
+    void vertex(Context& context, Real x, Real y, Real z, Real w) {
+        Vertex& v = *corner_[held_];
+        v.position[0] = x;
+        v.position[1] = y;
+        v.position[2] = z;
+        v.position[3] = w;
+        give(context, v);
+    }
+
+    /// Elements of the arrays that are on, as ArrayElement gives them one by one.
+    void elements(Context& context, std::uint32_t count, const Indices& indices) {
+        const ElementReader reader(context.arrays);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t index = indices.at(i);
+            set_attributes(context, reader, index);
+            if (!reader.vertex.on())
+                continue;
+            Vertex& v = *corner_[held_];
+            v.position[2] = numeric::zero; // what the array leaves out
+            v.position[3] = numeric::one;
+            reader.vertex.read(index, v.position);
+            give(context, v);
+        }
     }
 
     void end() {
@@ -110,20 +130,22 @@ template <class M, class L> class Pipeline {
 
     // --- one vertex
 
-    void process(Context& context, const Real (&position)[4], Vertex& v) {
-        for (int i = 0; i < 4; ++i)
-            v.position[i] = position[i];
-        const typename M::Loaded loaded = M::load(transforms_, position);
-        unsigned outside, beyond;
+    /// A vertex whose position is set takes the current attributes.
+    SPANGLE_INLINE void give(const Context& context, Vertex& v) {
+        process(context, v);
+        if (++held_ == full_)
+            primitive();
+    }
+
+    SPANGLE_INLINE void process(const Context& context, Vertex& v) {
+        unsigned planes;
         v.has_clip = false;
-        if (M::to_window(transforms_, loaded, v.window, outside, beyond))
-            v.flags = outside | beyond << beyond_shift;
+        if (M::to_window(transforms_, v.position, v.window, planes, fog_ ? &v.eye_z : nullptr)) [[likely]]
+            v.flags = planes;
         else
-            classify(v, M::to_clip(transforms_, loaded));
-        if (fog_) {
-            v.eye_z = M::depth(transforms_, loaded);
+            classify(v, M::to_clip(transforms_, v.position));
+        if (fog_)
             M::set_fog(v.eye_z, v.window);
-        }
         const CurrentState& current = context.current;
         for (int u = 0; u < texture_units; ++u)
             if (textured_[u])
@@ -132,7 +154,7 @@ template <class M, class L> class Pipeline {
             return M::set_color(v.window, current.color);
         v.flags |= uncolored;
         if (needs_eye_)
-            lighting_.take(context, M::to_eye(transforms_, position), v.light);
+            lighting_.take(context, M::to_eye(transforms_, v.position), v.light);
         else
             lighting_.take(context, v.light);
         if (lighting_.tracks_color())
@@ -154,7 +176,7 @@ template <class M, class L> class Pipeline {
     void needs_clip(Vertex& v) const {
         if (v.has_clip)
             return;
-        v.clip = M::to_clip(transforms_, M::load(transforms_, v.position));
+        v.clip = M::to_clip(transforms_, v.position);
         v.has_clip = true;
     }
 

@@ -15,7 +15,6 @@ template <class F, class D> struct Both {
 
 struct ShadowMath {
     using Window = raster::ShadowVertex;
-    using Loaded = Both<FixedMath::Loaded, DoubleMath::Loaded>;
     using Clip = Both<FixedMath::Clip, DoubleMath::Clip>;
     using Eye = Both<FixedMath::Eye, DoubleMath::Eye>;
     using Depth = Both<FixedMath::Depth, DoubleMath::Depth>;
@@ -26,22 +25,18 @@ struct ShadowMath {
         FixedMath::derive(state, out.fixed);
         DoubleMath::derive(state, out.twin);
     }
-    static Loaded load(const Transforms& t, const Real (&v)[4]) {
-        return {FixedMath::load(t.fixed, v), DoubleMath::load(t.twin, v)};
+    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes,
+                          Depth* eye_z) {
+        const bool done =
+            FixedMath::to_window(t.fixed, v, out.fixed, planes, eye_z != nullptr ? &eye_z->fixed : nullptr);
+        if (eye_z != nullptr)
+            eye_z->twin = DoubleMath::to_eye(t.twin, v).v[2];
+        if (done && planes >> 8 == 0) // the others are cut, never drawn
+            project_twin(t, DoubleMath::to_clip(t.twin, v), out);
+        return done;
     }
-    static bool to_window(const Transforms& t, const Loaded& v, Window& out, unsigned& outside,
-                          unsigned& beyond) {
-        if (!FixedMath::to_window(t.fixed, v.fixed, out.fixed, outside, beyond))
-            return false;
-        if (beyond == 0) // the others are cut, never drawn
-            project_twin(t, DoubleMath::to_clip(t.twin, v.twin), out);
-        return true;
-    }
-    static Clip to_clip(const Transforms& t, const Loaded& v) {
-        return {FixedMath::to_clip(t.fixed, v.fixed), DoubleMath::to_clip(t.twin, v.twin)};
-    }
-    static Depth depth(const Transforms& t, const Loaded& v) {
-        return {FixedMath::depth(t.fixed, v.fixed), DoubleMath::depth(t.twin, v.twin)};
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::to_clip(t.fixed, v), DoubleMath::to_clip(t.twin, v)};
     }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::to_eye(t.fixed, v), DoubleMath::to_eye(t.twin, v)};

@@ -137,21 +137,24 @@ template <int N> constexpr Mantissas<N> load_small(const Columns<N>& column, con
 /// its float exponent alone; the implicit one of a 0 or a denormal is shifted out, unless everything is that
 /// small.
 template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
-    std::int32_t e[N], top = detail::no_exponent;
-    for (int i = 0; i < N; ++i) {
+    std::int32_t e[N] = {static_cast<std::int32_t>((v[0].bits >> 23) & 255) + column.e[0]}, top = e[0];
+#pragma GCC unroll 4
+    for (int i = 1; i < N; ++i) {
         e[i] = static_cast<std::int32_t>((v[i].bits >> 23) & 255) + column.e[i];
         top = e[i] > top ? e[i] : top;
     }
     if (top < column.least) [[unlikely]]
         return detail::load_small<N>(column, v);
     Mantissas<N> out{};
+    top += 2; // 30 bits
+#pragma GCC unroll 4
     for (int i = 0; i < N; ++i) {
-        const auto down = static_cast<std::uint32_t>(top - e[i] + 2);
+        const auto down = static_cast<std::uint32_t>(top - e[i]);
         const std::uint32_t magnitude = down > 31 ? 0 : (v[i].bits << 8 | 0x80000000u) >> down;
         const std::uint32_t sign = 0u - (v[i].bits >> 31);
         out.m[i] = static_cast<std::int32_t>((magnitude ^ sign) - sign);
     }
-    out.e = top - 127 - 29;
+    out.e = top - 127 - 31;
     return out;
 }
 
@@ -159,8 +162,9 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
 template <int N>
 SPANGLE_INLINE constexpr std::int64_t row_sum(const std::int32_t* row, const std::int32_t (&v)[N],
                                               std::int64_t sum) {
+#pragma GCC unroll 4
     for (int j = 0; j < N; ++j)
-        sum += mul_s32(row[j], v[j]);
+        sum += std::int64_t{row[j]} * v[j];
     return sum;
 }
 /// Its high word, rounded, below 2^29.

@@ -50,7 +50,8 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>( // Q.48
         ((std::uint64_t{1} << 62) - product) >> 14));
     // r < 2^31, |residual| < 2^30.2: the correction with 8 fraction bits, rounded to whole ulps.
-    const std::int64_t step = (static_cast<std::int64_t>(r) * residual + (std::int64_t{1} << 47)) >> 48;
+    const std::int64_t step =
+        (mul_s32(static_cast<std::int32_t>(r), residual) + (std::int64_t{1} << 47)) >> 48;
     return r + static_cast<std::uint32_t>(step);
 }
 

@@ -52,7 +52,8 @@ SPANGLE_INLINE constexpr std::uint32_t rsqrt(std::uint32_t a) {
     const std::uint64_t product = mul_u32(a, square);                                   // Q.62, near 1
     const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(         // Q.47, halved: Q.48
         ((std::uint64_t{1} << 62) - product) >> 15));
-    const std::int64_t step = (static_cast<std::int64_t>(r) * residual + (std::int64_t{1} << 47)) >> 48;
+    const std::int64_t step = // r < 2^31
+        (mul_s32(static_cast<std::int32_t>(r), residual) + (std::int64_t{1} << 47)) >> 48;
     return r + static_cast<std::uint32_t>(step);
 }
 

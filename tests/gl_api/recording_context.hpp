@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
 #include "gl/context/create.hpp"
+#include "gl/vertex/array_element.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::test {
@@ -41,6 +43,10 @@ inline const gl::Engine recording_engine = {
         for (int i = 0; i < 3; ++i)
             e.normal[i] = c.current.normal[i].bits;
         events().push_back(e);
+    },
+    [](gl::Context& c, std::uint32_t count, const gl::Indices& indices) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            gl::cmd::ArrayElement(c, static_cast<GLint>(indices.at(i)));
     },
     [](gl::Context&) { events().push_back({.what = Event::end}); },
     [](gl::Context&) {},

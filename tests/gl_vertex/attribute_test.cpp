@@ -186,6 +186,21 @@ TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
 }
 
+/// GL 1.3, 2.8: components that an array leaves out are those of the command of its size.
+TEST_F(Attributes, ArraysOfFewComponents) {
+    const GLfloat s[] = {0.5f, 0.25f, 0.125f, 1, 2, 3}, other[4] = {7, 8, 9, 10};
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    for (GLint size = 1; size <= 3; ++size) {
+        glTexCoord4fv(other);
+        glTexCoordPointer(size, GL_FLOAT, 0, s);
+        glArrayElement(1);
+        std::vector<double> expected(s + size, s + 2 * size);
+        expected.resize(3, 0);
+        expected.push_back(1);
+        current_is("glTexCoordPointer", GL_CURRENT_TEXTURE_COORDS, expected);
+    }
+}
+
 /// GL 1.3, 2.8: the range is a promise; one that no index can keep is an error.
 TEST_F(Attributes, ElementsAndTheirErrors) {
     const GLfloat position[3][2] = {{0, 0}, {0.5f, 0}, {0, 0.5f}};

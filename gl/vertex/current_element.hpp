@@ -1,0 +1,27 @@
+// The attributes of an array element become the current ones (GL 1.3, 2.8).
+#pragma once
+
+#include "gl/context/context.hpp"
+#include "gl/vertex/array_element.hpp"
+#include "gl/vertex/color_tracking.hpp"
+
+namespace spangle::gl {
+
+SPANGLE_INLINE void set_attributes(Context& context, const ElementReader& reader, std::uint32_t index) {
+    CurrentState& current = context.current;
+    if (reader.normal.on())
+        reader.normal.read(index, current.normal);
+    if (reader.color.on()) {
+        current.color[3] = numeric::one; // of three components
+        reader.color.read(index, current.color);
+        follow_color(context);
+    }
+    if (reader.tex_coord.on()) {
+        Real(&v)[4] = current.tex_coord[0];
+        v[1] = v[2] = numeric::zero; // what the array leaves out
+        v[3] = numeric::one;
+        reader.tex_coord.read(index, v);
+    }
+}
+
+} // namespace spangle::gl
