@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Seeds each small defect of tests/mutants/*.txt into a copy of the tree and shows that the tests catch it.
 
-usage: ./dev mutants [--only TEXT] [--workers N] [--list] [--write]
+usage: ./dev mutants [--only TEXT] [--since COMMIT] [--workers N] [--list] [--write]
 
 A mutant is one replaced line. It is caught when its test program fails (or no longer ends); a mutant that does not
-compile, or whose line is not found exactly once, is an error of the list. --write records the outcome in
-tests/mutants/caught.txt, from which the feature matrix takes its "works".
+compile, whose line is not found exactly once, or whose row does not exist, is an error of the list. --write records
+the outcome in tests/mutants/caught.txt, from which the feature matrix takes its "works"; what was not tried keeps its
+record. --since tries those that are not recorded, or whose file or tests have changed since that commit.
 """
 import argparse
 import concurrent.futures
+import json
 import os
 import pathlib
 import queue
@@ -20,6 +22,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = ROOT / "tests/mutants"
+ROWS = {row["id"] for row in json.loads((ROOT / "gl/api/commands/rows.json").read_text())} | {"-"}
 TIMEOUT = 240  # seconds one test program may run; a mutant that loops for ever is caught
 
 
@@ -38,6 +41,8 @@ class Mutant:
         path = ROOT / self.file
         if not path.is_file():
             return f"no file {self.file}"
+        if self.row not in ROWS:
+            return f"the feature matrix has no row {self.row}"
         count = path.read_text().count(self.find)
         return None if count == 1 else f"'{self.find}' stands {count} times in {self.file}"
 
@@ -45,7 +50,7 @@ class Mutant:
 def read_lists():
     mutants, seen = [], set()
     for path in sorted(HERE.glob("*.txt")):
-        if path.name == "caught.txt":
+        if path.name in ("caught.txt", "CMakeLists.txt"):
             continue
         for block in path.read_text().split("\n\n"):
             fields = {}
@@ -113,14 +118,31 @@ class Worker:
             path.write_text(original)
 
 
+def recorded():
+    path = HERE / "caught.txt"
+    lines = path.read_text().splitlines() if path.exists() else []
+    return {line.split()[0] for line in lines if line and line[0] != "#"}
+
+
+def touched_since(commit, mutants):
+    changed = subprocess.run(["git", "diff", "--name-only", commit], cwd=ROOT, capture_output=True, text=True, check=True)
+    files = changed.stdout.split()
+    areas = {"test_" + file.split("/")[1] for file in files if file.startswith("tests/")}
+    known = recorded()
+    return [m for m in mutants if m.id not in known or m.file in files or m.test[0] in areas]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="mutants whose id contains this text")
+    parser.add_argument("--since", metavar="COMMIT", help="mutants not recorded as caught, or touched since then")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="check the lists, run nothing")
     parser.add_argument("--write", action="store_true", help="record the outcome in tests/mutants/caught.txt")
     arguments = parser.parse_args()
-    mutants = [m for m in read_lists() if arguments.only in m.id]
+    every = read_lists()
+    mutants = touched_since(arguments.since, every) if arguments.since else every
+    mutants = [m for m in mutants if arguments.only in m.id]
     bad = [(m, m.problem()) for m in mutants if m.problem()]
     for mutant, problem in bad:
         print(f"{mutant.source}: {mutant.id}: {problem}")
@@ -152,7 +174,9 @@ def main():
         list(executor.map(attempt, sorted(mutants, key=lambda m: (m.test[0], m.file))))
     survivors = [m.id for m in mutants if outcome[m.id] != "caught"]
     if arguments.write:
-        lines = [f"{m.id} {m.row}" for m in mutants if outcome[m.id] == "caught"]
+        known = recorded()
+        caught = [m for m in every if (outcome[m.id] == "caught" if m.id in outcome else m.id in known)]
+        lines = [f"{m.id} {m.row}" for m in caught]
         (HERE / "caught.txt").write_text("# Written by ./dev mutants --write: each mutant that the tests caught, and its row.\n" + "\n".join(lines) + "\n")
     print(f"{len(mutants) - len(survivors)} of {len(mutants)} caught" + (": not " + ", ".join(survivors) if survivors else ""))
     return 1 if survivors else 0
