@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <iterator>
 #include <random>
 #include <string_view>
+#include <utility>
 
 #include <spangle/GL/gl.h>
 
@@ -17,9 +19,10 @@ namespace {
 /// Writes calls as run_command_stream() reads them; arguments that do not matter are drawn by lot.
 class Writer {
   public:
-    explicit Writer(unsigned seed) : random_(seed) {
-        for (int i = 0; i < 4; ++i) // tier, depth, format, direction
-            put(static_cast<unsigned>(random_()));
+    /// `plain`: the balanced tier on RGB565 with 16 bits of depth, as boards have it.
+    explicit Writer(unsigned seed, bool plain) : random_(seed) {
+        for (const unsigned byte : {1u, 0u, 0u, 1u}) // tier, depth, format, direction
+            put(plain ? byte : static_cast<unsigned>(random_()));
     }
     std::vector<std::uint8_t> done() { return out_; }
     unsigned lot(unsigned n) { return static_cast<unsigned>(random_()) % n; }
@@ -177,6 +180,54 @@ void fragments(Writer& w) {
     w.call("glReadPixels");
 }
 
+// Bytes that run_command_stream() reads as an internal format (modulo 20) or as a token (modulo 19).
+constexpr unsigned rgb = 21, rgba = 20, rgb5 = 28, nearest = 38, linear = 39, replace = 51, modulate = 10;
+
+/// One state that has a span of its own: what is on, and the texture.
+struct Preset {
+    bool texture, depth, blend, fog;
+    unsigned kept, filter, environment;
+};
+constexpr Preset presets[] = {
+    {false, false, false, false, rgb, nearest, replace}, {false, true, false, false, rgb, nearest, replace},
+    {false, false, true, false, rgb, nearest, replace},  {true, false, false, false, rgb5, nearest, replace},
+    {true, false, false, false, rgb, nearest, replace},  {true, true, false, false, rgb5, nearest, replace},
+    {true, true, false, false, rgb, nearest, replace},   {true, false, false, false, rgb, linear, replace},
+    {true, false, false, false, rgb5, linear, replace},  {true, false, true, false, rgba, nearest, replace},
+    {true, false, true, false, rgba, nearest, modulate}, {true, true, false, false, rgb, nearest, modulate},
+    {true, true, false, false, rgb5, nearest, modulate}, {true, true, false, true, rgb, nearest, modulate},
+    {true, true, false, true, rgb5, nearest, modulate},  {true, true, false, false, rgb, linear, modulate},
+    {true, true, false, false, rgb5, linear, modulate},
+};
+
+void set(Writer& w, const Preset& p) {
+    const unsigned width = 1u << w.lot(6), height = 1u << w.lot(6);
+    w.call("glTexImage2D",
+           {GL_TEXTURE_2D, p.kept == rgba ? GLenum{GL_RGBA} : GLenum{GL_RGB}, GL_UNSIGNED_BYTE},
+           {{1, 3}, {2, p.kept}, {3, width + 2}, {4, height + 2}, {5, 3}});
+    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        w.call("glTexParameteri", {GL_TEXTURE_2D, name}, {{2, p.filter}});
+    w.call("glTexEnvi", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE}, {{2, p.environment}});
+    w.call("glFogi", {GL_FOG_MODE}, {{1, linear}});
+    w.call("glBlendFunc", {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
+    const std::pair<GLenum, bool> switches[] = {{GL_TEXTURE_2D, p.texture},
+                                                {GL_DEPTH_TEST, p.depth},
+                                                {GL_BLEND, p.blend},
+                                                {GL_FOG, p.fog},
+                                                {GL_DITHER, w.lot(2) != 0}};
+    for (const auto& [name, on] : switches)
+        w.call(on ? "glEnable" : "glDisable", {name});
+}
+
+void fused(Writer& w) {
+    for (int i = 0; i < 8; ++i) {
+        set(w, presets[w.lot(std::size(presets))]);
+        w.call("glShadeModel", {w.lot(3) == 0 ? GLenum{GL_FLAT} : GLenum{GL_SMOOTH}});
+        w.call("glClear");
+        w.primitive(GL_TRIANGLE_STRIP, 5);
+    }
+}
+
 void lists(Writer& w) {
     w.call("glGenLists");
     w.call("glNewList");
@@ -208,13 +259,13 @@ void anything(Writer& w) {
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> command_seeds() {
-    constexpr Fill fills[] = {shapes, lit, textured, fragments, lists, arrays, anything};
+    constexpr Fill fills[] = {shapes, lit, textured, fragments, fused, lists, arrays, anything};
     std::vector<std::vector<std::uint8_t>> seeds;
     unsigned number = 0;
-    for (int round = 0; round < 8; ++round)
+    for (int round = 0; round < 12; ++round)
         for (const Fill fill : fills) {
-            Writer w(++number);
-            if (round >= 4) // with whatever state a few calls leave
+            Writer w(++number, fill == fused);
+            if (round >= 4 && fill != fused) // with whatever state a few calls leave
                 for (int i = 0; i < 6; ++i)
                     w.some_state();
             fill(w);

@@ -4,6 +4,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <spangle/boards/boards.hpp>
 #include <spangle/sim/board.hpp>
 
@@ -128,7 +130,7 @@ TEST(Board, ABufferChangedOnTheWireShows) {
 }
 
 TEST(Board, WiresAreRecorded) {
-    const std::string path = testing::TempDir() + "wires.vcd";
+    const std::string path = testing::TempDir() + "wires-" + std::to_string(getpid()) + ".vcd";
     {
         sim::SimBoard sim(boards::st7735_128x160);
         ASSERT_TRUE(sim.record_vcd(path));
@@ -158,7 +160,7 @@ TEST(Board, WiresAreRecorded) {
 TEST(Picture, FilesHashesAndDifferences) {
     sim::Image a(3, 2);
     a.at(1, 1)[0] = 0;
-    const std::string path = testing::TempDir() + "picture.png";
+    const std::string path = testing::TempDir() + "picture-" + std::to_string(getpid()) + ".png";
     ASSERT_EQ(sim::write_png(a, path), "");
     sim::Image b;
     ASSERT_EQ(sim::read_png(path, b), "");

@@ -176,6 +176,11 @@ TEST(Controller, ResetsKeepMemoryAndRestoreRegisters) {
     EXPECT_FALSE(h.chip.awake());
     EXPECT_EQ(h.read(0x0B, 0, 1)[0], 0x00);
     EXPECT_EQ(h.read(0x0C, 0, 1)[0], 0x66);
+    h.now += 120 * ms;
+    h.wake();
+    h.pixels(0x2C, std::vector<int>(241, green)); // the window is the whole memory again
+    EXPECT_EQ(h.cell(239, 0), green18);
+    EXPECT_EQ(h.cell(0, 1), green18);
 }
 
 TEST(Controller, AnswersWhatItIs) {
@@ -224,6 +229,20 @@ TEST(Controller, GlassShowsOnlyWhatIsOn) {
     h.send(0x20);
     h.send(0x28);
     EXPECT_EQ(seen()[0], Rgb666{});
+}
+
+TEST(Controller, IdleModeShowsEightColors) {
+    Host h(chips[0]);
+    h.wake();
+    h.window(0, 1, 0, 0);
+    h.pixels(0x2C, {0x83F0, 0x7C0F}); // 32, 31, 32 and 30, 32, 30 of 63
+    h.send(0x39);
+    h.now += 60 * ms;
+    EXPECT_EQ(h.chip.glass(h.now)[0], (Rgb666{63, 0, 63}));
+    EXPECT_EQ(h.chip.glass(h.now)[1], (Rgb666{0, 63, 0}));
+    h.send(0x38);
+    h.now += 60 * ms;
+    EXPECT_EQ(h.chip.glass(h.now)[0], (Rgb666{32, 31, 32}));
 }
 
 TEST(Controller, ScrollsAndShowsParts) {

@@ -7,6 +7,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
 #include <spangle/boards/boards.hpp>
 #include <spangle/hal/panel_display.hpp>
 
@@ -140,7 +142,7 @@ template <class Pins> void replay(std::istream& file, Pins& pins) {
 }
 
 TEST(Pins, ARecordedTraceReplays) {
-    const std::string path = testing::TempDir() + "replay.vcd";
+    const std::string path = testing::TempDir() + "replay-" + std::to_string(getpid()) + ".vcd";
     for (const hal::Board* board : {&boards::st7735_128x160, &boards::ili9341_8080}) {
         DcsController live = controller_of(*board), replayed = controller_of(*board);
         hal::BusCaps caps = hal::bus_caps(*board);
