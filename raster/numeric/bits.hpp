@@ -12,6 +12,10 @@
 
 namespace spangle::numeric {
 
+/// A branch that is taken at random costs no more than any other: so it is in the short pipelines of
+/// microcontrollers. Decides between forms of equal results.
+inline constexpr bool cheap_branches = sizeof(void*) == 4;
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);

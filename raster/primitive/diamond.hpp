@@ -109,12 +109,13 @@ class DiamondWalk {
         const std::int32_t f = end.major - column * subpixel_one - half;
         const std::int32_t g = end.minor - own(end.minor) * subpixel_one - half;
         const std::int32_t distance = (f < 0 ? -f : f) + (g < 0 ? -g : g);
-        // x of a point on the diamond's edge decides which side the shift moves it to.
-        if (distance < half || (distance == half && (along_x ? f : g) > 0))
+        if (numeric::cheap_branches && distance < half)
             return column;
-        if ((f > 0) != ascends) // the shift moves points on the centre line below it
-            return column;
-        return ascends ? column + 1 : column - 1;
+        // Without branches: they would be taken at random. x of a point on the diamond's edge decides which
+        // side the shift moves it to, and points on the centre line are moved below it.
+        const bool outside = (distance > half) | ((distance == half) & ((along_x ? f : g) <= 0));
+        const bool behind = outside & ((f > 0) == ascends);
+        return column + (ascends ? 1 : -1) * static_cast<std::int32_t>(behind);
     }
 
     /// minor and remainder at the centre of `major`.

@@ -114,7 +114,8 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
-/// The same for edges that cross a few columns: without a division, the column is found by walking there.
+/// The same for edges that cross a few columns: without a division, the column is found by walking there
+/// (numeric::cheap_branches).
 /// Within 15 pixels each call of at() and step() walks 15 columns at most, and all sums fit 32 bits.
 class ShortEdge {
   public:

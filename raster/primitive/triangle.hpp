@@ -107,7 +107,7 @@ void draw_triangle_of(const DrawState& state, const Surface& target, const typen
     Pen<P> pen(state, target);
     if (state.nothing || !pen.sees(first_center(least), first_center(most)))
         return;
-    if (most - least <= ShortEdge::extent && ys[2] - ys[0] <= ShortEdge::extent)
+    if (numeric::cheap_branches && most - least <= ShortEdge::extent && ys[2] - ys[0] <= ShortEdge::extent)
         detail::draw_short(pen, corners, provoking, xs, ys, area2);
     else if (most - least <= SmallEdge::extent && ys[2] - ys[0] <= SmallEdge::extent)
         detail::draw_rows<SmallEdge>(pen, corners, provoking, xs, ys, area2);

@@ -238,11 +238,17 @@ template <class Case> [[gnu::noinline]] void fused_path(Span<Fixed>& span, const
     do {
         list(p);
         list.step();
-        p.i += along;
         rest += rise;
-        if (rest >= 0) {
-            rest -= denominator;
-            p.i += aside;
+        p.i += along;
+        if constexpr (numeric::cheap_branches) {
+            if (rest >= 0) {
+                rest -= denominator;
+                p.i += aside;
+            }
+        } else {
+            const std::int32_t reached = ~(rest >> 31);
+            rest -= denominator & reached;
+            p.i += aside & reached;
         }
     } while (--count != 0);
 }

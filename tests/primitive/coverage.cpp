@@ -2,8 +2,11 @@
 // A05).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "raster/primitive/edge.hpp"
 #include "tests/primitive/coverage_fuzz.hpp"
 
 namespace spangle::raster::test {
@@ -12,6 +15,57 @@ namespace {
 TEST(Coverage, FiftyThousandFuzzedTrianglesMatchTheEdgeEquations) {
     EXPECT_EQ(coverage_mismatches(7, 40000, 40, 24), 0);
     EXPECT_EQ(coverage_mismatches(8, 10000, 96, 70), 0);
+}
+
+/// Three ways to walk edges, one for each size and kind of machine, give the same rows.
+TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
+    struct Listed {
+        std::vector<std::int32_t> words;
+        void add(const Row* rows, int count) {
+            for (int i = 0; i < count; ++i)
+                words.insert(words.end(),
+                             {rows[i].y, rows[i].left, rows[i].right, rows[i].first, rows[i].last});
+        }
+    };
+    std::mt19937 random(12);
+    const Rect clip = {3, 2, 20, 17};
+    long rows = 0;
+    for (int round = 0; round < 200000; ++round) {
+        const int extent = round % 4 == 0 ? 3 * 256 : ShortEdge::extent;
+        const auto within = [&](int from) {
+            return from * 256 + static_cast<std::int32_t>(random() % static_cast<unsigned>(extent + 1));
+        };
+        const int left = static_cast<int>(random() % 24) - 6, low = static_cast<int>(random() % 24) - 6;
+        std::int32_t x[3], y[3];
+        for (int i = 0; i < 3; ++i)
+            x[i] = within(left), y[i] = within(low);
+        if (round % 5 == 0)
+            x[1] &= ~127, y[2] &= ~127, x[2] = x[0]; // centres and vertical edges
+        std::int32_t order[3] = {0, 1, 2};
+        std::sort(order, order + 3, [&](int a, int b) { return y[a] != y[b] ? y[a] < y[b] : x[a] < x[b]; });
+        std::int32_t xs[3], ys[3];
+        for (int i = 0; i < 3; ++i)
+            xs[i] = x[order[i]], ys[i] = y[order[i]];
+        const std::int64_t area = signed_area(xs[0], ys[0], xs[1], ys[1], xs[2], ys[2]);
+        if (area == 0)
+            continue;
+        const auto walked = [&]<class E>(std::type_identity<E>) {
+            TriangleRows<E> triangle(xs, ys, area < 0, clip.y, clip.y + clip.h);
+            Row buffer[5];
+            Listed out;
+            for (int n = 5; n == 5;)
+                out.add(buffer, n = triangle.template fill<true>(buffer, 5, clip.x, clip.x + clip.w));
+            return out;
+        };
+        Row buffer[16];
+        Listed at_once;
+        at_once.add(buffer, short_rows<true>(buffer, xs, ys, area < 0, clip));
+        const Listed exact = walked(std::type_identity<Edge>{});
+        ASSERT_EQ(exact.words, walked(std::type_identity<SmallEdge>{}).words) << "round " << round;
+        ASSERT_EQ(exact.words, at_once.words) << "round " << round;
+        rows += static_cast<long>(exact.words.size() / 5);
+    }
+    EXPECT_GT(rows, 200000);
 }
 
 /// The doc's rule on whole pixels: left and bottom edges own their centres.
