@@ -96,24 +96,28 @@ def keep(name, folder):
     print(f"{name}: {len(list(target.iterdir()))} inputs in {target.relative_to(ROOT)}")
 
 
-def report(name, folder, log, status, seconds):
-    text = log.read_text(errors="replace")
-    rooms = coverage(name, folder)
-    reached, total = sum(r for r, _ in rooms.values()), sum(t for _, t in rooms.values())
-    inputs = sum(1 for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir() for _ in path.iterdir())
-    edges = re.findall(r" cov: (\d+)", text)
-    print(f"\n{name}: {executions(text):,} executions in {seconds} s, {inputs} inputs, {edges[-1] if edges else 0} edges, "
-          f"{reached} of {total} lines ({100 * reached / max(total, 1):.1f} %)")
-    for room, (hit, of) in sorted(rooms.items()):
-        print(f"  {room:<24}{hit:>6} of {of:>6} lines {100 * hit / max(of, 1):>6.1f} %")
-    if status == 0 and total != 0 and executions(text) != 0:
-        return 0
-    print(f"  FAILED with status {status}: {log}")
+def failure(name, folder, log, status, text):
+    print(f"\n{name}: FAILED with status {status} after {executions(text):,} executions: {log}")
     for line in re.findall(r"^.*(?:ERROR: |runtime error: |controller stream: |the arena is ).*$", text, re.M)[:3]:
         print(f"  {line}")
     for path in crash_files(text):
         print(f"  replay: {folder / 'tests/fuzz' / ('fuzz_' + name)} {path}")
     return 1
+
+
+def report(name, folder, log, status, seconds):
+    text = log.read_text(errors="replace")
+    if status != 0 or executions(text) == 0:
+        return failure(name, folder, log, status, text)
+    rooms = coverage(name, folder)
+    reached, total = sum(r for r, _ in rooms.values()), sum(t for _, t in rooms.values())
+    inputs = sum(1 for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir() for _ in path.iterdir())
+    edges = re.findall(r" cov: (\d+)", text)
+    print(f"\n{name}: {executions(text):,} executions in {seconds} s, {inputs} inputs, {edges[-1] if edges else 0} edges, "
+          f"{reached} of {total} lines ({100 * reached / total:.1f} %)")
+    for room, (hit, of) in sorted(rooms.items()):
+        print(f"  {room:<24}{hit:>6} of {of:>6} lines {100 * hit / of:>6.1f} %")
+    return 0
 
 
 def main():
