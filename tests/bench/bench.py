@@ -2,6 +2,7 @@
 """Measures every scene against Mesa's llvmpipe and the goals.
 
 usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind]
+       ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
        ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
 
 Wall time as a ratio in one run: the two programs take turns, medians count. x86 instructions by callgrind, Cortex-M
@@ -11,6 +12,7 @@ of a program of its own, and against the emulated board's; one that differs fail
 import argparse
 import json
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
@@ -19,6 +21,9 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import icount  # noqa: E402
 import mcu  # noqa: E402
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "readme"))
+import tables  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 TIERS = ("exact", "balanced", "fast")
@@ -78,7 +83,8 @@ def check_pictures(build, hashes):
 
 
 def memory_table(build, scenes):
-    """Each figure from a process that draws this scene and no other, under the same harness."""
+    """Each figure from a process that draws this scene and no other, under the same harness. Prints and returns them."""
+    found = {}
     print("\nMemory, balanced tier, bytes of spangle::memory: context; surface (colour and 16-bit depth); most in all, textures and lists included."
           "\nProcesses: largest resident size of the benchmark program, ours and llvmpipe's.")
     print(f"{'scene':<6}{'size':<9}" + "".join(f"{kind:>12}" for kind in ("context", "surface", "peak", "process MB", "llvmpipe MB")))
@@ -88,6 +94,20 @@ def memory_table(build, scenes):
             mesa = google(build / "bench_mesa", f"^{scene}/{size}$", 0.01)[f"{scene}/{size}"]
             print(f"{scene:<6}{size:<9}" + "".join(f"{int(ours[kind]):>12,}" for kind in ("context", "surface", "peak"))
                   + f"{ours['process'] / 1e6:>12.1f}{mesa['process'] / 1e6:>12.1f}", flush=True)
+            found[scene, size] = {kind: int(ours[kind]) for kind in ("context", "surface", "peak", "process")} | {"llvmpipe_process": int(mesa["process"])}
+    return found
+
+
+def record(build, times, memory, scenes):
+    """What README.md shows, and of which machine it is."""
+    model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    found = {scene: {size: {"llvmpipe_us": round(times[f"mesa/{scene}/{size}"], 1)}
+                     | {tier: round(times[f"mesa/{scene}/{size}"] / times[f"{scene}/{size}/{tier}"], 2) for tier in TIERS} | memory[scene, size]
+                     for size in SIZES} for scene in scenes}
+    text = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
+    (HERE / "measured.json").write_text(json.dumps(text, indent=1) + "\n")
+    tables.write(tables.recorded())
+    print("\nwrote tests/bench/measured.json and the tables of README.md")
 
 
 def wall_table(times, scenes, goals):
@@ -147,13 +167,17 @@ def instruction_table(build, scenes, goals, boards, with_callgrind, hashes):
         raise SystemExit("\n".join(bad))
 
 
-def print_flags(build):
+def compiler_of(build):
     cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines() if "=" in line and not line.startswith(("#", "//")))
     compiler = cache.get("CMAKE_CXX_COMPILER:STRING") or cache.get("CMAKE_CXX_COMPILER:FILEPATH") or "c++"
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
     kind = cache.get("CMAKE_BUILD_TYPE:STRING", "")
     flags = " ".join(filter(None, (cache.get("CMAKE_CXX_FLAGS:STRING"), cache.get(f"CMAKE_CXX_FLAGS_{kind.upper()}:STRING"))))
-    print(f"host: {version}, {flags}, baseline instruction set; RGB565 in the panel's byte order, 16-bit depth")
+    return f"{version}, {flags}"
+
+
+def print_flags(build):
+    print(f"host: {compiler_of(build)}, baseline instruction set; RGB565 in the panel's byte order, 16-bit depth")
     print("peer: Mesa's llvmpipe through OSMesa, RGB565, 16-bit depth, GL_DITHER off, LP_NUM_THREADS=0")
     if mcu.available():
         arm = subprocess.run(["arm-none-eabi-g++", "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
@@ -168,11 +192,15 @@ def main():
     parser.add_argument("--no-wall", action="store_true")
     parser.add_argument("--no-mcu", action="store_true")
     parser.add_argument("--no-callgrind", action="store_true")
+    parser.add_argument("--record", action="store_true", help="keep speed and memory for README.md")
     parser.add_argument("--update-golden", action="store_true", help="measure the counts that ./dev test --all guards, write them, and stop")
     arguments = parser.parse_args()
     if arguments.update_golden:
         icount.write(icount.measure()[0])
+        tables.write({"instructions": tables.instructions()})
         return 0
+    if arguments.record and (arguments.quick or arguments.no_wall or arguments.scenes != ",".join(mcu.SCENES)):
+        parser.error("--record keeps whole measurements: without --quick, --no-wall and --scenes")
     goals = json.loads((HERE / "goals.json").read_text())
     scenes = arguments.scenes.split(",")
     unknown = [scene for scene in scenes if scene not in mcu.SCENES]
@@ -186,7 +214,9 @@ def main():
         wall_table(times, scenes, goals)
         verdict(times, scenes, goals)
         check_pictures(build, hashes)
-        memory_table(build, scenes)
+        memory = memory_table(build, scenes)
+        if arguments.record:
+            record(arguments.build, times, memory, scenes)
     boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
         instruction_table(build, scenes, goals, boards, not arguments.no_callgrind, hashes)

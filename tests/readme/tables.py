@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Writes the tables of README.md from what was measured, so that no number in them is copied by hand.
+
+usage: tables.py [--check] [--spangle PROGRAM]
+
+Each table stands between <!-- table: NAME --> and <!-- end -->. accuracy and stages are measured anew by the command line
+(PROGRAM; without it they stay as they are), instructions come from tests/bench/golden.json, speed and memory from
+tests/bench/measured.json, which `./dev bench --record` writes. --check changes nothing and fails where a table is not what
+would be written; of speed and memory that is only whether they are the recorded ones.
+"""
+import argparse
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+BENCH = ROOT / "tests/bench"
+TIERS = ("exact", "balanced", "fast")
+FRAMES = 10
+
+
+def table(heads, rows):
+    lines = ["| " + " | ".join(heads) + " |", "|---" + "|--:" * (len(heads) - 1) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+class CommandLine:
+    def __init__(self, program):
+        self.program = program
+
+    def scenes(self):
+        listed = subprocess.run([self.program, "scenes"], capture_output=True, text=True, check=True).stdout
+        return [line.split()[0] for line in listed.splitlines()]
+
+    def run(self, scene, precision, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([self.program, "run", scene, "--precision", precision, "--dither", "off", "--frames", str(FRAMES), "--size", "320x240",
+                                   "--json", *words], capture_output=True, text=True, check=True, cwd=folder)
+        return json.loads(done.stdout)
+
+
+def accuracy(cli):
+    rows = []
+    for scene in cli.scenes():
+        found = {tier: cli.run(scene, tier, "--compare") for tier in TIERS}
+        exact = found["exact"]
+        rows.append([scene, *(f"{found[tier]['identical_565_percent']:.4f} % ({found[tier]['max_lsb']})" for tier in TIERS),
+                     exact["coverage_mismatches"], f"{exact['coverage_unsnapped']} ({exact['coverage_snapping']})"])
+    return table(["scene", *TIERS, "off brute force", "off unsnapped (by n.8 alone)"], rows)
+
+
+def stages(cli):
+    """Over all scenes: the worst of the worst, the RMS of all values together."""
+    total = {}
+    for scene in cli.scenes():
+        for s in cli.run(scene, "shadow").get("stages", []):
+            t = total.setdefault(s["stage"], {"unit": s["unit"], "count": 0, "max": 0.0, "squares": 0.0})
+            t["count"] += s["count"]
+            t["max"] = max(t["max"], s["max"])
+            t["squares"] += s["rms"] ** 2 * s["count"]
+    order = [s["stage"] for s in cli.run("S9", "shadow")["stages"]]
+    names = order + [name for name in total if name not in order]
+
+    def number(v):
+        return f"{v:g}" if v == 0 or v >= 1 else f"2^{math.log2(v):.1f}"
+    return table(["stage", "unit", "values", "largest error", "RMS error"],
+                 [[name, total[name]["unit"], f"{total[name]['count']:,}", number(total[name]["max"]), number(math.sqrt(total[name]["squares"] / total[name]["count"]))]
+                  for name in names])
+
+
+def instructions():
+    golden, goals = json.loads((BENCH / "golden.json").read_text()), json.loads((BENCH / "goals.json").read_text())
+    rows = []
+    for name in (key for key in golden if key.startswith("m4 ")):
+        _, scene, tier = name.split()
+        m4, m3, goal = golden[name]["instructions"] / 1e6, golden["m3" + name[2:]]["instructions"] / 1e6, goals[scene][tier]["m4"]
+        rows.append([f"{scene} {tier}", f"{m4:.2f}", f"{goal:.2f}", f"{m4 / goal:.2f} x", f"{m3:.2f}"])
+    return table(["scene", "M4, million", "goal", "of the goal", "M3, million"], rows)
+
+
+def measured():
+    path = BENCH / "measured.json"
+    return json.loads(path.read_text()) if path.exists() else None
+
+
+def speed():
+    found = measured()
+    if found is None:
+        return "`./dev bench --record` has not been run yet."
+    goals = json.loads((BENCH / "goals.json").read_text())
+    rows = []
+    for scene, sizes in found["scenes"].items():
+        small, large = sizes["320x240"], sizes["800x480"]
+        rows.append([scene, f"{small['llvmpipe_us']:.0f} us", *(f"{small[tier]:.2f}" for tier in TIERS), goals.get(scene, {}).get("balanced", {}).get("x86", "-"),
+                     f"{large['balanced']:.2f}"])
+    return f"{found['host']}\n\n" + table(["scene", "llvmpipe", *TIERS, "goal, balanced", "800x480, balanced"], rows)
+
+
+def memory():
+    found = measured()
+    if found is None:
+        return "`./dev bench --record` has not been run yet."
+    rows = [[scene, *(f"{sizes['320x240'][kind]:,}" for kind in ("context", "surface", "peak")), f"{sizes['320x240']['process'] / 1e6:.1f} MB",
+             f"{sizes['320x240']['llvmpipe_process'] / 1e6:.1f} MB"] for scene, sizes in found["scenes"].items()]
+    return table(["scene", "context", "surface", "most in all", "process", "llvmpipe's process"], rows)
+
+
+def refreshed(text, contents):
+    """README with these tables in place."""
+    for name, content in contents.items():
+        pattern = re.compile(rf"(<!-- table: {name} -->\n).*?(\n<!-- end -->)", re.S)
+        if len(pattern.findall(text)) != 1:
+            raise SystemExit(f"README.md has not one place for the table '{name}'")
+        text = pattern.sub(lambda match: match.group(1) + content + match.group(2), text)
+    return text
+
+
+def recorded():
+    """The tables that need no program."""
+    return {"instructions": instructions(), "speed": speed(), "memory": memory()}
+
+
+def write(contents):
+    README.write_text(refreshed(README.read_text(), contents))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--spangle")
+    arguments = parser.parse_args()
+    contents = recorded()
+    if arguments.spangle is not None:
+        cli = CommandLine(arguments.spangle)
+        contents |= {"accuracy": accuracy(cli), "stages": stages(cli)}
+    if not arguments.check:
+        write(contents)
+        return 0
+    text, good = README.read_text(), True
+    for name, content in contents.items():
+        if refreshed(text, {name: content}) != text:
+            print(f"README.md: the table '{name}' is not what was measured; `./dev tables` writes it. It should be\n{content}")
+            good = False
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
