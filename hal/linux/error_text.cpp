@@ -40,6 +40,8 @@ const char* permission_hint(DeviceClass kind) {
         return "; install the udev rules 60-spangle.rules and join group 'gpio'";
     case DeviceClass::spi:
         return "; install the udev rules 60-spangle.rules and join group 'spi'";
+    case DeviceClass::usb:
+        return "; install the udev rules 60-spangle.rules and join group 'plugdev'";
     case DeviceClass::i2c:
         break;
     }
@@ -52,6 +54,8 @@ const char* absence_hint(DeviceClass kind) {
         return "; gpiodetect lists the chips";
     case DeviceClass::spi:
         return "; is the bus enabled (Raspberry Pi: dtparam=spi=on in config.txt)?";
+    case DeviceClass::usb:
+        return "; lsusb lists what is plugged in";
     case DeviceClass::i2c:
         break;
     }

@@ -13,6 +13,7 @@
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include "host_sim/linux/kernel.hpp"
 
@@ -64,6 +65,7 @@ int spangle_close(int file) SPANGLE_SYMBOL("close");
 int spangle_ioctl(int file, unsigned long request, ...) SPANGLE_SYMBOL("ioctl");
 ssize_t spangle_read(int file, void* into, std::size_t count) SPANGLE_SYMBOL("read");
 ssize_t spangle_write(int file, const void* from, std::size_t count) SPANGLE_SYMBOL("write");
+long spangle_lseek(int file, long offset, int whence) SPANGLE_SYMBOL("lseek");
 int spangle_ppoll(pollfd* files, nfds_t count, const timespec* timeout, const sigset_t* mask)
     SPANGLE_SYMBOL("ppoll");
 int spangle_stat(const char* path, struct stat* status) SPANGLE_SYMBOL("stat");
@@ -126,6 +128,14 @@ ssize_t spangle_write(int file, const void* from, std::size_t count) {
         return user_answer<ssize_t>(answer);
     static const auto real = next<ssize_t (*)(int, const void*, std::size_t)>("write");
     return real(file, from, count);
+}
+
+long spangle_lseek(int file, long offset, int whence) {
+    long answer = 0;
+    if (whence == SEEK_SET && Kernel::instance().seek(file, offset, answer))
+        return user_answer<long>(answer);
+    static const auto real = next<long (*)(int, long, int)>("lseek");
+    return real(file, offset, whence);
 }
 
 int spangle_ppoll(pollfd* files, nfds_t count, const timespec* timeout, const sigset_t* mask) {

@@ -40,6 +40,10 @@ long OpenFile::write(const void*, std::size_t, std::size_t) {
     return -EINVAL;
 }
 
+long OpenFile::seek(long) {
+    return -ESPIPE;
+}
+
 Time OpenFile::readable(Time) {
     return never;
 }
@@ -199,7 +203,8 @@ bool Kernel::open(const char* path, long& answer) {
 
 int Kernel::install(std::unique_ptr<OpenFile> file, const std::string& path) {
     const std::lock_guard lock(mutex_);
-    const int number = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // a number nobody else gets
+    const int own = file->descriptor();
+    const int number = own >= 0 ? own : eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK); // a number nobody else gets
     if (number < 0)
         return -errno;
     files_[number] = {std::move(file), path};
@@ -224,7 +229,7 @@ bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer dev
         return false;
     const auto node = nodes_.find(entry->path);
     const Verdict verdict = node != nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
-    if (entry->dead)
+    if (entry->dead && !entry->file->answers_when_dead(request))
         out = node != nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
     else if (verdict.error == 0 || verdict.late)
         out = device(*entry->file, verdict.limit);
@@ -248,6 +253,14 @@ bool Kernel::write(int file, const void* from, std::size_t count, long& out) {
     return answer(
         file, Call::Kind::write, 0,
         [&](OpenFile& f, std::size_t limit) { return f.write(from, count, limit); }, out);
+}
+
+bool Kernel::seek(int file, long offset, long& out) {
+    const std::lock_guard lock(mutex_);
+    Entry* const entry = find(file);
+    if (entry != nullptr)
+        out = entry->file->seek(offset);
+    return entry != nullptr;
 }
 
 bool Kernel::poll(int file, std::int64_t timeout, long& out) {

@@ -43,6 +43,11 @@ class OpenFile {
     virtual long write(const void* from, std::size_t count, std::size_t limit);
     /// The first time from now to `until` at which there is something to read, or `never`.
     virtual Time readable(Time until);
+    virtual long seek(long offset);
+    /// A real file to poll in its place, which the kernel then owns; negative: none.
+    virtual int descriptor() { return -1; }
+    /// Requests that the device's end does not end.
+    virtual bool answers_when_dead(unsigned long) const { return false; }
 
     static constexpr Time never = ~Time{0};
 };
@@ -71,6 +76,10 @@ class Kernel {
     void plug(const std::string& path);
     int open_files() const;
 
+    /// While it is locked no call of another thread is under way: std::lock_guard lock(kernel).
+    void lock() { mutex_.lock(); }
+    void unlock() { mutex_.unlock(); }
+
     // --- time
     Time now() const;
     void advance(Time ns);
@@ -91,6 +100,7 @@ class Kernel {
     bool ioctl(int file, unsigned long request, void* argument, long& answer);
     bool read(int file, void* into, std::size_t count, long& answer);
     bool write(int file, const void* from, std::size_t count, long& answer);
+    bool seek(int file, long offset, long& answer);
     /// `timeout` in nanoseconds, negative: for ever.
     bool poll(int file, std::int64_t timeout, long& answer);
     bool device_number(const char* path, unsigned& major, unsigned& minor) const;

@@ -8,7 +8,7 @@
 namespace spangle::hal {
 
 /// Which rule of 60-spangle.rules, group and boot option a hint names.
-enum class DeviceClass : std::uint8_t { gpio, spi, i2c };
+enum class DeviceClass : std::uint8_t { gpio, spi, i2c, usb };
 
 /// Owns the text its last error points to.
 class ErrorText {

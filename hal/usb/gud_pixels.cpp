@@ -1,0 +1,94 @@
+#include "hal/usb/gud_pixels.hpp"
+
+#include <cstring>
+#include <initializer_list>
+
+namespace spangle::hal::gud {
+namespace {
+
+struct Rgb {
+    std::uint32_t r, g, b;
+};
+
+/// k / 31 and k / 63 of full scale, rounded to eight bits.
+Rgb rgb_of(const std::uint8_t* pixel) {
+    const unsigned word = pixel[0] | pixel[1] * 256u;
+    const unsigned r = word >> 11, g = word >> 5 & 63, b = word & 31;
+    return {(r * 255 + 15) / 31, (g * 255 + 31) / 63, (b * 255 + 15) / 31};
+}
+
+/// Luma in tenths: what the kernel's drivers use for grey (drm_fb_xrgb8888_to_gray8).
+std::uint32_t grey(Rgb c) {
+    return (3 * c.r + 6 * c.g + c.b) / 10;
+}
+
+std::uint32_t convert(std::uint8_t format, Rgb c) {
+    switch (format) {
+    case R1:
+        return grey(c) >> 7;
+    case R8:
+        return grey(c);
+    case XRGB1111:
+        return c.r >> 7 << 2 | c.g >> 7 << 1 | c.b >> 7;
+    case RGB332:
+        return c.r >> 5 << 5 | c.g >> 5 << 2 | c.b >> 6;
+    default:
+        return 0xFF000000u | c.r << 16 | c.g << 8 | c.b;
+    }
+}
+
+} // namespace
+
+std::uint8_t best_format(const std::uint8_t* offered, std::size_t count) {
+    for (const std::uint8_t wanted : {RGB565, RGB888, XRGB8888, ARGB8888, RGB332, R8, XRGB1111, R1})
+        if (count != 0 && std::memchr(offered, wanted, count) != nullptr)
+            return wanted;
+    return 0;
+}
+
+std::uint32_t bits_per_pixel(std::uint8_t format) {
+    switch (format) {
+    case R1:
+        return 1;
+    case XRGB1111:
+        return 4;
+    case R8:
+    case RGB332:
+        return 8;
+    case RGB565:
+        return 16;
+    case RGB888:
+        return 24;
+    default:
+        return 32;
+    }
+}
+
+std::uint32_t pixels_per_byte(std::uint8_t format) {
+    const std::uint32_t bits = bits_per_pixel(format);
+    return bits < 8 ? 8 / bits : 1;
+}
+
+std::size_t row_bytes(std::uint8_t format, std::uint32_t width) {
+    return (std::size_t{width} * bits_per_pixel(format) + 7) / 8;
+}
+
+void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::uint32_t width, std::uint8_t* to) {
+    if (format == RGB565) {
+        std::memcpy(to, rgb565, std::size_t{width} * 2);
+        return;
+    }
+    const std::uint32_t bits = bits_per_pixel(format);
+    if (bits < 8)
+        std::memset(to, 0, row_bytes(format, width));
+    for (std::uint32_t x = 0; x < width; ++x) {
+        const std::uint32_t word = convert(format, rgb_of(rgb565 + std::size_t{x} * 2));
+        std::uint8_t* const at = to + std::size_t{x} * bits / 8;
+        if (bits < 8)
+            *at = static_cast<std::uint8_t>(*at | word << (8 - bits - x * bits % 8));
+        for (std::uint32_t byte = 0; byte < bits / 8; ++byte)
+            at[byte] = static_cast<std::uint8_t>(word >> 8 * byte);
+    }
+}
+
+} // namespace spangle::hal::gud

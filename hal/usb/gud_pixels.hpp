@@ -1,0 +1,28 @@
+// Rows of RGB565, little-endian, as the pixel formats that GUD devices take.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace spangle::hal::gud {
+
+enum Format : std::uint8_t {
+    R1 = 0x01, ///< eight pixels a byte, the left one highest
+    R8 = 0x08,
+    XRGB1111 = 0x20, ///< two pixels a byte, the left one high
+    RGB332 = 0x30,
+    RGB565 = 0x40,
+    RGB888 = 0x50,   ///< B, G, R bytes
+    XRGB8888 = 0x80, ///< B, G, R, X bytes
+    ARGB8888 = 0x81,
+};
+
+/// The format of `offered` that loses least of RGB565 and then takes the fewest bytes, or 0.
+std::uint8_t best_format(const std::uint8_t* offered, std::size_t count);
+std::uint32_t bits_per_pixel(std::uint8_t format);
+/// Pixels that share a byte: rectangles begin at their multiples.
+std::uint32_t pixels_per_byte(std::uint8_t format);
+std::size_t row_bytes(std::uint8_t format, std::uint32_t width);
+void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::uint32_t width, std::uint8_t* to);
+
+} // namespace spangle::hal::gud

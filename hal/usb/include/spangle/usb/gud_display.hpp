@@ -1,0 +1,54 @@
+// A GUD display (Generic USB Display, include/drm/gud.h) as a Display, from user space through libusb: any
+// device that speaks the protocol, found by its IDs. Presents send what changed, compressed where that is
+// less.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include <spangle/hal/display.hpp>
+
+namespace spangle::hal {
+
+struct GudConfig {
+    /// Which device; 0: any of the known ones (1d50:614d, 16d0:10a9, 1209:4fb3).
+    std::uint16_t vendor = 0, product = 0;
+    /// Opens this usbfs file ("/dev/bus/usb/001/002") instead of looking for a device: where a portal or
+    /// another process found it. Must stay.
+    const char* device_file = nullptr;
+    /// Wanted size; 0: the preferred mode.
+    std::uint16_t width = 0, height = 0;
+    bool compress = true;          ///< where the device takes LZ4 and this build has it
+    std::uint8_t brightness = 100; ///< where the panel has a backlight property
+    std::uint32_t control_timeout_ms = 1000, bulk_timeout_ms = 3000;
+    /// Devices that ask for it are asked for their connector's status this often, or they take the host for
+    /// dead.
+    std::uint32_t poll_ms = 10000;
+};
+
+class GudDisplay final : public Display {
+  public:
+    explicit GudDisplay(const GudConfig& config = {});
+    /// Switches the display off.
+    ~GudDisplay();
+    GudDisplay(const GudDisplay&) = delete;
+    GudDisplay& operator=(const GudDisplay&) = delete;
+
+    /// Size and format are known after init().
+    DisplayInfo info() const override;
+    /// Finds the device, sets its mode, and shows black.
+    Result<void> init() override;
+    Result<Frame> acquire() override;
+    /// Returns when the device has taken everything. After Fault::gone each present looks for the device
+    /// again, and the first that finds it sends the whole picture.
+    Result<void> present() override;
+
+    /// What the device's connector said last: is a screen plugged into it?
+    bool connected() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,266 @@
+#include "hal/usb/usb_link.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+#include <fcntl.h>
+#include <libusb.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+namespace spangle::hal {
+namespace {
+
+/// Two of these keep the wire busy while the next is handed over; a multiple of any packet size.
+constexpr std::size_t piece_bytes = 32768;
+
+constexpr std::uint8_t to_interface =
+    std::uint8_t{LIBUSB_REQUEST_TYPE_VENDOR} | std::uint8_t{LIBUSB_RECIPIENT_INTERFACE};
+
+Fault fault_of(int code) {
+    switch (code) {
+    case LIBUSB_ERROR_ACCESS:
+        return Fault::denied;
+    case LIBUSB_ERROR_BUSY:
+        return Fault::busy;
+    case LIBUSB_ERROR_TIMEOUT:
+        return Fault::timeout;
+    case LIBUSB_ERROR_NO_DEVICE: // which of the two an unplugged device gives depends on its controller
+    case LIBUSB_ERROR_IO:
+    case LIBUSB_ERROR_NOT_FOUND:
+        return Fault::gone;
+    case LIBUSB_ERROR_PIPE:
+    case LIBUSB_ERROR_NOT_SUPPORTED:
+    case LIBUSB_ERROR_INVALID_PARAM:
+        return Fault::unsupported;
+    default:
+        return Fault::no_answer;
+    }
+}
+
+int code_of(libusb_transfer_status status) {
+    switch (status) {
+    case LIBUSB_TRANSFER_COMPLETED:
+        return LIBUSB_SUCCESS;
+    case LIBUSB_TRANSFER_TIMED_OUT:
+        return LIBUSB_ERROR_TIMEOUT;
+    case LIBUSB_TRANSFER_STALL:
+        return LIBUSB_ERROR_PIPE;
+    case LIBUSB_TRANSFER_NO_DEVICE:
+        return LIBUSB_ERROR_NO_DEVICE;
+    case LIBUSB_TRANSFER_CANCELLED:
+        return LIBUSB_ERROR_INTERRUPTED;
+    default:
+        return LIBUSB_ERROR_IO;
+    }
+}
+
+/// A transfer of the pipe, used again and again.
+struct Flight {
+    libusb_transfer* transfer = libusb_alloc_transfer(0);
+    int done = 1;
+
+    ~Flight() { libusb_free_transfer(transfer); }
+    static void LIBUSB_CALL finished(libusb_transfer* t) { *static_cast<int*>(t->user_data) = 1; }
+
+    int submit(libusb_device_handle* handle, std::uint8_t endpoint, const std::uint8_t* bytes,
+               std::size_t count, std::uint32_t timeout_ms) {
+        libusb_fill_bulk_transfer(transfer, handle, endpoint, const_cast<std::uint8_t*>(bytes),
+                                  static_cast<int>(count), &finished, &done, timeout_ms);
+        done = 0;
+        return libusb_submit_transfer(transfer);
+    }
+    /// Its timeout, or its end, ends the wait.
+    int complete(libusb_context* context) {
+        while (done == 0) {
+            timeval patience{0, 100000};
+            libusb_handle_events_timeout_completed(context, &patience, &done);
+        }
+        const int code = code_of(transfer->status);
+        return code == LIBUSB_SUCCESS && transfer->actual_length != transfer->length ? LIBUSB_ERROR_IO : code;
+    }
+};
+
+} // namespace
+
+UsbLink::~UsbLink() {
+    close();
+}
+
+void UsbLink::close() {
+    if (handle_ != nullptr) {
+        libusb_release_interface(handle_, interface_); // the kernel's driver comes back
+        libusb_close(handle_);
+    }
+    handle_ = nullptr;
+    if (context_ != nullptr)
+        libusb_exit(context_);
+    context_ = nullptr;
+    if (file_ >= 0)
+        ::close(file_);
+    file_ = -1;
+}
+
+Error UsbLink::failed(const char* operation, int code) {
+    refused_ = code == LIBUSB_ERROR_PIPE;
+    const char* cause = libusb_strerror(code);
+    if (code == LIBUSB_ERROR_ACCESS)
+        cause = "permission denied; install the udev rules 60-spangle.rules and join group 'plugdev'";
+    if (code == LIBUSB_ERROR_BUSY)
+        cause = "another program has the device";
+    return error_.say(fault_of(code), name_, operation, cause);
+}
+
+// --- Opening
+
+Result<void> UsbLink::start() {
+    close();
+    const int code = libusb_init(&context_);
+    return code == LIBUSB_SUCCESS ? Result<void>{} : failed("start libusb", code);
+}
+
+/// A vendor interface with a bulk output.
+bool UsbLink::find_pipe(libusb_device* device) {
+    libusb_config_descriptor* config = nullptr;
+    if (libusb_get_active_config_descriptor(device, &config) != LIBUSB_SUCCESS)
+        return false;
+    bool found = false;
+    for (int i = 0; i < config->bNumInterfaces && !found; ++i) {
+        const libusb_interface_descriptor& side = config->interface[i].altsetting[0];
+        for (int e = 0; e < side.bNumEndpoints && side.bInterfaceClass == LIBUSB_CLASS_VENDOR_SPEC && !found;
+             ++e) {
+            const libusb_endpoint_descriptor& endpoint = side.endpoint[e];
+            found = (endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK &&
+                    (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == LIBUSB_ENDPOINT_OUT;
+            endpoint_ = endpoint.bEndpointAddress;
+            interface_ = side.bInterfaceNumber;
+        }
+    }
+    libusb_free_config_descriptor(config);
+    return found;
+}
+
+Result<void> UsbLink::claim() {
+    libusb_device_descriptor id{};
+    libusb_get_device_descriptor(libusb_get_device(handle_), &id);
+    std::snprintf(name_, sizeof name_, "USB display %04x:%04x", id.idVendor, id.idProduct);
+    libusb_set_auto_detach_kernel_driver(handle_, 1);
+    const int code = libusb_claim_interface(handle_, interface_);
+    if (code == LIBUSB_SUCCESS)
+        return {};
+    const Error error = failed("claim", code);
+    close();
+    return error;
+}
+
+Result<void> UsbLink::open(const UsbId* ids, std::size_t count) {
+    if (const auto r = start(); !r)
+        return r;
+    libusb_device** devices = nullptr;
+    const ssize_t listed = libusb_get_device_list(context_, &devices);
+    int code = LIBUSB_ERROR_NOT_FOUND;
+    for (ssize_t i = 0; i < listed && handle_ == nullptr; ++i) {
+        libusb_device_descriptor id{};
+        libusb_get_device_descriptor(devices[i], &id);
+        const bool wanted = std::any_of(ids, ids + count, [&](const UsbId& known) {
+            return known.vendor == id.idVendor && known.product == id.idProduct;
+        });
+        if (!wanted || !find_pipe(devices[i]))
+            continue;
+        std::snprintf(name_, sizeof name_, "USB display %04x:%04x", id.idVendor, id.idProduct);
+        code = libusb_open(devices[i], &handle_);
+    }
+    if (listed >= 0)
+        libusb_free_device_list(devices, 1);
+    if (handle_ != nullptr)
+        return claim();
+    const Error error = code == LIBUSB_ERROR_NOT_FOUND ? error_.say(Fault::gone, "USB display", "open",
+                                                                    "none is plugged in; lsusb lists what is")
+                                                       : failed("open", code);
+    close();
+    return error;
+}
+
+Result<void> UsbLink::open_file(const char* path) {
+    libusb_set_option(nullptr, LIBUSB_OPTION_NO_DEVICE_DISCOVERY);
+    if (const auto r = start(); !r)
+        return r;
+    do
+        file_ = ::open(path, O_RDWR | O_CLOEXEC);
+    while (file_ < 0 && errno == EINTR);
+    if (file_ < 0) {
+        const Error error = error_.system(DeviceClass::usb, path, "open", errno);
+        close();
+        return error;
+    }
+    const int code = libusb_wrap_sys_device(context_, file_, &handle_);
+    if (code == LIBUSB_SUCCESS && find_pipe(libusb_get_device(handle_)))
+        return claim();
+    const Error error = code != LIBUSB_SUCCESS ? failed("open", code)
+                                               : error_.say(Fault::wrong_device, path, "open",
+                                                            "no vendor interface with a bulk output");
+    close();
+    return error;
+}
+
+// --- Requests
+
+Result<std::size_t> UsbLink::get(const char* name, std::uint8_t request, std::uint16_t value,
+                                 std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms) {
+    refused_ = false;
+    const int came = libusb_control_transfer(handle_, std::uint8_t{LIBUSB_ENDPOINT_IN} | to_interface,
+                                             request, value, static_cast<std::uint16_t>(interface_), into,
+                                             static_cast<std::uint16_t>(count), timeout_ms);
+    return came >= 0 ? Result<std::size_t>(static_cast<std::size_t>(came)) : failed(name, came);
+}
+
+Result<void> UsbLink::set(const char* name, std::uint8_t request, std::uint16_t value,
+                          const std::uint8_t* from, std::size_t count, std::uint32_t timeout_ms) {
+    refused_ = false;
+    const int went = libusb_control_transfer(
+        handle_, to_interface, request, value, static_cast<std::uint16_t>(interface_),
+        const_cast<std::uint8_t*>(from), static_cast<std::uint16_t>(count), timeout_ms);
+    if (went < 0)
+        return failed(name, went);
+    if (static_cast<std::size_t>(went) != count)
+        return error_.say(Fault::short_write, name_, name, "the request was cut short");
+    return {};
+}
+
+Result<void> UsbLink::clear_halt() {
+    const int code = libusb_clear_halt(handle_, endpoint_);
+    return code == LIBUSB_SUCCESS ? Result<void>{} : failed("clear halt", code);
+}
+
+// --- The pipe
+
+/// After a failure the other transfer is taken back, and waited for: the bytes are the caller's again.
+Result<void> UsbLink::send(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms) {
+    refused_ = false;
+    Flight flights[2];
+    if (flights[0].transfer == nullptr || flights[1].transfer == nullptr)
+        return failed("send pixels", LIBUSB_ERROR_NO_MEM);
+    std::size_t sent = 0;
+    unsigned submitted = 0, completed = 0;
+    int code = LIBUSB_SUCCESS;
+    while (completed != submitted || (sent < count && code == LIBUSB_SUCCESS)) {
+        int outcome = LIBUSB_SUCCESS;
+        if (sent < count && code == LIBUSB_SUCCESS && submitted - completed < 2) {
+            const std::size_t piece = std::min(piece_bytes, count - sent);
+            outcome = flights[submitted % 2].submit(handle_, endpoint_, bytes + sent, piece, timeout_ms);
+            submitted += outcome == LIBUSB_SUCCESS;
+            sent += piece;
+        } else {
+            outcome = flights[completed++ % 2].complete(context_);
+        }
+        if (code != LIBUSB_SUCCESS || outcome == LIBUSB_SUCCESS)
+            continue;
+        code = outcome;
+        for (unsigned i = completed; i != submitted; ++i)
+            libusb_cancel_transfer(flights[i % 2].transfer);
+    }
+    return code == LIBUSB_SUCCESS ? Result<void>{} : failed("send pixels", code);
+}
+
+} // namespace spangle::hal

@@ -1,0 +1,96 @@
+// A GUD display (Generic USB Display): the device side of include/drm/gud.h, as the Linux gadget and gud-pico
+// behave. Strict: what a lenient device would forgive is a violation.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/usb/usb_function.hpp"
+
+namespace spangle::sim {
+
+struct GudMode {
+    std::uint32_t clock_khz = 0;
+    std::uint16_t width = 0, height = 0;
+    bool preferred = false;
+};
+
+class GudDevice final : public UsbFunction {
+  public:
+    // --- what it is
+    std::uint16_t vendor = 0x1d50, product = 0x614d;
+    bool high_speed = true;
+    bool lz4 = true;
+    bool status_on_set = false, full_update = false;
+    bool poll_status = false;          ///< wants GET_CONNECTOR_STATUS every 10 s
+    std::uint32_t max_buffer_size = 0; ///< 0: any
+    std::vector<std::uint8_t> formats = {0x40};
+    std::vector<GudMode> modes = {{6000, 320, 240, true}};
+    std::array<std::uint16_t, 4> limits = {320, 320, 240, 240}; ///< width and height, least and most
+    std::vector<std::uint8_t> edid;                             ///< where there are no modes
+    struct Property {
+        std::uint16_t id;
+        std::uint64_t value;
+    };
+    std::vector<Property> properties, connector_properties = {{12, 100}}; ///< backlight
+    int connectors = 1;
+    bool connected = true;
+
+    // --- what it does
+    std::vector<std::uint8_t> descriptors() const override;
+    bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) override;
+    bool bulk_out(const std::uint8_t* bytes, std::size_t count) override;
+    void clear_halt() override { halted_ = false, received_.clear(); }
+    void power_cycle();
+    /// The next request fails with this GUD status; the next bulk stalls.
+    void refuse(std::uint8_t request, std::uint8_t status) {
+        refused_request_ = request, refused_status_ = status;
+    }
+    void stall_bulk() { stall_bulk_ = true; }
+
+    // --- what is seen
+    bool enabled() const { return controller_enabled_ && display_enabled_ && committed_; }
+    /// The glass: black unless enabled.
+    Image glass() const;
+    std::uint64_t value_of(std::uint16_t property) const;
+    const std::string& violations() const { return violations_; }
+    struct Counters {
+        std::uint64_t requests = 0, buffers = 0, compressed = 0, bulk_bytes = 0, status_polls = 0,
+                      flushes = 0;
+        std::uint32_t largest_buffer = 0;
+    };
+    const Counters& counters() const { return counters_; }
+
+  private:
+    struct Buffer {
+        std::uint32_t x = 0, y = 0, width = 0, height = 0, length = 0, compressed_length = 0;
+        bool compressed = false;
+    };
+    Counters counters_;
+    std::string violations_;
+    std::uint8_t status_ = 0, format_ = 0, refused_request_ = 0xFF, refused_status_ = 0;
+    int connector_ = -1;
+    GudMode mode_;
+    std::vector<Property> values_; ///< of the state that was checked
+    bool checked_ = false, committed_ = false, controller_enabled_ = false, display_enabled_ = false;
+    bool halted_ = false, stall_bulk_ = false, buffer_set_ = false;
+    Buffer buffer_;
+    std::vector<std::uint8_t> received_;
+    Image picture_;
+
+    using Bytes = std::vector<std::uint8_t>;
+    void violation(const std::string& text) { violations_ += text + "\n"; }
+    bool standard(const UsbSetup& setup, Bytes& in) const;
+    bool get(const UsbSetup& setup, Bytes& in);
+    std::uint8_t set(const UsbSetup& setup, const std::uint8_t* out);
+    std::uint8_t check_state(const std::uint8_t* bytes, std::size_t count);
+    std::uint8_t set_buffer(const std::uint8_t* bytes, std::size_t count);
+    std::size_t picture_bytes(std::uint32_t width, std::uint32_t height) const;
+    void draw(const Bytes& pixels);
+    void put_pixel(std::uint32_t x, std::uint32_t y, const Bytes& pixels, std::uint32_t column,
+                   std::size_t row);
+};
+
+} // namespace spangle::sim

@@ -1,0 +1,29 @@
+// A USB device as its firmware sees it: descriptors, control requests, one bulk pipe. Nothing of how packets
+// travel.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace spangle::sim {
+
+struct UsbSetup {
+    std::uint8_t type = 0, request = 0; ///< bmRequestType, bRequest
+    std::uint16_t value = 0, index = 0, length = 0;
+};
+
+class UsbFunction {
+  public:
+    virtual ~UsbFunction() = default;
+    /// Device descriptor, then the one configuration.
+    virtual std::vector<std::uint8_t> descriptors() const = 0;
+    /// `out`: the data stage of a request to the device; `in`: of one from it, at most `setup.length` bytes.
+    /// False: STALL.
+    virtual bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) = 0;
+    /// False: STALL, until the halt is cleared.
+    virtual bool bulk_out(const std::uint8_t* bytes, std::size_t count) = 0;
+    virtual void clear_halt() = 0;
+};
+
+} // namespace spangle::sim

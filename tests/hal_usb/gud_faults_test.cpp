@@ -1,0 +1,191 @@
+// What can go wrong on USB: the right error, no hang, no leak, and the picture right again afterwards.
+#include <cerrno>
+#include <chrono>
+
+#include <linux/usbdevice_fs.h>
+
+#include "tests/hal_usb/gud_rig.hpp"
+
+namespace {
+
+using namespace gud_test;
+using hal::Fault;
+using Fate = sim::UsbfsDevice::Fate;
+
+/// The bulk transfer after `skip` others, and `times` in all, meets this fate.
+void meet(GudRig& rig, Fate fate, int skip, int times) {
+    rig.usb.fate = [=](std::size_t) mutable {
+        if (skip-- > 0 || times-- <= 0)
+            return Fate::normal;
+        return fate;
+    };
+}
+
+void expect_mended(GudRig& rig) {
+    rig.usb.fate = nullptr;
+    const auto again = rig.display->present();
+    ASSERT_TRUE(again.ok()) << again.error().rule;
+    EXPECT_EQ(rig.glass_difference(), "");
+}
+
+TEST(GudFaults, AStallIsClearedAndTheBufferSentAgain) {
+    for (const int skip : {0, 1, 3}) {
+        GudRig rig;
+        rig.size(320, 240);
+        ASSERT_TRUE(rig.start().ok());
+        ASSERT_TRUE(rig.draw(1));
+        meet(rig, Fate::stall, skip, 1);
+        const auto sent = rig.display->present();
+        EXPECT_TRUE(sent.ok()) << sent.error().rule;
+        EXPECT_EQ(rig.glass_difference(), "");
+        ASSERT_TRUE(rig.draw(2));
+        meet(rig, Fate::stall, 0, 1000);
+        const auto refused = rig.display->present();
+        EXPECT_EQ(refused.error().fault, Fault::unsupported);
+        EXPECT_NE(std::string(refused.error().rule).find("USB display 1d50:614d: send pixels: "),
+                  std::string::npos);
+        expect_mended(rig);
+    }
+}
+
+TEST(GudFaults, ASilentDeviceTimesOut) {
+    GudRig rig;
+    rig.size(320, 240);
+    rig.config.bulk_timeout_ms = 40;
+    ASSERT_TRUE(rig.start().ok());
+    ASSERT_TRUE(rig.draw(1));
+    meet(rig, Fate::silent, 1, 1000);
+    const auto start = std::chrono::steady_clock::now();
+    const auto late = rig.display->present();
+    EXPECT_EQ(late.error().fault, Fault::timeout) << late.error().rule;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    expect_mended(rig);
+}
+
+TEST(GudFaults, PulledInTheMiddleAndPluggedAgain) {
+    for (const Fate fate : {Fate::unplug, Fate::error})
+        for (const int skip : {0, 1, 4}) {
+            GudRig rig;
+            rig.size(320, 240);
+            ASSERT_TRUE(rig.start().ok());
+            ASSERT_TRUE(rig.draw(1));
+            ASSERT_TRUE(rig.display->present().ok());
+            ASSERT_TRUE(rig.draw(2, {5, 5, 300, 200}));
+            meet(rig, fate, skip, 1000);
+            const auto gone = rig.display->present();
+            EXPECT_EQ(gone.error().fault, Fault::gone) << gone.error().rule;
+            EXPECT_FALSE(rig.display->connected());
+            rig.usb.unplug();
+            EXPECT_EQ(rig.kernel.open_files(), 0) << "nothing holds on to a device that went";
+            const auto away = rig.display->present();
+            EXPECT_EQ(away.error().fault, Fault::gone);
+            EXPECT_NE(std::string(away.error().rule).find("No such file or directory; lsusb lists"),
+                      std::string::npos)
+                << away.error().rule;
+            rig.device.power_cycle();
+            rig.usb.plug();
+            expect_mended(rig); // no init: the first present that finds it sends everything
+            EXPECT_TRUE(rig.display->connected());
+        }
+}
+
+TEST(GudFaults, AnotherSizeThatComesBackNeedsInit) {
+    GudRig rig;
+    ASSERT_TRUE(rig.start().ok());
+    rig.usb.unplug();
+    EXPECT_EQ(rig.draw(1), true);
+    EXPECT_EQ(rig.display->present().error().fault, Fault::gone);
+    rig.device.power_cycle();
+    rig.size(64, 48);
+    rig.usb.plug();
+    EXPECT_EQ(rig.display->present().error().fault, Fault::wrong_device);
+    EXPECT_EQ(rig.display->present().error().fault, Fault::bad_argument);
+    ASSERT_TRUE(rig.display->init().ok());
+    EXPECT_EQ(rig.display->info().width, 64);
+    ASSERT_TRUE(rig.draw(3));
+    expect_mended(rig);
+}
+
+TEST(GudFaults, PermissionsAndOtherPrograms) {
+    GudRig rig;
+    rig.kernel.set_judge(
+        [](const sim::Call& call) { return sim::Verdict{call.kind == sim::Call::Kind::open ? EACCES : 0}; });
+    const auto denied = rig.start();
+    EXPECT_EQ(denied.error().fault, Fault::denied);
+    EXPECT_STREQ(denied.error().rule, "/dev/bus/usb/001/002: open: Permission denied; install the udev rules "
+                                      "60-spangle.rules and join group 'plugdev'");
+    rig.kernel.set_judge(nullptr);
+    rig.usb.claimed_elsewhere = true;
+    const auto busy = rig.start();
+    EXPECT_EQ(busy.error().fault, Fault::busy);
+    EXPECT_STREQ(busy.error().rule, "USB display 1d50:614d: claim: another program has the device");
+    rig.usb.claimed_elsewhere = false;
+    EXPECT_TRUE(rig.start().ok());
+}
+
+TEST(GudFaults, NoDisplayIsPluggedIn) {
+    hal::GudDisplay display; // looks for one
+    const auto none = display.init();
+    ASSERT_FALSE(none.ok());
+    EXPECT_NE(none.error().rule[0], '\0');
+    EXPECT_FALSE(display.connected());
+}
+
+// --- At random
+
+struct Random {
+    std::uint32_t state;
+    std::uint32_t below(std::uint32_t n) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<std::uint32_t>((std::uint64_t{state >> 8} * n) >> 24);
+    }
+};
+
+TEST(GudFaults, AThousandSequencesAtRandom) {
+    GudRig rig;
+    rig.config.bulk_timeout_ms = 5;
+    rig.config.poll_ms = 1;
+    rig.device.poll_status = true;
+    rig.device.max_buffer_size = 600;
+    ASSERT_TRUE(rig.start().ok());
+    int failures = 0;
+    for (std::uint32_t sequence = 1; sequence <= 1000; ++sequence) {
+        Random random{sequence * 2654435761u};
+        {
+            const std::lock_guard lock(rig.kernel);
+            rig.device.refuse(static_cast<std::uint8_t>(random.below(2) == 0 ? 0x60 : 0xFF), 5);
+            rig.usb.fate = [r = random](std::size_t) mutable {
+                constexpr Fate fates[] = {Fate::stall, Fate::error, Fate::unplug, Fate::silent};
+                const std::uint32_t chance = r.below(60);
+                return chance < 15 ? fates[chance % 3] : chance == 15 ? Fate::silent : Fate::normal;
+            };
+        }
+        for (unsigned frame = 0; frame < 3; ++frame) {
+            const auto x = static_cast<std::int32_t>(random.below(30)),
+                       y = static_cast<std::int32_t>(random.below(20));
+            ASSERT_TRUE(rig.draw(sequence * 3 + frame, {x, y, 10, 10}, random.below(2) == 0));
+            if (const auto sent = rig.display->present(); !sent.ok()) {
+                ++failures;
+                ASSERT_NE(sent.error().rule[0], '\0');
+                if (sent.error().fault == Fault::gone)
+                    rig.device.power_cycle();
+                rig.usb.plug();
+            }
+        }
+        {
+            const std::lock_guard lock(rig.kernel);
+            rig.usb.fate = nullptr;
+            rig.device.refuse(0xFF, 0);
+        }
+        rig.usb.plug();
+        auto sent = rig.display->present();
+        if (sent.error().fault == Fault::gone) // the poller had not noticed yet
+            sent = rig.display->present();
+        ASSERT_TRUE(sent.ok()) << sequence << ": " << sent.error().rule;
+        ASSERT_EQ(rig.kernel.open_files(), 1) << sequence;
+        ASSERT_EQ(rig.glass_difference(), "") << sequence;
+    }
+    EXPECT_GT(failures, 500);
+}
+
+} // namespace
