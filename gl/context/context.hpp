@@ -17,8 +17,8 @@
 #include "gl/vertex/lighting_state.hpp"
 #include "gl/vertex/polygon_state.hpp"
 #include "gl/vertex/transform_state.hpp"
-#include <spangle/raster/fragment_state.hpp>
 #include "raster/surface/surface.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::gl {
 

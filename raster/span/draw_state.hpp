@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/key.hpp"
 #include "raster/span/span.hpp"
 #include "raster/surface/surface.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::raster {
 

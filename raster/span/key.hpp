@@ -6,8 +6,8 @@
 
 #include <spangle/format.hpp>
 
-#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/span.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::raster {
 

@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/number.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::raster {
 

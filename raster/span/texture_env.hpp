@@ -1,8 +1,8 @@
 // Texture environments (GL 1.3, tables 3.21 and 3.22).
 #pragma once
 
-#include <spangle/raster/fragment_state.hpp>
 #include "raster/span/number.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::raster {
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include <spangle/raster/clear.hpp>
 #include "raster/surface/pixel.hpp"
+#include <spangle/raster/clear.hpp>
 
 namespace spangle::raster {
 namespace {

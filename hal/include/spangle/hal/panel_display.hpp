@@ -120,8 +120,8 @@ class PanelDisplay : public Display {
 
     Token token_;
     std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take
-    bool opened_ = false; ///< the books hold what was drawn
-    bool ready_ = false;  ///< the last init() succeeded
+    bool opened_ = false;          ///< the books hold what was drawn
+    bool ready_ = false;           ///< the last init() succeeded
     bool in_flight_ = false;
     bool late_ = false;    ///< the running transfer missed its deadline; its buffer may have changed since
     bool suspect_ = false; ///< what the panel holds inside `damage` is unknown
