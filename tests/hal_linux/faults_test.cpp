@@ -52,7 +52,9 @@ class Faults : public testing::TestWithParam<Transport> {
     }
     static void expect_mended(Rig& rig) {
         rig.module.controller().forget_violations(); // half a transfer breaks rules
-        const auto again = rig.display->present();
+        auto again = rig.display->present();
+        for (int i = 0; i < 5 && again.error().fault == Fault::timeout; ++i) // a busy test machine
+            again = rig.display->present();
         ASSERT_TRUE(again.ok()) << again.error().rule;
         rig.module.controller().forget_violations();
         EXPECT_EQ(rig.glass_difference(), "");
