@@ -78,7 +78,9 @@ int spangle_clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, 
 int spangle_open(const char* path, int flags, ...) {
     va_list arguments;
     va_start(arguments, flags);
-    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+    mode_t mode = 0;
+    if ((flags & O_CREAT) != 0)
+        mode = va_arg(arguments, mode_t);
     va_end(arguments);
     return open_file(path, flags, mode);
 }
@@ -86,7 +88,9 @@ int spangle_open(const char* path, int flags, ...) {
 int spangle_open64(const char* path, int flags, ...) {
     va_list arguments;
     va_start(arguments, flags);
-    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+    mode_t mode = 0;
+    if ((flags & O_CREAT) != 0)
+        mode = va_arg(arguments, mode_t);
     va_end(arguments);
     return open_file(path, flags, mode);
 }

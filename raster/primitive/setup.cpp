@@ -7,7 +7,6 @@ namespace spangle::raster {
 
 using numeric::abs_u32;
 using numeric::clz32;
-using numeric::clz64;
 
 // --- geometry
 
