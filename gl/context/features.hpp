@@ -13,3 +13,13 @@
 #ifndef SPANGLE_FEATURE_GET_PROC_ADDRESS
 #define SPANGLE_FEATURE_GET_PROC_ADDRESS 1
 #endif
+
+/// How many vertices of array draws are kept for indices that come again, about 120 bytes each; at least 1. A
+/// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
+#ifndef SPANGLE_VERTEX_CACHE
+#ifdef SPANGLE_FIRMWARE
+#define SPANGLE_VERTEX_CACHE 80
+#else
+#define SPANGLE_VERTEX_CACHE 128
+#endif
+#endif

@@ -16,9 +16,20 @@ class ArrayReader {
 
     /// The array is enabled and its pointer is not null.
     bool on() const { return base_ != nullptr; }
+    /// 0 while it is off.
+    unsigned components() const { return on() ? components_ : 0; }
+
+    /// Elements are three aligned floats: words().
+    bool is_float3() const { return aligned_floats_ && components_ == 3; }
+    SPANGLE_INLINE const std::uint8_t* words(std::uint32_t index) const { return base_ + stride_ * index; }
+    static std::uint32_t word(const std::uint8_t* at, int i) {
+        std::uint32_t bits;
+        __builtin_memcpy(&bits, __builtin_assume_aligned(at + 4 * i, 4), sizeof bits);
+        return bits;
+    }
 
     /// Components of an element; those beyond the array's size keep what `out` holds.
-    SPANGLE_INLINE void read(std::uint32_t index, Real* out) const {
+    template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
         const std::uint8_t* const at = base_ + stride_ * index;
         if (!aligned_floats_)
             return convert(at, out);
@@ -29,8 +40,9 @@ class ArrayReader {
         if (components_ < 3)
             return;
         out[2] = float_at(at + 8);
-        if (components_ > 3)
-            out[3] = float_at(at + 12);
+        if constexpr (N > 3)
+            if (components_ > 3)
+                out[3] = float_at(at + 12);
     }
 
   private:
@@ -42,8 +54,7 @@ class ArrayReader {
     bool aligned_floats_ = false; ///< the usual case, read in line
 
     static Real float_at(const std::uint8_t* at) {
-        std::uint32_t bits;
-        __builtin_memcpy(&bits, __builtin_assume_aligned(at, 4), sizeof bits);
+        const std::uint32_t bits = word(at, 0);
         return (bits << 1) < 0xFF000000u ? Real{bits} : numeric::from_float_bits(bits);
     }
     void convert(const std::uint8_t* at, Real* out) const;

@@ -7,10 +7,8 @@
 
 namespace spangle::gl {
 
-SPANGLE_INLINE void set_attributes(Context& context, const ElementReader& reader, std::uint32_t index) {
+inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
     CurrentState& current = context.current;
-    if (reader.normal.on())
-        reader.normal.read(index, current.normal);
     if (reader.color.on()) {
         current.color[3] = numeric::one; // of three components
         reader.color.read(index, current.color);
@@ -22,6 +20,12 @@ SPANGLE_INLINE void set_attributes(Context& context, const ElementReader& reader
         v[3] = numeric::one;
         reader.tex_coord.read(index, v);
     }
+}
+
+inline void set_attributes(Context& context, const ElementReader& reader, std::uint32_t index) {
+    if (reader.normal.on())
+        reader.normal.read(index, context.current.normal);
+    set_color_and_texture(context, reader, index);
 }
 
 } // namespace spangle::gl

@@ -12,11 +12,12 @@ class DoubleLighting {
   public:
     struct Input {
         double normal[3]; ///< in object space
-        double eye[4];
     };
 
     void derive(const Context& context) {
         on_ = context.lighting.lighting;
+        two_side_ = context.lighting.two_side;
+        tracks_ = on_ && context.lighting.color_material;
         const DoubleMath::Matrix m =
             DoubleMath::matrix(context.transform.modelview.entry[context.transform.modelview.top]);
         for (int j = 0; j < 3; ++j)
@@ -43,19 +44,12 @@ class DoubleLighting {
     bool two_sided() const { return on_ && two_side_; }
     bool tracks_color() const { return tracks_; }
 
-    void take(const Context& context, const DoubleMath::Eye& eye, Input& out) {
-        take(context, out);
-        for (int c = 0; c < 4; ++c)
-            out.eye[c] = eye.v[c];
-    }
-    void take(const Context& context, Input& out) {
-        two_side_ = context.lighting.two_side;
-        tracks_ = on_ && context.lighting.color_material;
-        for (int c = 0; c < 3; ++c)
-            out.normal[c] = DoubleMath::number(context.current.normal[c]);
+    static Input input(const Real (&n)[3]) {
+        return {{DoubleMath::number(n[0]), DoubleMath::number(n[1]), DoubleMath::number(n[2])}};
     }
 
-    void light(const Context& context, const Input& vertex, int side, raster::DoubleVertex& out) const {
+    void light(const Context& context, const Input& vertex, const DoubleMath::Eye& eye, int side,
+               raster::DoubleVertex& out) const {
         const LightingState& state = context.lighting;
         const Material& material = state.material[side];
         double n[3];
@@ -73,7 +67,7 @@ class DoubleLighting {
                 real(material.emission[c]) + real(material.ambient[c]) * real(state.model_ambient[c]);
         for (unsigned i = 0; i < max_lights; ++i)
             if (state.light_enabled[i])
-                add(state, state.light[i], material, vertex, n, primary, specular);
+                add(state, state.light[i], material, eye, n, primary, specular);
         const bool separate = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
         for (int c = 0; c < 3; ++c) {
             out.color[c] = clamp(separate ? primary[c] : primary[c] + specular[c]);
@@ -85,8 +79,6 @@ class DoubleLighting {
     static void mix(const Input& a, const Input& b, double t, Input& out) {
         for (int c = 0; c < 3; ++c)
             out.normal[c] = DoubleMath::mix(a.normal[c], b.normal[c], t);
-        for (int c = 0; c < 4; ++c)
-            out.eye[c] = DoubleMath::mix(a.eye[c], b.eye[c], t);
     }
 
   private:
@@ -109,11 +101,12 @@ class DoubleLighting {
     }
 
     static void add(const LightingState& state, const Light& light, const Material& material,
-                    const Input& vertex, const double (&n)[3], double (&primary)[3], double (&specular)[3]) {
+                    const DoubleMath::Eye& position, const double (&n)[3], double (&primary)[3],
+                    double (&specular)[3]) {
         double to_light[3], eye[3], strength = 1.0;
         const double w = real(light.position[3]);
         for (int c = 0; c < 3; ++c) {
-            eye[c] = vertex.eye[c] / vertex.eye[3];
+            eye[c] = position.v[c] / position.v[3];
             to_light[c] = w == 0.0 ? real(light.position[c]) : real(light.position[c]) / w - eye[c];
         }
         if (w != 0.0) {

@@ -68,11 +68,12 @@ struct DoubleMath {
         return out;
     }
     /// Vertices take the way through clip coordinates, all of them.
-    static bool to_window(const Transforms& t, const Real (&v)[4], Window&, unsigned&, Depth* eye_z) {
-        if (eye_z != nullptr)
-            *eye_z = times(t.to_eye, v).v[2];
+    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned&, bool fog) {
+        if (fog)
+            set_fog(depth(t, v), out);
         return false;
     }
+    static Depth depth(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v).v[2]; }
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }
 
@@ -124,6 +125,12 @@ struct DoubleMath {
             out.color[c] = number(numeric::clamp01(rgba[c]));
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0.0;
+    }
+    static void copy_color(const Window& from, Window& to) {
+        for (int c = 0; c < 4; ++c)
+            to.color[c] = from.color[c];
+        for (int c = 0; c < 3; ++c)
+            to.secondary[c] = from.secondary[c];
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
         const Clip v = times(t.texture, stq);

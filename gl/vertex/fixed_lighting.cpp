@@ -289,10 +289,11 @@ void FixedLighting::add_directional(const Source& source, const Fold& fold, int 
 }
 
 /// Positional lights, spots, and every light under a local viewer.
-void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const Input& vertex,
-                                const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
+void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
+                                const numeric::Block4& position, const Direction& n, Sum (&primary)[3],
+                                Sum (&specular)[3]) const {
     const numeric::Block3 eye =
-        numeric::mul(numeric::xyz(vertex.eye), numeric::reciprocal(numeric::component(vertex.eye, 3)));
+        numeric::mul(numeric::xyz(position), numeric::reciprocal(numeric::component(position, 3)));
     numeric::Unit3 to_light = source.to_light;
     std::uint32_t strength = 1u << factor_bits;
     if (!source.directional) {
@@ -329,7 +330,8 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i, c
         specular[c] += weighted(fold.specular[i][c], shiny);
 }
 
-void FixedLighting::light(const Context& context, const Input& vertex, int side, raster::FixedVertex& out) {
+void FixedLighting::light(const Context& context, const Input& vertex, const numeric::Block4& eye, int side,
+                          raster::FixedVertex& out) {
     if (!folded_)
         fold(context);
     const Fold& fold = fold_[side];
@@ -343,7 +345,7 @@ void FixedLighting::light(const Context& context, const Input& vertex, int side,
         if (source_[i].simple() && !local_viewer_)
             add_directional(source_[i], fold, i, n, primary, specular);
         else
-            add_general(source_[i], fold, i, vertex, n, primary, specular);
+            add_general(source_[i], fold, i, eye, n, primary, specular);
     }
     for (int c = 0; c < 3; ++c) {
         out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
@@ -356,7 +358,6 @@ void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, 
     for (int c = 0; c < 3; ++c)
         out.normal[c] = numeric::to_real(
             FixedMath::mix(numeric::to_block(a.normal[c]), numeric::to_block(b.normal[c]), t));
-    out.eye = FixedMath::mix(a.eye, b.eye, t);
 }
 
 } // namespace spangle::gl

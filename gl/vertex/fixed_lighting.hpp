@@ -14,10 +14,8 @@ namespace spangle::gl {
 
 class FixedLighting {
   public:
-    /// Kept with a vertex until somebody needs its colour.
     struct Input {
-        Real normal[3];      ///< as given, in object space
-        numeric::Block4 eye; ///< position; only while needs_eye()
+        Real normal[3]; ///< as given, in object space
     };
 
     void derive(const Context& context);
@@ -29,18 +27,12 @@ class FixedLighting {
     /// The material follows the current colour: every vertex is lit when it is given.
     bool tracks_color() const { return tracks_color_; }
 
-    void take(const Context& context, const numeric::Block4& eye, Input& out) const {
-        take(context, out);
-        out.eye = eye;
-    }
-    void take(const Context& context, Input& out) const {
-        const Real(&n)[3] = context.current.normal;
-        for (int c = 0; c < 3; ++c)
-            out.normal[c] = n[c];
-    }
+    static Input input(const Real (&n)[3]) { return {{n[0], n[1], n[2]}}; }
 
-    /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back.
-    void light(const Context& context, const Input& vertex, int side, raster::FixedVertex& out);
+    /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back. `eye`, its
+    /// position, only matters while needs_eye().
+    void light(const Context& context, const Input& vertex, const numeric::Block4& eye, int side,
+               raster::FixedVertex& out);
 
     /// A vertex made by clipping.
     static void mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out);
@@ -93,8 +85,8 @@ class FixedLighting {
     Direction direction_of(const Input& vertex, int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
                          Sum (&specular)[3]) const;
-    void add_general(const Source& source, const Fold& fold, int i, const Input& vertex, const Direction& n,
-                     Sum (&primary)[3], Sum (&specular)[3]) const;
+    void add_general(const Source& source, const Fold& fold, int i, const numeric::Block4& position,
+                     const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const;
 };
 
 } // namespace spangle::gl

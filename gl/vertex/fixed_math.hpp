@@ -77,6 +77,9 @@ struct FixedMath {
     /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
     /// keep their bits.
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
+    static Depth depth(const Transforms& t, const Real (&v)[4]) {
+        return numeric::product(t.eye_z, numeric::load(t.to_clip.column, v));
+    }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
 
     /// From the position to the window without a stop: perspective division, viewport, depth range (GL 1.3,
@@ -87,10 +90,10 @@ struct FixedMath {
     /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8, so the word x' holds what is
     /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1) (lift_room).
     [[gnu::noinline]] static bool to_window(const Transforms& t, const Real (&position)[4], Window& out,
-                                            unsigned& planes, Depth* eye_z) {
+                                            unsigned& planes, bool fog) {
         numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
-        if (eye_z != nullptr)
-            *eye_z = numeric::product(t.eye_z, v);
+        if (fog)
+            set_fog(numeric::product(t.eye_z, v), out);
         const std::int32_t* const rows = t.to_clip.m;
         const auto w = static_cast<std::uint32_t>(row(rows + 12, v));
         const int zeros = numeric::clz32(w); // 3 .. 31; 0 where w is negative, 32 where it is 0
@@ -205,6 +208,13 @@ struct FixedMath {
             out.color[c] = color_units(rgba[c]);
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0;
+    }
+
+    static void copy_color(const Window& from, Window& to) {
+        for (int c = 0; c < 4; ++c)
+            to.color[c] = from.color[c];
+        for (int c = 0; c < 3; ++c)
+            to.secondary[c] = from.secondary[c];
     }
 
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {

@@ -15,9 +15,8 @@ template <class M> class NoLighting {
     bool needs_eye() const { return false; }
     bool two_sided() const { return false; }
     bool tracks_color() const { return false; }
-    void take(const Context&, const typename M::Eye&, Input&) const {}
-    void take(const Context&, Input&) const {}
-    void light(const Context&, const Input&, int, typename M::Window&) {}
+    static Input input(const Real (&)[3]) { return {}; }
+    void light(const Context&, const Input&, const typename M::Eye&, int, typename M::Window&) {}
     static void mix(const Input&, const Input&, typename M::Parameter, Input&) {}
 };
 

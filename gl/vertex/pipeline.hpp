@@ -30,27 +30,43 @@ template <class M, class L> class Pipeline {
 
     void vertex(Context& context, Real x, Real y, Real z, Real w) {
         Vertex& v = *corner_[held_];
+        const CurrentState& current = context.current;
         v.position[0] = x;
         v.position[1] = y;
         v.position[2] = z;
         v.position[3] = w;
-        give(context, v);
+        for (int c = 0; c < 3; ++c)
+            v.normal[c] = current.normal[c];
+        process(v);
+        attributes(current, v);
+        if (lighting_.tracks_color())
+            color(v); // the material is the current colour: now or never
+        if (++held_ == full_)
+            primitive();
     }
 
     /// Elements of the arrays that are on, as ArrayElement gives them one by one.
     void elements(Context& context, std::uint32_t count, const Indices& indices) {
         const ElementReader reader(context.arrays);
+        CurrentState& current = context.current;
+        if (lighting_.tracks_color() || !reader.vertex.on())
+            return elements_in_turn(context, reader, count, indices);
+        arrays_begin(reader, current);
+        const bool usual = reader.vertex.is_float3() &&
+                           (!lit_ || !reader.normal.on() || reader.normal.is_float3()) &&
+                           !reader.color.on() && !reader.tex_coord.on();
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t index = indices.at(i);
-            set_attributes(context, reader, index);
-            if (!reader.vertex.on())
-                continue;
-            Vertex& v = *corner_[held_];
-            v.position[2] = numeric::zero; // what the array leaves out
-            v.position[3] = numeric::one;
-            reader.vertex.read(index, v.position);
-            give(context, v);
+            Vertex& v = usual ? usual_element(reader, index) : element(reader, index);
+            corner_[held_] = &v;
+            if (!usual)
+                set_color_and_texture(context, reader, index);
+            attributes(current, v);
+            if (++held_ == full_)
+                mode_ == GL_TRIANGLE_STRIP ? strip() : primitive();
         }
+        if (reader.normal.on() && count != 0)
+            reader.normal.read(indices.at(count - 1), current.normal);
     }
 
     void end() {
@@ -69,43 +85,58 @@ template <class M, class L> class Pipeline {
     /// Vertex::flags: bits 0..5 the view-volume planes it lies outside of, from bit 8 on the planes (guard
     /// band, near, far) it must be clipped by, then what is still to be done.
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
-                              unprojected = 1 << 14, ///< has `clip` and no window coordinates yet
-        uncolored = 1 << 15;
+                              unprojected = 1 << 14, ///< has no window coordinates yet
+        uncolored = 1 << 15,
+                              is_cut = 1 << 16; ///< it is a Cut
 
-    struct Vertex {
-        std::uint32_t flags = 0;
-        Window window{};
-        typename M::Depth eye_z{}; ///< with its sign: clipping mixes it, fog takes its size
-        typename L::Input light{}; ///< what lighting needs, kept until the colour is
-        Real position[4]{};        ///< as given
-        typename M::Clip clip{};   ///< only while has_clip
-        bool has_clip = false;
+    struct Given {
+        Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one}, normal[3]{};
     };
-    static constexpr int slot_count = 4, clip_vertices = 16;
+    struct Vertex : Given {
+        std::uint32_t flags = 0;
+        std::uint32_t time = 0; ///< in the cache: good while this is now_
+        Window window{};
+    };
+    /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
+    struct Cut : Vertex {
+        typename M::Clip clip{};
+        typename M::Depth eye_z{}; ///< with its sign: clipping mixes it, fog takes its size
+        typename M::Eye eye{};
+        typename L::Input light{};
+    };
+    static constexpr int slot_count = 4, clip_vertices = 16, cut_count = 4 + clip_vertices;
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
     int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
-    Vertex* corner_[4];       ///< of the primitive being assembled
-    Vertex slot_[slot_count];
-    Vertex clipped_[clip_vertices];
+    bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false, textured_[texture_units] = {};
+    bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
+    Vertex* corner_[slot_count] = {}; ///< of the primitive being assembled
+    unsigned layout_ = 0;             ///< of the arrays that the cached vertices came from
+    Given given_;                     ///< the element at hand
+    std::uint32_t now_ = 1;           ///< of cached vertices; another one when their results would differ
+    std::int32_t point_size_ = 1, line_width_ = 1;
     typename M::Transforms transforms_;
     L lighting_;
-    bool fog_ = false, lit_ = false, needs_eye_ = false, flat_ = false, textured_[texture_units] = {};
-    bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
-    std::int32_t point_size_ = 1, line_width_ = 1;
+    Window unlit_{};           ///< holds the current colour in the rasterizer's units
+    Real unlit_color_[4] = {}; ///< of which this was converted
+    bool has_unlit_color_ = false;
+    Vertex slot_[slot_count];
+    Vertex cache_[SPANGLE_VERTEX_CACHE]; ///< of elements, by their index
+    Cut cut_[cut_count];
 
     void derive(Context& context) {
         if ((context.dirty & dirty_vertex) != 0) {
             M::derive(context.transform, transforms_);
             lighting_.derive(context);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
+            forget();
         }
         fog_ = context.fog.fog;
         lit_ = context.lighting.lighting;
-        needs_eye_ = lighting_.needs_eye();
+        two_sided_ = lighting_.two_sided();
         for (int u = 0; u < texture_units; ++u)
             textured_[u] = context.texture.unit[u].texture_2d;
         const PolygonState& polygon = context.polygon;
@@ -115,6 +146,15 @@ template <class M, class L> class Pipeline {
         culls_cw_ = culls(polygon, !front_is_ccw_);
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
+    }
+
+    /// No cached vertex is good any more.
+    void forget() {
+        if (++now_ != 0)
+            return;
+        for (Vertex& v : cache_)
+            v.time = 0;
+        now_ = 1;
     }
 
     static bool culls(const PolygonState& p, bool front) {
@@ -130,70 +170,160 @@ template <class M, class L> class Pipeline {
 
     // --- one vertex
 
-    /// A vertex whose position is set takes the current attributes.
-    SPANGLE_INLINE void give(const Context& context, Vertex& v) {
-        process(context, v);
-        if (++held_ == full_)
-            primitive();
-    }
-
-    SPANGLE_INLINE void process(const Context& context, Vertex& v) {
+    /// Position and normal are set: its place in the window, or what is known of it.
+    SPANGLE_INLINE void process(Vertex& v) {
         unsigned planes;
-        v.has_clip = false;
-        if (M::to_window(transforms_, v.position, v.window, planes, fog_ ? &v.eye_z : nullptr)) [[likely]]
+        if (M::to_window(transforms_, v.position, v.window, planes, fog_)) [[likely]]
             v.flags = planes;
         else
-            classify(v, M::to_clip(transforms_, v.position));
-        if (fog_)
-            M::set_fog(v.eye_z, v.window);
-        const CurrentState& current = context.current;
+            v.flags = flags_of(M::to_clip(transforms_, v.position));
+        if (lit_)
+            v.flags |= uncolored;
+    }
+
+    /// What is current goes with the vertex.
+    SPANGLE_INLINE void attributes(const CurrentState& current, Vertex& v) {
         for (int u = 0; u < texture_units; ++u)
             if (textured_[u])
                 M::set_texture(transforms_, current.tex_coord[u], u, v.window);
-        if (!lit_)
-            return M::set_color(v.window, current.color);
-        v.flags |= uncolored;
-        if (needs_eye_)
-            lighting_.take(context, M::to_eye(transforms_, v.position), v.light);
-        else
-            lighting_.take(context, v.light);
-        if (lighting_.tracks_color())
-            color(v); // the material is the current colour: now or never
+        if (lit_)
+            return;
+        if (!has_unlit_color_ || !same<4>(unlit_color_, current.color)) {
+            M::set_color(unlit_, current.color);
+            for (int c = 0; c < 4; ++c)
+                unlit_color_[c] = current.color[c];
+            has_unlit_color_ = true;
+        }
+        M::copy_color(unlit_, v.window);
+    }
+
+    template <int N> static bool same(const Real* a, const Real* b) {
+        std::uint32_t differ = 0;
+        for (int i = 0; i < N; ++i)
+            differ |= a[i].bits ^ b[i].bits;
+        return differ == 0;
+    }
+
+    /// Cached vertices do not say how many components their arrays had, nor which normal goes with all.
+    void arrays_begin(const ElementReader& reader, const CurrentState& current) {
+        const unsigned layout = reader.vertex.components() << 4 | reader.normal.components();
+        if (layout != layout_ || (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
+            forget();
+        layout_ = layout;
+        given_.position[2] = numeric::zero; // what the array leaves out
+        given_.position[3] = numeric::one;
+        for (int c = 0; c < 3; ++c)
+            given_.normal[c] = current.normal[c];
+    }
+
+    Vertex& cached(std::uint32_t index) { return cache_[index % SPANGLE_VERTEX_CACHE]; }
+
+    /// The vertex of an element: as it was processed before, if the arrays still say the same of it.
+    Vertex& element(const ElementReader& reader, std::uint32_t index) {
+        Vertex& v = cached(index);
+        reader.vertex.read(index, given_.position);
+        if (reader.normal.on())
+            reader.normal.read(index, given_.normal);
+        if (v.time == now_ && same<4>(v.position, given_.position) && same<3>(v.normal, given_.normal))
+            return v;
+        return given_anew(v);
+    }
+
+    /// The same for three floats each.
+    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index) {
+        Vertex& v = cached(index);
+        const bool normals = lit_ && reader.normal.on();
+        if (v.time == now_ && equal(v.position, reader.vertex.words(index)) &&
+            (!normals || equal(v.normal, reader.normal.words(index))))
+            return v;
+        reader.vertex.read(index, given_.position);
+        if (normals)
+            reader.normal.read(index, given_.normal);
+        return given_anew(v);
+    }
+
+    SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words) {
+        return v[0].bits == ArrayReader::word(words, 0) && v[1].bits == ArrayReader::word(words, 1) &&
+               v[2].bits == ArrayReader::word(words, 2);
+    }
+
+    [[gnu::noinline]] Vertex& given_anew(Vertex& cached) {
+        Vertex* v = &cached;
+        for (int i = 0; i < held_; ++i)
+            if (corner_[i] == v)
+                v = free_slot(); // another corner of this primitive has its place
+        static_cast<Given&>(*v) = given_;
+        v->time = now_;
+        process(*v);
+        return *v;
+    }
+
+    /// One of four that none of the corners held, three at most, is in.
+    [[gnu::noinline]] Vertex* free_slot() {
+        for (Vertex& v : slot_) {
+            bool held = false;
+            for (int i = 0; i < held_; ++i)
+                held = held || corner_[i] == &v;
+            if (!held)
+                return &v;
+        }
+        return slot_;
+    }
+
+    /// Colours that materials follow, or no vertex array: element by element.
+    [[gnu::noinline]] void elements_in_turn(Context& context, const ElementReader& reader,
+                                            std::uint32_t count, const Indices& indices) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t index = indices.at(i);
+            set_attributes(context, reader, index);
+            if (!reader.vertex.on())
+                continue;
+            Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+            reader.vertex.read(index, v);
+            vertex(context, v[0], v[1], v[2], v[3]);
+        }
     }
 
     /// Flags of a vertex that is to be projected only if it is seen.
-    static void classify(Vertex& v, const typename M::Clip& clip) {
+    [[gnu::noinline]] static unsigned flags_of(const typename M::Clip& clip) {
         unsigned flags = unprojected;
         for (unsigned plane = 0; plane < 6; ++plane) {
             flags |= M::volume_distance(clip, static_cast<int>(plane)) < 0 ? 1u << plane : 0u;
             flags |= M::distance(clip, static_cast<int>(plane)) < 0 ? 1u << (plane + beyond_shift) : 0u;
         }
-        v.clip = clip;
-        v.has_clip = true;
-        v.flags = flags;
+        return flags;
     }
 
-    void needs_clip(Vertex& v) const {
-        if (v.has_clip)
-            return;
-        v.clip = M::to_clip(transforms_, v.position);
-        v.has_clip = true;
+    /// Side 0 is the front, 1 the back.
+    [[gnu::noinline]] void light(const Vertex& v, int side, Window& out) {
+        if ((v.flags & is_cut) != 0) {
+            const Cut& cut = static_cast<const Cut&>(v);
+            return lighting_.light(*context_, cut.light, cut.eye, side, out);
+        }
+        typename M::Eye eye{};
+        if (lighting_.needs_eye())
+            eye = M::to_eye(transforms_, v.position);
+        lighting_.light(*context_, L::input(v.normal), eye, side, out);
     }
 
     void color(Vertex& v) {
-        if ((v.flags & uncolored) == 0)
-            return;
-        lighting_.light(*context_, v.light, 0, v.window);
+        if ((v.flags & uncolored) != 0)
+            light(v);
+    }
+    [[gnu::noinline]] void light(Vertex& v) {
+        light(v, 0, v.window);
         v.flags &= ~uncolored;
     }
 
     /// False: not in front, never drawn.
-    bool project(Vertex& v) {
+    [[gnu::noinline]] bool project(Vertex& v) {
         if ((v.flags & unprojected) == 0)
             return true;
-        if (!M::in_front(v.clip))
+        const typename M::Clip clip =
+            (v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position);
+        if (!M::in_front(clip))
             return false;
-        M::project(transforms_, v.clip, v.window);
+        M::project(transforms_, clip, v.window);
         v.flags &= ~unprojected;
         return true;
     }
@@ -212,7 +342,7 @@ template <class M, class L> class Pipeline {
     }
 
     /// All corners are there: draws, and leaves those that the next primitive shares in front.
-    void primitive() {
+    [[gnu::noinline]] void primitive() {
         Vertex* const* const c = corner_;
         switch (mode_) {
         case GL_POINTS:
@@ -235,18 +365,19 @@ template <class M, class L> class Pipeline {
             return line(*c[2], *c[1]);
         case GL_TRIANGLES:
             held_ = 0;
-            return triangle(*c[0], *c[1], *c[2], *c[2]);
+            return triangle(*c[0], *c[1], *c[2]);
         case GL_TRIANGLE_STRIP:
-            held_ = 2;
             return strip();
         case GL_TRIANGLE_FAN:
             held_ = 2;
             swap(1, 2);
-            return triangle(*c[0], *c[2], *c[1], *c[1]);
-        case GL_POLYGON:
+            return triangle(*c[0], *c[2], *c[1]);
+        case GL_POLYGON: {
             held_ = 2;
             swap(1, 2);
-            return triangle(*c[0], *c[2], *c[1], *c[0]);
+            Vertex* const corners[3] = {c[0], c[2], c[1]};
+            return polygon(corners, 3, *c[0]);
+        }
         case GL_QUADS:
             held_ = 0;
             return quad(*c[0], *c[1], *c[2], *c[3], *c[3]);
@@ -259,16 +390,14 @@ template <class M, class L> class Pipeline {
     }
 
     /// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
-    void strip() {
-        Vertex &oldest = *corner_[0], &middle = *corner_[1], &last = *corner_[2];
-        corner_[0] = &middle;
-        corner_[1] = &last;
-        corner_[2] = &oldest;
+    SPANGLE_INLINE void strip() {
+        Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
+        corner_[0] = middle;
+        corner_[1] = last;
+        corner_[2] = oldest;
+        held_ = 2;
         odd_ = !odd_;
-        if (odd_)
-            triangle(oldest, middle, last, last);
-        else
-            triangle(middle, oldest, last, last);
+        triangle(odd_ ? *oldest : *middle, odd_ ? *middle : *oldest, *last);
     }
 
     // --- primitives
@@ -280,14 +409,17 @@ template <class M, class L> class Pipeline {
         raster::draw_point(*state_, context_->drawable.surface, v.window, point_size_);
     }
 
-    void line(Vertex& a, Vertex& b) {
+    [[gnu::noinline]] void line(Vertex& a, Vertex& b) {
+        const unsigned any = a.flags | b.flags;
         if ((a.flags & b.flags & outside_mask) != 0)
             return;
-        if (!flat_ || ((a.flags | b.flags) & beyond_mask) != 0)
-            color(a);
-        color(b);
+        if ((any & uncolored) != 0) {
+            if (!flat_ || (any & beyond_mask) != 0)
+                color(a);
+            color(b);
+        }
         Vertex* ends[2] = {&a, &b};
-        if (((a.flags | b.flags) & beyond_mask) != 0 && !clip_line(ends))
+        if ((any & beyond_mask) != 0 && !clip_line(ends))
             return;
         if (!project(*ends[0]) || !project(*ends[1]))
             return;
@@ -301,25 +433,26 @@ template <class M, class L> class Pipeline {
         return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
     }
 
-    /// The usual triangle; what must be clipped, or lit from behind, goes the way of polygons.
-    void triangle(Vertex& a, Vertex& b, Vertex& c, Vertex& provoking) {
-        const unsigned all = a.flags & b.flags & c.flags, any = a.flags | b.flags | c.flags;
-        if ((all & outside_mask) != 0)
+    /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
+    /// goes the way of polygons.
+    [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c) {
+        const unsigned any = a.flags | b.flags | c.flags;
+        if ((a.flags & b.flags & c.flags & outside_mask) != 0)
             return;
-        if ((any & (beyond_mask | unprojected)) != 0 || lighting_.two_sided()) {
-            Vertex* corners[3] = {&a, &b, &c};
-            return polygon(corners, 3, provoking);
+        if ((any & (beyond_mask | unprojected)) != 0 || two_sided_) {
+            Vertex* const corners[3] = {&a, &b, &c};
+            return polygon(corners, 3, c);
         }
         const std::int64_t area = area_of(a.window, b.window, c.window);
         if (area == 0 || (area > 0 ? culls_ccw_ : culls_cw_))
             return;
         if ((any & uncolored) != 0) {
             if (!flat_)
-                color(a), color(b), color(c);
-            color(provoking);
+                color(a), color(b);
+            color(c);
         }
-        raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window,
-                              provoking.window, area);
+        raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window, c.window,
+                              area);
     }
 
     /// Two triangles with one facing: that of the whole quad.
@@ -328,7 +461,7 @@ template <class M, class L> class Pipeline {
         polygon(corners, 4, provoking);
     }
 
-    void polygon(Vertex* const* corners, int n, Vertex& provoking) {
+    [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking) {
         unsigned all = outside_mask, any = 0;
         for (int i = 0; i < n; ++i) {
             all &= corners[i]->flags;
@@ -338,13 +471,9 @@ template <class M, class L> class Pipeline {
             return;
         if ((any & beyond_mask) == 0)
             return visible(corners, n, provoking);
-        // Clipping interpolates colours, so they come first.
         Vertex* work[2][clip_vertices];
-        for (int i = 0; i < n; ++i) {
-            color(*corners[i]);
-            needs_clip(*corners[i]);
-            work[0][i] = corners[i];
-        }
+        for (int i = 0; i < n; ++i)
+            work[0][i] = &to_be_cut(*corners[i], i);
         const int left = clip_polygon(work, n, any >> beyond_shift);
         if (left >= 3)
             visible(work[0], left, provoking);
@@ -364,7 +493,7 @@ template <class M, class L> class Pipeline {
         const bool ccw = area > 0;
         if (ccw ? culls_ccw_ : culls_cw_)
             return;
-        if (ccw != front_is_ccw_ && lighting_.two_sided())
+        if (ccw != front_is_ccw_ && two_sided_)
             return draw_back(corners, n, provoking, part);
         for (int i = 0; i < n && !flat_; ++i)
             color(*corners[i]);
@@ -381,10 +510,10 @@ template <class M, class L> class Pipeline {
         Window back[clip_vertices];
         for (int i = 0; i < n; ++i) {
             back[i] = corners[i]->window;
-            lighting_.light(*context_, corners[i]->light, 1, back[i]);
+            light(*corners[i], 1, back[i]);
         }
         Window flat = provoking.window;
-        lighting_.light(*context_, provoking.light, 1, flat);
+        light(provoking, 1, flat);
         for (int i = 1; i + 1 < n; ++i)
             if (part[i] != 0)
                 raster::draw_triangle(*state_, context_->drawable.surface, back[0], back[i], back[i + 1],
@@ -393,32 +522,54 @@ template <class M, class L> class Pipeline {
 
     // --- clipping (GL 1.3, 2.11)
 
+    /// The vertex with all that clipping mixes; colours come first.
+    [[gnu::noinline]] Cut& to_be_cut(Vertex& v, int i) {
+        color(v);
+        Cut& out = cut_[i];
+        static_cast<Vertex&>(out) = v;
+        out.flags |= is_cut;
+        out.clip = M::to_clip(transforms_, v.position);
+        if (fog_)
+            out.eye_z = M::depth(transforms_, v.position);
+        if (lit_ && lighting_.needs_eye())
+            out.eye = M::to_eye(transforms_, v.position);
+        out.light = L::input(v.normal);
+        return out;
+    }
+
     /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
-    void cut(const Vertex& inside, const Vertex& outside, int plane, Vertex& out) {
+    void cut(const Vertex& from, const Vertex& to, int plane, Cut& out) {
+        const Cut &inside = static_cast<const Cut&>(from), &outside = static_cast<const Cut&>(to);
         const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane);
         M::mix(inside.window, outside.window, t, out.window);
         if (fog_) {
             out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
             M::set_fog(out.eye_z, out.window);
         }
+        if (lit_ && lighting_.needs_eye())
+            out.eye = M::mix(inside.eye, outside.eye, t);
         L::mix(inside.light, outside.light, t, out.light);
-        classify(out, M::mix(inside.clip, outside.clip, t));
+        out.clip = M::mix(inside.clip, outside.clip, t);
+        out.flags = flags_of(out.clip) | is_cut;
         // Rounding must not leave it outside of the plane it lies on.
         out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
     }
 
+    static auto distance(const Vertex& v, int plane) {
+        return M::distance(static_cast<const Cut&>(v).clip, plane);
+    }
+
     bool clip_line(Vertex* (&ends)[2]) {
-        int made = 0;
-        needs_clip(*ends[0]);
-        needs_clip(*ends[1]);
+        int made = 2;
+        ends[0] = &to_be_cut(*ends[0], 0);
+        ends[1] = &to_be_cut(*ends[1], 1);
         for (int plane = 0; plane < 6; ++plane) {
-            const bool first_out = M::distance(ends[0]->clip, plane) < 0,
-                       second_out = M::distance(ends[1]->clip, plane) < 0;
+            const bool first_out = distance(*ends[0], plane) < 0, second_out = distance(*ends[1], plane) < 0;
             if (first_out && second_out)
                 return false;
             if (!first_out && !second_out)
                 continue;
-            Vertex& fresh = clipped_[made++];
+            Cut& fresh = cut_[made++];
             cut(first_out ? *ends[1] : *ends[0], first_out ? *ends[0] : *ends[1], plane, fresh);
             ends[first_out ? 0 : 1] = &fresh;
         }
@@ -427,7 +578,7 @@ template <class M, class L> class Pipeline {
 
     /// Sutherland and Hodgman, plane by plane; the polygon ends up in work[0].
     int clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes) {
-        int used = 0;
+        int used = n;
         for (int plane = 0; plane < 6; ++plane) {
             if ((planes & (1u << plane)) == 0)
                 continue;
@@ -435,17 +586,16 @@ template <class M, class L> class Pipeline {
             for (int i = 0; i < n; ++i) {
                 // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
                 // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
-                if (used == clip_vertices || m + 2 > clip_vertices)
+                if (used == cut_count || m + 2 > clip_vertices)
                     return 0;
                 Vertex& here = *work[0][i];
                 Vertex& next = *work[0][i + 1 == n ? 0 : i + 1];
-                const bool here_in = M::distance(here.clip, plane) >= 0,
-                           next_in = M::distance(next.clip, plane) >= 0;
+                const bool here_in = distance(here, plane) >= 0, next_in = distance(next, plane) >= 0;
                 if (here_in)
                     work[1][m++] = &here;
                 if (here_in == next_in)
                     continue;
-                Vertex& fresh = clipped_[used++];
+                Cut& fresh = cut_[used++];
                 cut(here_in ? here : next, here_in ? next : here, plane, fresh);
                 work[1][m++] = &fresh;
             }

@@ -40,17 +40,13 @@ class ShadowLighting {
         return fixed_.tracks_color();
     }
 
-    void take(const Context& context, const ShadowMath::Eye& eye, Input& out) {
-        fixed_.take(context, eye.fixed, out.fixed);
-        twin_.take(context, eye.twin, out.twin);
+    static Input input(const Real (&normal)[3]) {
+        return {Product::input(normal), DoubleLighting::input(normal)};
     }
-    void take(const Context& context, Input& out) {
-        fixed_.take(context, out.fixed);
-        twin_.take(context, out.twin);
-    }
-    void light(const Context& context, const Input& vertex, int side, raster::ShadowVertex& out) {
-        fixed_.light(context, vertex.fixed, side, out.fixed);
-        twin_.light(context, vertex.twin, side, out.twin);
+    void light(const Context& context, const Input& vertex, const ShadowMath::Eye& eye, int side,
+               raster::ShadowVertex& out) {
+        fixed_.light(context, vertex.fixed, eye.fixed, side, out.fixed);
+        twin_.light(context, vertex.twin, eye.twin, side, out.twin);
         ShadowMath::report_color(out);
     }
     static void mix(const Input& a, const Input& b, const ShadowMath::Parameter& t, Input& out) {

@@ -25,15 +25,17 @@ struct ShadowMath {
         FixedMath::derive(state, out.fixed);
         DoubleMath::derive(state, out.twin);
     }
-    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes,
-                          Depth* eye_z) {
-        const bool done =
-            FixedMath::to_window(t.fixed, v, out.fixed, planes, eye_z != nullptr ? &eye_z->fixed : nullptr);
-        if (eye_z != nullptr)
-            eye_z->twin = DoubleMath::to_eye(t.twin, v).v[2];
-        if (done && planes >> 8 == 0) // the others are cut, never drawn
+    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes, bool fog) {
+        if (fog)
+            set_fog(depth(t, v), out);
+        if (!FixedMath::to_window(t.fixed, v, out.fixed, planes, fog))
+            return false;
+        if (planes >> 8 == 0) // the others are cut, never drawn
             project_twin(t, DoubleMath::to_clip(t.twin, v), out);
-        return done;
+        return true;
+    }
+    static Depth depth(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::depth(t.fixed, v), DoubleMath::depth(t.twin, v)};
     }
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::to_clip(t.fixed, v), DoubleMath::to_clip(t.twin, v)};
@@ -90,6 +92,10 @@ struct ShadowMath {
         FixedMath::set_color(out.fixed, rgba);
         DoubleMath::set_color(out.twin, rgba);
         report_color(out);
+    }
+    static void copy_color(const Window& from, Window& to) {
+        FixedMath::copy_color(from.fixed, to.fixed);
+        DoubleMath::copy_color(from.twin, to.twin);
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
         FixedMath::set_texture(t.fixed, stq, unit, out.fixed);

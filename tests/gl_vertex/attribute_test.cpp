@@ -186,6 +186,25 @@ TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
 }
 
+/// A vertex has the colour of its time, to the last component.
+TEST_F(Attributes, EachComponentOfTheColorCounts) {
+    GLubyte rgba[4] = {10, 20, 30, 40};
+    WindowRecorder recorder;
+    glBegin(GL_POINTS);
+    for (GLubyte& c : rgba) {
+        c = static_cast<GLubyte>(c + 100);
+        glColor4ubv(rgba);
+        glVertex2f(0, 0);
+    }
+    glEnd();
+    ASSERT_EQ(recorder.primitives.size(), 4u);
+    for (unsigned i = 0; i < 4; ++i)
+        for (unsigned c = 0; c < 4; ++c)
+            EXPECT_EQ((recorder.primitives[i].corner[0].color[c] + (1u << 19)) >> 20,
+                      10 * (c + 1) + (c <= i ? 100 : 0))
+                << i << ' ' << c;
+}
+
 /// GL 1.3, 2.8: components that an array leaves out are those of the command of its size.
 TEST_F(Attributes, ArraysOfFewComponents) {
     const GLfloat s[] = {0.5f, 0.25f, 0.125f, 1, 2, 3}, other[4] = {7, 8, 9, 10};

@@ -717,23 +717,30 @@ TEST_F(Lighting, PointsAndLinesHaveNoBack) {
 
 /// Both sides of a polygon that clipping cuts: back colours come from mixed normals and positions.
 TEST_F(Lighting, TheBackOfAClippedPolygon) {
-    LitVertex v;
-    v.material[1].diffuse = {0, 0.5, 0, 1};
-    v.normal = {0, 0, -1};
-    specify(v);
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
-    WindowRecorder recorder;
-    glNormal3f(0, 0, -1);
-    glBegin(GL_TRIANGLES);
-    glVertex3f(0, 0, 0);
-    glVertex3f(0, 10, 0);
-    glVertex3f(5000, 5, 0); // beyond the guard band
-    glEnd();
-    ASSERT_FALSE(recorder.primitives.empty());
-    const LitColor expected = equation(v, 1);
-    for (const Primitive& p : recorder.primitives)
-        for (const raster::FixedVertex& corner : p.corner)
-            EXPECT_LT(difference(corner, expected), 0.001);
+    for (const bool positional : {false, true}) {
+        LitVertex v;
+        v.material[1].diffuse = {0, 0.5, 0, 1};
+        v.normal = {0, 0, -1};
+        if (positional)
+            v.light[0].position = {500, 0, 300, 1};
+        specify(v);
+        glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+        WindowRecorder recorder;
+        glNormal3f(0, 0, -1);
+        glBegin(GL_TRIANGLES);
+        glVertex3f(0, 0, 0);
+        glVertex3f(0, 10, 0);
+        glVertex3f(5000, 5, 0); // beyond the guard band
+        glEnd();
+        ASSERT_FALSE(recorder.primitives.empty());
+        for (const Primitive& p : recorder.primitives)
+            for (const raster::FixedVertex& corner : p.corner) {
+                LitVertex at = v;
+                at.position = {corner.x / 256.0 * 400 / size - 200, corner.y / 256.0 * 400 / size - 200, 0,
+                               1};
+                EXPECT_LT(difference(corner, equation(at, 1)), positional ? 0.01 : 0.001) << at.position[0];
+            }
+    }
 }
 
 } // namespace

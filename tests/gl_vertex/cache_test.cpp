@@ -1,0 +1,191 @@
+// Rows A05, B13: vertices of elements that come again are kept. Nothing may tell: whatever has changed in
+// between, glDrawElements draws what glArrayElement gives one by one.
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "gl/context/features.hpp"
+#include "tests/gl_vertex/canvas.hpp"
+#include "tests/gl_vertex/window_recorder.hpp"
+
+namespace spangle::test {
+namespace {
+
+class VertexCache : public Canvas {
+  protected:
+    static constexpr int elements = 600, longest = 60;
+    std::mt19937 random{11};
+    std::array<std::array<GLfloat, 4>, elements> position, normal, tex_coord;
+    std::array<std::array<GLubyte, 4>, elements> color;
+    GLint size = 3;
+    std::vector<GLushort> indices;
+
+    int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
+    GLfloat real(double low, double high) {
+        return static_cast<GLfloat>(std::uniform_real_distribution<>(low, high)(random));
+    }
+    std::array<GLfloat, 4> any() { return {real(-1, 1), real(-1, 1), real(-1, 1), real(0.5, 2)}; }
+
+    void SetUp() override {
+        Canvas::SetUp();
+        for (std::size_t i = 0; i < elements; ++i)
+            change(i);
+        glMatrixMode(GL_PROJECTION);
+        glFrustum(-1, 1, -1, 1, 1, 9);
+        glMatrixMode(GL_MODELVIEW);
+        glTranslatef(0, 0, -3);
+        glEnable(GL_LIGHT0);
+        glEnableClientState(GL_VERTEX_ARRAY);
+    }
+
+    void change(std::size_t i) {
+        position[i] = any();
+        normal[i] = any();
+        tex_coord[i] = any();
+        for (GLubyte& c : color[i])
+            c = static_cast<GLubyte>(whole(0, 255));
+    }
+
+    void toggle(GLenum what) { (glIsEnabled(what) ? glDisable : glEnable)(what); }
+    void toggle_array(GLenum what) { (glIsEnabled(what) ? glDisableClientState : glEnableClientState)(what); }
+
+    /// GL hears nothing of it. One number of each, so that all of them have to be looked at.
+    void change_memory() {
+        for (int n = 0; n < 300; ++n) {
+            const auto i = static_cast<std::size_t>(whole(0, elements - 1));
+            const auto c = static_cast<std::size_t>(whole(0, 3));
+            (whole(0, 1) != 0 ? position : normal)[i][c] = c < 3 ? real(-1, 1) : real(0.5, 2);
+            tex_coord[i][c] = real(-1, 1);
+            color[i][c] = static_cast<GLubyte>(whole(0, 255));
+        }
+    }
+
+    /// One thing that a cached vertex depends on.
+    void change_something() {
+        auto v = any();
+        switch (whole(0, 30)) {
+        case 0:
+            return glRotatef(real(-30, 30), v[0], v[1], v[2]);
+        case 1:
+            return glViewport(whole(-9, 9), whole(-9, 9), whole(20, 90), whole(20, 90));
+        case 2:
+            return glDepthRange(real(0, 1), real(0, 1));
+        case 3:
+            return glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, v.data());
+        case 4:
+            return glLightfv(GL_LIGHT0, GL_POSITION, v.data());
+        case 5:
+            return toggle(GL_LIGHTING);
+        case 6:
+            return toggle(GL_FOG);
+        case 7:
+            return toggle(GL_TEXTURE_2D);
+        case 8:
+            return toggle(GL_COLOR_MATERIAL);
+        case 9:
+            return toggle(GL_NORMALIZE);
+        case 10:
+            return toggle_array(GL_NORMAL_ARRAY);
+        case 11:
+            return toggle_array(GL_COLOR_ARRAY);
+        case 12:
+            return toggle_array(GL_TEXTURE_COORD_ARRAY);
+        case 13:
+            return glNormal3fv(v.data());
+        case 14: {
+            const auto c = static_cast<std::size_t>(whole(0, 3));
+            const GLfloat changed = v[c];
+            glGetFloatv(GL_CURRENT_COLOR, v.data());
+            v[c] = changed;
+            return glColor4fv(v.data());
+        }
+        case 15:
+            size = whole(2, 4);
+            return;
+        case 16:
+            return glShadeModel(whole(0, 1) != 0 ? GL_FLAT : GL_SMOOTH);
+        case 17: // the usual case
+            size = 3;
+            glEnable(GL_LIGHTING);
+            glDisable(GL_COLOR_MATERIAL);
+            glEnableClientState(GL_NORMAL_ARRAY);
+            glDisableClientState(GL_COLOR_ARRAY);
+            return glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+        default:
+            return change_memory();
+        }
+    }
+
+    void arrays() {
+        glVertexPointer(size, GL_FLOAT, sizeof position[0], position[0].data());
+        glNormalPointer(GL_FLOAT, sizeof normal[0], normal[0].data());
+        glTexCoordPointer(4, GL_FLOAT, sizeof tex_coord[0], tex_coord[0].data());
+        glColorPointer(4, GL_UNSIGNED_BYTE, 0, color[0].data());
+    }
+
+    /// Runs of neighbours, jumps, and indices that share a place for every size of the cache.
+    void some_indices() {
+        indices.resize(static_cast<std::size_t>(whole(3, longest)));
+        int at = whole(0, elements - 1);
+        for (GLushort& index : indices) {
+            index = static_cast<GLushort>(at);
+            const int steps[] = {1, -1, 0, SPANGLE_VERTEX_CACHE, -SPANGLE_VERTEX_CACHE, whole(-300, 300)};
+            at = (at + steps[whole(0, 5)] + elements) % elements;
+        }
+    }
+
+    static bool same(const raster::FixedVertex& a, const raster::FixedVertex& b, bool fog, bool texture) {
+        const auto& s = a.tex[0];
+        const auto& t = b.tex[0];
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.w_mantissa == b.w_mantissa &&
+               a.w_exponent == b.w_exponent &&
+               (!fog || (a.fog_mantissa == b.fog_mantissa && a.fog_exponent == b.fog_exponent)) &&
+               (!texture || (s.s == t.s && s.t == t.t && s.q == t.q && s.exponent == t.exponent &&
+                             s.q_is_one == t.q_is_one));
+    }
+    static bool same_color(const raster::FixedVertex& a, const raster::FixedVertex& b) {
+        return std::equal(a.color, a.color + 4, b.color) &&
+               std::equal(a.secondary, a.secondary + 3, b.secondary);
+    }
+};
+
+TEST_F(VertexCache, TellsNothing) {
+    std::size_t compared = 0;
+    for (int n = 0; n < 20000; ++n) {
+        if (whole(0, 1) != 0)
+            change_something();
+        arrays();
+        some_indices();
+        const auto mode = static_cast<GLenum>(whole(GL_POINTS, GL_POLYGON));
+        const auto count = static_cast<GLsizei>(indices.size());
+        GLfloat color_before[4];
+        glGetFloatv(GL_CURRENT_COLOR, color_before);
+        WindowRecorder drawn;
+        glDrawElements(mode, count, GL_UNSIGNED_SHORT, indices.data());
+        glColor4fv(color_before);
+        WindowRecorder given;
+        glBegin(mode);
+        for (const GLushort i : indices)
+            glArrayElement(i);
+        glEnd();
+        ASSERT_EQ(drawn.primitives.size(), given.primitives.size()) << n;
+        const bool fog = glIsEnabled(GL_FOG) != 0, texture = glIsEnabled(GL_TEXTURE_2D) != 0;
+        GLint shading = 0;
+        glGetIntegerv(GL_SHADE_MODEL, &shading);
+        for (std::size_t i = 0; i < drawn.primitives.size(); ++i) {
+            const Primitive &a = drawn.primitives[i], &b = given.primitives[i];
+            ASSERT_TRUE(same_color(a.provoking, b.provoking)) << n << ' ' << i;
+            for (int c = 0; c < a.corners; ++c) {
+                ASSERT_TRUE(same(a.corner[c], b.corner[c], fog, texture)) << n << ' ' << i;
+                ASSERT_TRUE(shading == GL_FLAT || same_color(a.corner[c], b.corner[c])) << n << ' ' << i;
+                ++compared;
+            }
+        }
+    }
+    std::printf("%zu corners\n", compared);
+    EXPECT_GT(compared, 500000u);
+}
+
+} // namespace
+} // namespace spangle::test
