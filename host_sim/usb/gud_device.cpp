@@ -241,6 +241,8 @@ std::uint8_t GudDevice::set(const UsbSetup& setup, const std::uint8_t* out) {
         if (setup.length != 1)
             return protocol_error;
         (setup.request == set_controller_enable ? controller_enabled_ : display_enabled_) = out[0] != 0;
+        if (display_enabled_ && !controller_enabled_)
+            violation("the display is on and its controller off");
         return ok;
     default:
         return not_supported;

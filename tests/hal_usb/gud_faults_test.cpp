@@ -48,6 +48,21 @@ TEST(GudFaults, AStallIsClearedAndTheBufferSentAgain) {
     }
 }
 
+TEST(GudFaults, WhatFollowsAStallIsTakenBack) {
+    GudRig rig;
+    rig.size(320, 240);
+    ASSERT_TRUE(rig.start().ok());
+    ASSERT_TRUE(rig.draw(1));
+    rig.usb.fate = [n = 0](std::size_t) mutable { // the other transfer would wait for its timeout
+        const int at = n++;
+        return at == 0 ? Fate::stall : at < 4 ? Fate::silent : Fate::normal;
+    };
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(rig.display->present().ok());
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(2500));
+    EXPECT_EQ(rig.glass_difference(), "");
+}
+
 TEST(GudFaults, ASilentDeviceTimesOut) {
     GudRig rig;
     rig.size(320, 240);
