@@ -51,7 +51,10 @@ void assemble_raw(Variant& variant, const Key& key) {
     add_tests(chain, key);
     const UnitKey& unit = key.unit[0];
     if (unit.on) {
-        chain.choose<Coord<Raw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
+        if (key.cubic)
+            chain.add<CoordAlong<Raw, 0, CubicRuns<0>>>();
+        else
+            chain.choose<Coord<Raw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
         chain.choose<
             TextureFixed<Raw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
             TextureFixed<Raw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(

@@ -25,10 +25,11 @@ template <class N, int I> struct None : StageBase {
 
 /// What fused lists can do. Everything else is the chain's.
 constexpr bool fusible(const Key& key) {
-    return key.number != Number::exact && !key.unit[1].on && !key.unit[0].general && !key.color_sum &&
-           !key.stencil && !key.masked && !key.count && key.alpha == Compare::always &&
-           key.kind != Kind::full &&
-           (!key.fog || (key.fog_mode == FogMode::linear && key.kind == Kind::affine)) &&
+    return !key.unit[1].on && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
+           !key.count && key.alpha == Compare::always &&
+           (key.kind != Kind::full || key.number == Number::exact) &&
+           (!key.fog ||
+            (key.fog_mode == FogMode::linear && (key.kind == Kind::affine || key.number == Number::exact))) &&
            (!key.blend ||
             (key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha)) &&
            key.depth_format != DepthFormat::z24s8;
@@ -36,16 +37,21 @@ constexpr bool fusible(const Key& key) {
 
 template <Key K> class FusedCase {
     static_assert(fusible(K));
-    static constexpr bool raw = K.number == Number::raw565;
+    static constexpr bool raw = K.number == Number::raw565, exact = K.number == Number::exact;
     static constexpr bool textured = K.unit[0].on;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
         K.unit[0] ==
             UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
-        K.blend && !K.fog && !K.dither && is_565(K.format);
+        !exact && K.blend && !K.fog && !K.dither && is_565(K.format);
+    /// Kinds whose colours, or texture coordinates and fog, are projective.
+    static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
+    using Runs = std::conditional_t<!projective, NoRuns,
+                                    std::conditional_t<exact || K.cubic, CubicRuns<0>, CoordRuns<0>>>;
     template <int L> struct Stages {
-        using N =
-            std::conditional_t<raw, Raw565<L>, std::conditional_t<packed && L == 1, Packed, Balanced<L>>>;
+        using N = std::conditional_t<
+            raw, Raw565<L>,
+            std::conditional_t<exact, Exact, std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>;
         static auto depth() {
             if constexpr (tested)
                 return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
@@ -57,6 +63,8 @@ template <Key K> class FusedCase {
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<FlatWord<L>>{};
+            else if constexpr (K.color && full)
+                return std::type_identity<GouraudQ<N, K.color_alpha>>{};
             else if constexpr (K.color)
                 return std::type_identity<Gouraud<N, K.color_alpha>>{};
             else
@@ -64,20 +72,19 @@ template <Key K> class FusedCase {
         }
         static auto texture() {
             if constexpr (textured) {
-                constexpr bool projective = K.kind == Kind::textured;
                 using Texture =
                     TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
                 if constexpr (K.unit[0].filter == Filter::nearest)
-                    return std::type_identity<NearestWalk<Texture, 0, projective>>{};
+                    return std::type_identity<NearestWalk<Texture, 0, Runs>>{};
                 else
-                    return std::type_identity<LinearWalk<Texture, 0, projective>>{};
+                    return std::type_identity<LinearWalk<Texture, 0, Runs>>{};
             } else {
                 return std::type_identity<None<N, 2>>{};
             }
         }
         static auto fog() {
             if constexpr (K.fog)
-                return std::type_identity<Seq<N, FogCoord<N, false>, FogLinear<N>>>{};
+                return std::type_identity<Seq<N, FogCoord<N, projective>, FogLinear<N>>>{};
             else
                 return std::type_identity<None<N, 3>>{};
         }
@@ -106,9 +113,9 @@ template <Key K> class FusedCase {
     static constexpr Key key = K;
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Few fragments cost more one by one than eight with copies of what is stored.
-    static constexpr bool heavy = !raw && is_565(K.format) && (textured || K.blend || K.fog);
+    static constexpr bool heavy = !raw && !exact && is_565(K.format) && (textured || K.blend || K.fog);
     /// Fetching texels gains nothing from lanes, combining them does.
-    static constexpr bool wide = !(raw && textured) && is_565(K.format);
+    static constexpr bool wide = !exact && !(raw && textured) && is_565(K.format);
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
 

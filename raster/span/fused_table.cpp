@@ -46,6 +46,11 @@ struct Say {
         s.key.fog_mode = FogMode::linear;
         return s;
     }
+    constexpr Say cubic() const {
+        Say s = *this;
+        s.key.cubic = true;
+        return s;
+    }
     constexpr Say dither() const {
         Say s = *this;
         s.key.dither = true;
@@ -72,6 +77,9 @@ constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::aff
 constexpr Say straight(Number::raw565, Kind::affine),
     bent(Number::raw565, Kind::textured); // texels as they are
 constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured);
+constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
+    fine_full(Number::exact, Kind::full); // the exact tier
+constexpr Say fine_bent = bent.cubic();
 
 constexpr FusedSpan table[] = {
     // One colour (S2); with depth: faces of gears (S5), lines (S8).
@@ -94,6 +102,10 @@ constexpr FusedSpan table[] = {
     entry<bent.texture(t565, rgb, nearest, replace).depth(less)>(),
     entry<straight.texture(t888, rgb, nearest, replace).depth(less)>(),
     entry<bent.texture(t888, rgb, nearest, replace).depth(less)>(),
+    entry<fine_bent.texture(t565, rgb, nearest, replace)>(),
+    entry<fine_bent.texture(t888, rgb, nearest, replace)>(),
+    entry<fine_bent.texture(t565, rgb, nearest, replace).depth(less)>(),
+    entry<fine_bent.texture(t888, rgb, nearest, replace).depth(less)>(),
     // The same filtered (S4b), and dithered.
     entry<affine.texture(t888, rgb, linear, replace)>(),
     entry<affine.texture(t565, rgb, linear, replace)>(),
@@ -123,6 +135,16 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    // The exact tier: filtered, sprites, lit textures with and without fog.
+    entry<fine.texture(t888, rgb, linear, replace)>(),
+    entry<fine.texture(t565, rgb, linear, replace)>(),
+    entry<fine_affine.texture(t8888, rgba, nearest, replace).blend()>(),
+    entry<fine.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<fine.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<fine_full.texture(t888, rgb, nearest, modulate).depth(less)>(),
+    entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less)>(),
+    entry<fine_full.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
     // Models: filtered, lit.
     entry<affine.texture(t888, rgb, linear, modulate).depth(less)>(),
     entry<affine.texture(t565, rgb, linear, modulate).depth(less)>(),

@@ -72,8 +72,7 @@ bool raw(const Key& key, const FragmentState& state) {
     if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
-    if (key.kind == Kind::flat || key.kind == Kind::full ||
-        (key.kind == Kind::textured && state.tier == Tier::exact))
+    if (key.kind == Kind::flat || key.kind == Kind::full)
         return false;
     // Colours of 5 and 6 bits are exact: dithering leaves them as they are.
     return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);
@@ -115,6 +114,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;
+        key.cubic = key.unit[0].on && key.kind == Kind::textured && state.tier == Tier::exact;
     } else {
         key.number = state.tier == Tier::exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);

@@ -40,6 +40,7 @@ struct Key {
     Compare depth = Compare::always;
     bool depth_write = false;
     bool blend = false;
+    bool cubic = false; ///< texture coordinates of the exact tier; said where the number does not say it
     BlendFactor blend_src = BlendFactor::one, blend_dst = BlendFactor::zero;
     bool dither = false;
     bool masked = false; ///< some colour channel is not written

@@ -64,6 +64,8 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
+    /// Byte `n`.
+    SPANGLE_INLINE static U16 byte(U32 v, int n) { return (v >> (8 * n)) & 0xFF; }
     SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
 };
 

@@ -97,7 +97,7 @@ template <class N> class Fragment {
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
         if (fixed_.kind >= Kind::textured)
-            run<Coord<N, Unit, true>, Coord<Reference, Unit, true>>();
+            run<CoordAlong<N, Unit, CubicRuns<Unit>>, Coord<Reference, Unit, true>>();
         else
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
         const auto axis = [&](std::uint32_t fixed, double exact, bool wraps, int log2_size) {

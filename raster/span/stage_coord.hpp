@@ -1,8 +1,8 @@
-// Texture coordinates of a fragment: affine, divided at every fragment, or divided at the ends of runs.
+// Texture coordinates of a fragment: affine over the primitive, or along runs.
 #pragma once
 
-#include "raster/span/log2.hpp"
-#include "raster/span/stage_color.hpp"
+#include "raster/span/coord_runs.hpp"
+#include "raster/span/cubic_runs.hpp"
 
 namespace spangle::raster {
 
@@ -28,201 +28,55 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
     }
 };
 
-namespace detail {
-
-/// The projective interpolants of one unit along a span.
-struct HomogeneousRow {
-    std::uint64_t s0, t0, q0, ds, dt, dq;
-    SPANGLE_INLINE HomogeneousRow(const Span<Fixed>& span, int unit)
-        : s0(span.at(0, span.unit[unit].s)), t0(span.at(0, span.unit[unit].t)), ds(span.unit[unit].s.dx),
-          dt(span.unit[unit].t.dx) {
-        const auto& plane = span.unit[unit].shares_q ? span.q : span.unit[unit].q;
-        q0 = span.at(0, plane);
-        dq = plane.dx;
-    }
-    SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return at(x, s0, ds); }
-    SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
-    SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
-
-  private:
-    SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
-        return unguarded(v + static_cast<std::uint64_t>(std::int64_t{x}) * dv);
-    }
-};
-
-/// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
-/// (then |s| is beyond 2^10 repeats and its fraction means nothing).
-SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
-    const std::int64_t product = std::int64_t{s} * inverse.mantissa;
-    const int down = 30 - inverse.zeros - exponent;
-    if (down >= 0)
-        return product >> (down < 63 ? down : 63);
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << (-down < 63 ? -down : 63));
-}
-
-/// As the texture stage wants it (TexCoords): wrapping, or saturated with the whole repeats added back.
-SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int32_t base) {
-    if (wraps)
-        return static_cast<std::uint32_t>(repeats);
-    const std::int64_t v =
-        (repeats >> (32 - clamped_coord_bits)) + (std::int64_t{base} << clamped_coord_bits);
-    return static_cast<std::uint32_t>(numeric::saturate_i32(v));
-}
-
-} // namespace detail
-
-/// Exact tier: one division per fragment. None where 1/w does not change along the row: the inverse is kept.
-template <int Unit> struct Coord<Exact, Unit, true> : StageBase {
-    using N = Exact;
-    static constexpr unsigned out = field_coord << Unit;
-    std::uint64_t s, t, q, ds, dt, dq;
-    Inverse inverse;
-    int exponent;
-    std::int32_t s_base, t_base;
-    bool s_wraps, t_wraps;
-
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t x)
-        : s(span.at(x, span.unit[Unit].s)), t(span.at(x, span.unit[Unit].t)),
-          q(span.unit[Unit].shares_q ? span.at(x, span.q) : span.at(x, span.unit[Unit].q)),
-          ds(span.unit[Unit].s.dx), dt(span.unit[Unit].t.dx),
-          dq(span.unit[Unit].shares_q ? span.q.dx : span.unit[Unit].q.dx), inverse(unguarded(q)),
-          exponent(span.unit[Unit].exponent), s_base(span.unit[Unit].s_base), t_base(span.unit[Unit].t_base),
-          s_wraps(span.state->wraps[Unit].s), t_wraps(span.state->wraps[Unit].t) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) {
-        if (dq != 0)
-            inverse = Inverse(unguarded(q));
-        p.coord[Unit].s[0] =
-            detail::to_coord(detail::to_repeats(unguarded(s), inverse, exponent), s_wraps, s_base);
-        p.coord[Unit].t[0] =
-            detail::to_coord(detail::to_repeats(unguarded(t), inverse, exponent), t_wraps, t_base);
-        return true;
-    }
-    SPANGLE_INLINE void step() {
-        s += ds;
-        t += dt;
-        q += dq;
-    }
-};
-
-/// Balanced and fast tiers: affine between the ends of runs, which start at multiples of their length from
-/// the anchor.
-///
-/// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
-/// 1/4 texel of the base level. In one row N = dS Q - S dQ is constant and du/dx = N / Q^2, so a run of L
-/// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
-/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes 16 always. Where 1/w
-/// does not change along the row, the row is one run.
-template <int Unit> class CoordRuns {
-  public:
-    std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
-
-    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
-        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
-
-    /// Makes them valid at pixel x; returns the end of its run.
-    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
-    SPANGLE_INLINE void step() {
-        s += ds;
-        t += dt;
-    }
-
-  private:
-    [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
-        const bool first = log2_ < 0;
-        if (first)
-            log2_ = choose_log2();
-        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
-        const std::int32_t to = from + length < limit ? from + length : limit;
-        const auto& unit = span_->unit[Unit];
-        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
-        last_ = Sample(row_, to, unit.exponent);
-        next_ = from + length;
-        const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
-                               std::uint32_t& v, std::uint32_t& dv) {
-            v = detail::to_coord(v0, wraps, base);
-            const std::int64_t d =
-                wraps ? difference(v1, v0)
-                      : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
-                            static_cast<std::int32_t>(v);
-            dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : slope(d, to - from);
-        };
-        along(start.s, last_.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
-        along(start.t, last_.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
-        s += static_cast<std::uint32_t>(x - from) * ds;
-        t += static_cast<std::uint32_t>(x - from) * dt;
-        return next_;
-    }
-
-    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
-
-    struct Sample {
-        std::int64_t s, t; ///< repeats, 32 fraction bits
-        Sample() = default;
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) {
-            const Inverse inverse(row.q(x));
-            s = detail::to_repeats(row.s(x), inverse, exponent);
-            t = detail::to_repeats(row.t(x), inverse, exponent);
-        }
-    };
-
-    SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
-    }
-
-    /// d / n with 20 bits of 1 / n; the last run of a row.
-    static std::uint32_t slope(std::int64_t d, std::int32_t n) {
-        if (n == 0)
-            return 0;
-        const std::uint32_t inverse =
-            ((1u << 20) + static_cast<std::uint32_t>(n) / 2) / static_cast<std::uint32_t>(n);
-        return static_cast<std::uint32_t>((static_cast<std::uint64_t>(d) * inverse) >> 20);
-    }
-
-    int choose_log2() const {
-        const auto& unit = span_->unit[Unit];
-        if (row_.dq == 0)
-            return row_log2;
-        if (span_->state->tier == Tier::fast)
-            return 4;
-        const std::int32_t s0 = row_.s(0), t0 = row_.t(0), q0 = row_.q(0), end = row_.q(span_->length - 1);
-        const std::int32_t least = q0 < end ? q0 : end;
-        if (least <= 0)
-            return 0;
-        // What the gradients lost below their last bit is at most Q + |S| in N.
-        const std::int64_t dq = unguarded(row_.dq);
-        const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
-            return numeric::abs_u64(unguarded(dv) * std::int64_t{q0} - v * dq) + (std::uint64_t{1} << 31);
-        };
-        const int width = span_->state->log2_width[Unit], height = span_->state->log2_height[Unit];
-        const std::int32_t ns = log2_fraction8(numerator(row_.ds, s0)) + (width << 8);
-        const std::int32_t nt = log2_fraction8(numerator(row_.dt, t0)) + (height << 8);
-        constexpr std::int32_t margin = 6; // of three logarithms within 1/256 each
-        const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) -
-                                    (ns > nt ? ns : nt) - log2_fraction8(numeric::abs_u64(dq) + 1) -
-                                    (unit.exponent << 8) - margin;
-        const std::int32_t log2 = square >> 9;
-        return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
-    }
-
-    const Span<Fixed>* span_;
-    detail::HomogeneousRow row_;
-    Sample last_;
-    std::int32_t next_;
-    int log2_;
-};
-
-/// What walks along runs has, and what is one run over the primitive has not.
+/// In place of runs where a primitive is one.
 struct NoRuns {
     SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t) {}
 };
-template <int Unit, bool Projective> using WalkRuns = std::conditional_t<Projective, CoordRuns<Unit>, NoRuns>;
+template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
+    r.ds.third;
+};
 
-template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
+/// A coordinate on its way: Cubic goes pixel by pixel, otherwise anywhere.
+template <bool Cubic> struct CoordWalk {
+    std::uint32_t at;
+    std::conditional_t<Cubic, Differences, std::uint32_t> by;
+    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t steps) const {
+        if constexpr (Cubic)
+            return at + steps * by.first;
+        else
+            return at + steps * by;
+    }
+    SPANGLE_INLINE void step(std::uint32_t steps) {
+        if constexpr (Cubic)
+            by.step(at);
+        else
+            at += steps * by;
+    }
+    SPANGLE_INLINE bool straight() const {
+        if constexpr (Cubic)
+            return by.straight();
+        else
+            return true;
+    }
+    SPANGLE_INLINE void step_straight(std::uint32_t steps) { at = ahead(steps); }
+    /// n steps go one way, not round the texture, and leave at >> shift as it is.
+    SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
+        const auto slope = static_cast<std::int32_t>(ahead(1) - at);
+        return straight() && numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 &&
+               at >> shift == ahead(n) >> shift;
+    }
+};
+
+/// How texture coordinates of a tier go on between two divisions.
+template <class N, int Unit>
+using RunsOf = std::conditional_t<std::is_same_v<N, Exact>, CubicRuns<Unit>, CoordRuns<Unit>>;
+
+template <class N, int Unit, class Runs> struct CoordAlong : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned out = field_coord << Unit;
     static constexpr bool runs = true;
-    CoordRuns<Unit> run;
-    SPANGLE_INLINE Coord(const Span<Fixed>& span, std::int32_t first) : run(span, first) {}
+    Runs run;
+    SPANGLE_INLINE CoordAlong(const Span<Fixed>& span, std::int32_t first) : run(span, first) {}
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         p.coord[Unit].s[0] = run.s;
@@ -230,6 +84,9 @@ template <class N, int Unit> struct Coord<N, Unit, true> : StageBase {
         return true;
     }
     SPANGLE_INLINE void step() { run.step(); }
+};
+template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, RunsOf<N, Unit>> {
+    using CoordAlong<N, Unit, RunsOf<N, Unit>>::CoordAlong;
 };
 
 } // namespace spangle::raster

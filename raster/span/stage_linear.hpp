@@ -9,53 +9,54 @@ namespace spangle::raster {
 
 /// One axis: texel and weight of its neighbour, 8 fraction bits, by one shift of a word that wraps as the
 /// texture does.
-class LinearAxis {
+template <bool Cubic> class LinearAxis {
   public:
+    using Step = decltype(CoordWalk<Cubic>::by);
     LinearAxis() = default;
-    SPANGLE_INLINE LinearAxis(int log2_size, std::uint32_t v, std::uint32_t dv)
-        : log2_(log2_size), shift_(24 - log2_size), at_(v - ((1u << 31) >> log2_size)), step_(dv) {}
-    SPANGLE_INLINE std::uint32_t position(std::uint32_t steps = 0) const {
-        return (at_ + steps * step_) >> shift_;
-    }
+    SPANGLE_INLINE LinearAxis(int log2_size, std::uint32_t v, const Step& dv)
+        : log2_(log2_size), shift_(24 - log2_size), v_{v - ((1u << 31) >> log2_size), dv} {}
+    SPANGLE_INLINE std::uint32_t position() const { return v_.at >> shift_; }
+    SPANGLE_INLINE std::uint32_t position(std::uint32_t steps) const { return v_.ahead(steps) >> shift_; }
     SPANGLE_INLINE static std::uint32_t texel(std::uint32_t position) { return position >> 8; }
     SPANGLE_INLINE static std::uint32_t weight(std::uint32_t position) { return position & 255; }
     SPANGLE_INLINE std::uint32_t next(std::uint32_t i) const { return (i + 1) & ((1u << log2_) - 1); }
     /// Of the lanes of a group.
     template <class L> SPANGLE_INLINE typename L::U16 weights() const {
-        return L::low_half((L::ramp(at_, step_) << log2_) >> 24);
+        static_assert(!Cubic);
+        return L::low_half((L::ramp(v_.at, v_.by) << log2_) >> 24);
     }
-    SPANGLE_INLINE void step(std::uint32_t steps) { at_ += steps * step_; }
-    /// n steps stay where they are: they go one way and not round the texture.
-    SPANGLE_INLINE bool constant(std::uint32_t n) const {
-        const auto slope = static_cast<std::int32_t>(step_);
-        return numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 && position() == position(n);
-    }
+    SPANGLE_INLINE void step(std::uint32_t steps) { v_.step(steps); }
+    SPANGLE_INLINE void step_straight(std::uint32_t steps) { v_.step_straight(steps); }
+    SPANGLE_INLINE bool straight() const { return v_.straight(); }
+    /// n steps stay where they are.
+    SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
 
   private:
     int log2_, shift_;
-    std::uint32_t at_, step_;
+    CoordWalk<Cubic> v_;
 };
 
 /// T is a TextureFixed with Filter::linear.
-template <class T, int Unit, bool Projective> struct LinearWalk : T {
+template <class T, int Unit, class Runs> struct LinearWalk : T {
     using N = typename T::System;
     using L = typename N::L;
     static constexpr unsigned in = T::in & field_color, out = T::out;
-    static constexpr bool runs = Projective, rows = true;
+    static constexpr bool runs = !std::is_same_v<Runs, NoRuns>, rows = true;
     static constexpr std::uint32_t lanes = N::lanes;
     using Weights = typename T::template Filter4<N::lanes>;
-    LinearAxis s, t;
+    using Axis = LinearAxis<is_cubic<Runs>>;
+    Axis s, t;
     const std::uint8_t *near, *far; ///< texels of the two rows
     Weights across{L::splat(0)};
-    [[no_unique_address]] WalkRuns<Unit, Projective> run;
+    [[no_unique_address]] Runs run;
 
     SPANGLE_INLINE LinearWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(span, x) {
-        if constexpr (!Projective)
+        if constexpr (!runs)
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
-        if constexpr (Projective)
-            run = CoordRuns<Unit>(span, x);
+        if constexpr (runs)
+            run = Runs(span, x);
         else
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
@@ -65,20 +66,20 @@ template <class T, int Unit, bool Projective> struct LinearWalk : T {
         return end;
     }
     SPANGLE_INLINE bool row(std::int32_t n) {
-        if (!t.constant(static_cast<std::uint32_t>(n) - 1))
+        if (!s.straight() || !t.constant(static_cast<std::uint32_t>(n) - 1))
             return false;
         const std::uint32_t v = t.position();
-        near = line(LinearAxis::texel(v));
-        far = line(t.next(LinearAxis::texel(v)));
-        across = Weights(L::splat(LinearAxis::weight(v)));
+        near = line(Axis::texel(v));
+        far = line(t.next(Axis::texel(v)));
+        across = Weights(L::splat(Axis::weight(v)));
         return true;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (lanes == 1) {
             if (p.row)
                 return one(p, near, far, across);
-            const std::uint32_t v = t.position(), j = LinearAxis::texel(v);
-            return one(p, line(j), line(t.next(j)), Weights(LinearAxis::weight(v)));
+            const std::uint32_t v = t.position(), j = Axis::texel(v);
+            return one(p, line(j), line(t.next(j)), Weights(Axis::weight(v)));
         } else {
             if (p.row)
                 return group(
@@ -87,43 +88,42 @@ template <class T, int Unit, bool Projective> struct LinearWalk : T {
             return group(
                 p, Weights(t.template weights<L>()),
                 [&](std::uint32_t k)
-                    __attribute__((always_inline)) { return line(LinearAxis::texel(t.position(k))); },
-                [&](std::uint32_t k) __attribute__((always_inline)) {
-                    return line(t.next(LinearAxis::texel(t.position(k))));
-                });
+                    __attribute__((always_inline)) { return line(Axis::texel(t.position(k))); },
+                [&](std::uint32_t k)
+                    __attribute__((always_inline)) { return line(t.next(Axis::texel(t.position(k)))); });
         }
     }
     SPANGLE_INLINE void step() {
-        step_row();
+        s.step(lanes);
         t.step(lanes);
     }
-    SPANGLE_INLINE void step_row() { s.step(lanes); }
+    SPANGLE_INLINE void step_row() { s.step_straight(lanes); }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         s.step(static_cast<std::uint32_t>(pixels));
         t.step(static_cast<std::uint32_t>(pixels));
     }
 
   private:
-    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, std::uint32_t ds, std::uint32_t dt) {
-        s = LinearAxis(this->log2_width, s0, ds);
-        t = LinearAxis(this->log2_height, t0, dt);
+    template <class Step>
+    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, const Step& ds, const Step& dt) {
+        s = {this->log2_width, s0, ds};
+        t = {this->log2_height, t0, dt};
     }
     SPANGLE_INLINE const std::uint8_t* line(std::uint32_t j) const {
         return this->at(0, static_cast<std::int32_t>(j));
     }
     SPANGLE_INLINE bool one(Px<N>& p, const std::uint8_t* n, const std::uint8_t* f,
                             const Weights& filter) const {
-        const std::uint32_t u = s.position(), i0 = T::bytes * LinearAxis::texel(u),
-                            i1 = T::bytes * s.next(LinearAxis::texel(u));
-        return this->environment(p,
-                                 T::mix(filter, this->word_at(n + i0), this->word_at(n + i1),
-                                        this->word_at(f + i0), this->word_at(f + i1), LinearAxis::weight(u)));
+        const std::uint32_t u = s.position(), i0 = T::bytes * Axis::texel(u),
+                            i1 = T::bytes * s.next(Axis::texel(u));
+        return this->environment(p, T::mix(filter, this->word_at(n + i0), this->word_at(n + i1),
+                                           this->word_at(f + i0), this->word_at(f + i1), Axis::weight(u)));
     }
     /// Texels of one row per lane, in the column or in the next one.
     template <bool Next, class Line> SPANGLE_INLINE auto texels(Line line_of) const {
         return L::generate([&](int lane) __attribute__((always_inline)) {
             const auto k = static_cast<std::uint32_t>(lane);
-            const std::uint32_t i = LinearAxis::texel(s.position(k));
+            const std::uint32_t i = Axis::texel(s.position(k));
             return this->word_at(line_of(k) + T::bytes * (Next ? s.next(i) : i));
         });
     }

@@ -8,49 +8,52 @@
 namespace spangle::raster {
 
 /// Texel indices of one axis by one shift of a word that wraps as the texture does.
-class TexelAxis {
+template <bool Cubic> class TexelAxis {
   public:
+    using Step = decltype(CoordWalk<Cubic>::by);
     TexelAxis() = default;
     /// Along an axis of one texel there is nothing to walk.
-    SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, std::uint32_t dv)
-        : shift_(log2_size == 0 ? 31 : 32 - log2_size), at_(log2_size == 0 ? 0 : v + nearest_bias(log2_size)),
-          step_(log2_size == 0 ? 0 : dv) {}
-    SPANGLE_INLINE std::uint32_t index() const { return at_ >> shift_; }
-    SPANGLE_INLINE std::uint32_t index(std::uint32_t steps) const { return (at_ + steps * step_) >> shift_; }
-    SPANGLE_INLINE void step(std::uint32_t steps = 1) { at_ += steps * step_; }
-    /// n steps stay in one texel: they go one way and not round the texture.
-    SPANGLE_INLINE bool constant(std::uint32_t n) const {
-        const auto slope = static_cast<std::int32_t>(step_);
-        return numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 && index() == index(n);
-    }
+    SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, const Step& dv)
+        : shift_(log2_size == 0 ? 31 : 32 - log2_size), v_{log2_size == 0 ? 0 : v + nearest_bias(log2_size),
+                                                           log2_size == 0 ? Step{} : dv} {}
+    SPANGLE_INLINE std::uint32_t index() const { return v_.at >> shift_; }
+    SPANGLE_INLINE std::uint32_t index(std::uint32_t steps) const { return v_.ahead(steps) >> shift_; }
+    SPANGLE_INLINE void step(std::uint32_t steps) { v_.step(steps); }
+    SPANGLE_INLINE void step_straight(std::uint32_t steps) { v_.step_straight(steps); }
+    SPANGLE_INLINE bool straight() const { return v_.straight(); }
+    /// n steps stay in one texel.
+    SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
     /// Every step is one texel.
-    SPANGLE_INLINE bool one_to_one() const { return step_ == 1u << shift_ && shift_ != 31; }
+    SPANGLE_INLINE bool one_to_one() const {
+        static_assert(!Cubic);
+        return v_.by == 1u << shift_ && shift_ != 31;
+    }
 
   private:
     int shift_;
-    std::uint32_t at_, step_;
+    CoordWalk<Cubic> v_;
 };
 
 /// T is a TextureFixed with Filter::nearest.
-template <class T, int Unit, bool Projective> struct NearestWalk : T {
+template <class T, int Unit, class Runs> struct NearestWalk : T {
     using N = typename T::System;
     static constexpr unsigned in = T::in & field_color, out = T::out;
-    static constexpr bool runs = Projective;
+    static constexpr bool runs = !std::is_same_v<Runs, NoRuns>;
     /// With lanes only whole rows of words gain from it.
     static constexpr bool rows = N::lanes == 1 || T::loads_words;
     static constexpr std::uint32_t lanes = N::lanes;
-    TexelAxis s, t;
+    TexelAxis<is_cubic<Runs>> s, t;
     const std::uint8_t* row_at;
     bool one_to_one;
-    [[no_unique_address]] WalkRuns<Unit, Projective> run;
+    [[no_unique_address]] Runs run;
 
     SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run(span, x) {
-        if constexpr (!Projective)
+        if constexpr (!runs)
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
-        if constexpr (Projective)
-            run = CoordRuns<Unit>(span, x);
+        if constexpr (runs)
+            run = Runs(span, x);
         else
             walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
     }
@@ -60,10 +63,11 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
         return end;
     }
     SPANGLE_INLINE bool row(std::int32_t n) {
-        if (!t.constant(static_cast<std::uint32_t>(n) - 1))
+        if (!s.straight() || !t.constant(static_cast<std::uint32_t>(n) - 1))
             return false;
         row_at = this->at(0, static_cast<std::int32_t>(t.index()));
-        one_to_one = lanes > 1 && s.one_to_one();
+        if constexpr (lanes > 1)
+            one_to_one = s.one_to_one();
         return true;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -86,16 +90,17 @@ template <class T, int Unit, bool Projective> struct NearestWalk : T {
         s.step(lanes);
         t.step(lanes);
     }
-    SPANGLE_INLINE void step_row() { s.step(lanes); }
+    SPANGLE_INLINE void step_row() { s.step_straight(lanes); }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         s.step(static_cast<std::uint32_t>(pixels));
         t.step(static_cast<std::uint32_t>(pixels));
     }
 
   private:
-    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, std::uint32_t ds, std::uint32_t dt) {
-        s = TexelAxis(this->log2_width, s0, ds);
-        t = TexelAxis(this->log2_height, t0, dt);
+    template <class Step>
+    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, const Step& ds, const Step& dt) {
+        s = {this->log2_width, s0, ds};
+        t = {this->log2_height, t0, dt};
     }
 };
 

@@ -213,13 +213,21 @@ struct TextureFixed : StageBase {
             return {N::from8(N::L::byte(v, 0)), N::from8(N::L::byte(v, 1)), N::from8(N::L::byte(v, 2)),
                     has_alpha ? N::from8(N::L::byte(v, 3)) : N::from_units(color_one)};
     }
-    /// LINEAR of the balanced tier.
+    /// LINEAR of the exact tier, weight of row j + 1.
+    struct FilterExact {
+        std::uint32_t b;
+        SPANGLE_INLINE explicit FilterExact(std::uint32_t weight) : b(weight) {}
+    };
     template <int Count>
-    using Filter4 = std::conditional_t<Texels == TexelFormat::rgb565, Filter565<Count>, Filter8<Count>>;
+    using Filter4 = std::conditional_t<
+        std::is_same_v<N, Exact>, FilterExact,
+        std::conditional_t<Texels == TexelFormat::rgb565, Filter565<Count>, Filter8<Count>>>;
     template <class Mixer, class V, class W>
     SPANGLE_INLINE static Color mix(const Mixer& mixer, const V& c00, const V& c10, const V& c01,
                                     const V& c11, const W& a) {
-        if constexpr (Texels == TexelFormat::rgb565)
+        if constexpr (std::is_same_v<N, Exact>)
+            return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, mixer.b);
+        else if constexpr (Texels == TexelFormat::rgb565)
             return mixer(c00, c10, c01, c11, a);
         else
             return mixer.template texels<has_alpha>(c00, c10, c01, c11, a);

@@ -17,7 +17,7 @@ struct StateOfKey {
     FragmentState state;
     std::vector<std::unique_ptr<TestTexture>> textures;
     explicit StateOfKey(const Key& key) {
-        state.tier = key.number == Number::exact ? Tier::exact : Tier::balanced;
+        state.tier = key.number == Number::exact || key.cubic ? Tier::exact : Tier::balanced;
         state.scissor = {0, 0, width, height};
         state.dither = key.dither;
         for (int i = 0; i < max_texture_units; ++i) {

@@ -1,0 +1,179 @@
+// Texture coordinates of the balanced and fast tiers: between two divisions, a straight line.
+#pragma once
+
+#include "raster/span/log2.hpp"
+#include "raster/span/stage_color.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// The projective interpolants of one unit along a span.
+struct HomogeneousRow {
+    std::uint64_t s0, t0, q0, ds, dt, dq;
+    SPANGLE_INLINE HomogeneousRow(const Span<Fixed>& span, int unit)
+        : s0(span.at(0, span.unit[unit].s)), t0(span.at(0, span.unit[unit].t)), ds(span.unit[unit].s.dx),
+          dt(span.unit[unit].t.dx) {
+        const auto& plane = span.unit[unit].shares_q ? span.q : span.unit[unit].q;
+        q0 = span.at(0, plane);
+        dq = plane.dx;
+    }
+    SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return at(x, s0, ds); }
+    SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
+    SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
+
+  private:
+    SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
+        return unguarded(v + static_cast<std::uint64_t>(std::int64_t{x}) * dv);
+    }
+};
+
+/// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
+/// (then |s| is beyond 2^10 repeats and its fraction means nothing).
+SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
+    const std::int64_t product = std::int64_t{s} * inverse.mantissa;
+    const int down = 30 - inverse.zeros - exponent;
+    if (down >= 0)
+        return product >> (down < 63 ? down : 63);
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << (-down < 63 ? -down : 63));
+}
+
+/// As the texture stage wants it (TexCoords): wrapping, or saturated with the whole repeats added back.
+SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int32_t base) {
+    if (wraps)
+        return static_cast<std::uint32_t>(repeats);
+    const std::int64_t v =
+        (repeats >> (32 - clamped_coord_bits)) + (std::int64_t{base} << clamped_coord_bits);
+    return static_cast<std::uint32_t>(numeric::saturate_i32(v));
+}
+
+/// d / n, off by 2^-30 of itself and 1; mod 2^32. 0 for n = 0.
+inline std::uint32_t slope(std::int64_t d, std::int32_t n) {
+    if (n <= 0 || d == 0)
+        return 0;
+    const int zeros = numeric::clz32(static_cast<std::uint32_t>(n));
+    const std::uint32_t inverse =
+        numeric::reciprocal(static_cast<std::uint32_t>(n) << zeros); // 2^(62 - zeros) / n
+    const std::uint64_t magnitude = numeric::abs_u64(d);
+    const int excess = 32 - numeric::clz64(magnitude), down = excess > 0 ? excess : 0;
+    const std::uint64_t product = numeric::mul_u32(static_cast<std::uint32_t>(magnitude >> down), inverse);
+    const int to_right = 62 - zeros - down; // n < 2^31, down <= 32
+    const auto quotient =
+        static_cast<std::uint32_t>(to_right >= 0 ? product >> to_right : product << -to_right);
+    return d < 0 ? 0 - quotient : quotient;
+}
+
+/// What bounds the length of runs: logarithms with 8 fraction bits, within 1/256 each.
+struct RunBound {
+    std::int32_t n;       ///< of |N|, N = dS Q - S dQ, in texels: the larger of both axes
+    std::int32_t dq;      ///< of |dQ|
+    std::int32_t repeats; ///< of |N| in repeats
+    RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
+        const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
+        const std::int64_t by = unguarded(row.dq);
+        // What the gradients lost below their last bit is at most Q + |S| in N.
+        const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
+            return log2_fraction8(numeric::abs_u64(unguarded(dv) * std::int64_t{q0} - v * by) +
+                                  (std::uint64_t{1} << 31));
+        };
+        const std::int32_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
+        const std::int32_t in_s = ns + (span.state->log2_width[unit] << 8),
+                           in_t = nt + (span.state->log2_height[unit] << 8);
+        n = in_s > in_t ? in_s : in_t;
+        repeats = ns > nt ? ns : nt;
+        dq = log2_fraction8(numeric::abs_u64(by) + 1);
+    }
+};
+
+} // namespace detail
+
+/// Balanced and fast tiers: affine between the ends of runs, which start at multiples of their length from
+/// the anchor.
+///
+/// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
+/// 1/4 texel of the base level. In one row N = dS Q - S dQ is constant and du/dx = N / Q^2, so a run of L
+/// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
+/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes 16 always. Where 1/w
+/// does not change along the row, the row is one run.
+template <int Unit> class CoordRuns {
+  public:
+    std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
+
+    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
+        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
+
+    /// Makes them valid at pixel x; returns the end of its run.
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
+    SPANGLE_INLINE void step() {
+        s += ds;
+        t += dt;
+    }
+
+  private:
+    [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
+        const bool first = log2_ < 0;
+        if (first)
+            log2_ = choose_log2();
+        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
+        const std::int32_t to = from + length < limit ? from + length : limit;
+        const auto& unit = span_->unit[Unit];
+        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
+        last_ = Sample(row_, to, unit.exponent);
+        next_ = from + length;
+        const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
+                               std::uint32_t& v, std::uint32_t& dv) {
+            v = detail::to_coord(v0, wraps, base);
+            const std::int64_t d =
+                wraps ? difference(v1, v0)
+                      : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
+                            static_cast<std::int32_t>(v);
+            dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : detail::slope(d, to - from);
+        };
+        along(start.s, last_.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
+        along(start.t, last_.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
+        s += static_cast<std::uint32_t>(x - from) * ds;
+        t += static_cast<std::uint32_t>(x - from) * dt;
+        return next_;
+    }
+
+    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
+
+    struct Sample {
+        std::int64_t s, t; ///< repeats, 32 fraction bits
+        Sample() = default;
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) {
+            const Inverse inverse(row.q(x));
+            s = detail::to_repeats(row.s(x), inverse, exponent);
+            t = detail::to_repeats(row.t(x), inverse, exponent);
+        }
+    };
+
+    SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+    }
+
+    int choose_log2() const {
+        if (row_.dq == 0)
+            return row_log2;
+        if (span_->state->tier == Tier::fast)
+            return 4;
+        const std::int32_t q0 = row_.q(0), end = row_.q(span_->length - 1);
+        const std::int32_t least = q0 < end ? q0 : end;
+        if (least <= 0)
+            return 0;
+        const detail::RunBound bound(*span_, Unit, row_);
+        constexpr std::int32_t margin = 6; // of three logarithms
+        const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
+                                    bound.dq - (span_->unit[Unit].exponent << 8) - margin;
+        const std::int32_t log2 = square >> 9;
+        return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
+    }
+
+    const Span<Fixed>* span_;
+    detail::HomogeneousRow row_;
+    Sample last_;
+    std::int32_t next_;
+    int log2_;
+};
+
+} // namespace spangle::raster

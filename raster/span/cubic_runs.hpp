@@ -1,0 +1,168 @@
+// Texture coordinates of the exact tier: between two divisions, a cubic.
+#pragma once
+
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/span/coord_runs.hpp"
+
+namespace spangle::raster {
+
+/// Forward differences of a cubic; they wrap as coordinates do.
+struct Differences {
+    std::uint32_t first, second, third;
+    SPANGLE_INLINE void step(std::uint32_t& v) {
+        v += first;
+        first += second;
+        second += third;
+    }
+    SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
+    /// n pixels on.
+    void jump(std::uint32_t& v, std::uint32_t n) {
+        const std::uint32_t pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
+        v += n * first + pairs * second + triples * third;
+        first += n * second + pairs * third;
+        second += n * third;
+    }
+};
+
+/// Cubics between the ends of runs, which start at multiples of their length from the anchor.
+///
+/// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant, so that its difference D over a run
+/// of L pixels gives both slopes: L u' is D Q1 / Q0 at the start and D Q0 / Q1 at the end. Hermite's cubic
+/// through them is off by at most L^4 max |u| / 384, u = 24 N dQ^3 / Q^5. The length is the power of two,
+/// chosen per span, that keeps this at most 2^-13 texel of the base level, which is what NEAREST leaves open
+/// by definition (nearest_bias_bits); 1 means one division per fragment. Where 1/w changes so little along
+/// the row that a straight line is as good, the row is one run. Coordinates that do not wrap divide at every
+/// fragment: they saturate.
+template <int Unit> class CubicRuns {
+  public:
+    std::uint32_t s, t; ///< at the current pixel (TexCoords)
+
+    SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x)
+        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
+
+    /// Makes them valid at pixel x; returns the end of its run.
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
+    SPANGLE_INLINE void step() {
+        ds.step(s);
+        dt.step(t);
+    }
+
+    Differences ds, dt; ///< from pixel to pixel
+
+  private:
+    static constexpr int max_log2 = 4, row_log2 = 16; ///< 16 pixels; the whole row
+    static constexpr int ratio_bits = 26;
+
+    struct Sample {
+        std::int64_t s, t; ///< repeats, 32 fraction bits
+        std::int32_t q, zeros;
+        std::uint32_t mantissa;
+        Sample() = default;
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) : q(row.q(x)) {
+            const Inverse inverse(q);
+            zeros = inverse.zeros;
+            mantissa = inverse.mantissa;
+            s = detail::to_repeats(row.s(x), inverse, exponent);
+            t = detail::to_repeats(row.t(x), inverse, exponent);
+        }
+        /// d / q.
+        SPANGLE_INLINE std::int32_t ratio(std::int32_t d) const {
+            return static_cast<std::int32_t>(std::int64_t{d} * mantissa >> (62 - ratio_bits - zeros));
+        }
+    };
+
+    [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
+        const auto& unit = span_->unit[Unit];
+        const bool first = log2_ < 0;
+        if (first)
+            log2_ = choose_log2();
+        if (log2_ == 0)
+            return one_pixel(x);
+        const bool whole = log2_ == row_log2;
+        const std::int32_t length = whole ? span_->length - 1 : 1 << log2_, from = whole ? 0 : x & -length;
+        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
+        last_ = Sample(row_, from + length, unit.exponent);
+        s = static_cast<std::uint32_t>(start.s);
+        t = static_cast<std::uint32_t>(start.t);
+        if (whole) {
+            ds = {detail::slope(last_.s - start.s, length), 0, 0};
+            dt = {detail::slope(last_.t - start.t, length), 0, 0};
+            next_ = span_->length;
+        } else {
+            const std::int32_t dq = last_.q - start.q, e0 = start.ratio(dq), e1 = last_.ratio(dq);
+            ds = through(last_.s - start.s, e0, e1);
+            dt = through(last_.t - start.t, e0, e1);
+            next_ = from + length;
+        }
+        if (const auto skipped = static_cast<std::uint32_t>(x - from); skipped != 0) {
+            ds.jump(s, skipped);
+            dt.jump(t, skipped);
+        }
+        return next_;
+    }
+
+    /// The division of one fragment.
+    std::int32_t one_pixel(std::int32_t x) {
+        const auto& unit = span_->unit[Unit];
+        const auto& wraps = span_->state->wraps[Unit];
+        const Sample at(row_, x, unit.exponent);
+        s = detail::to_coord(at.s, wraps.s, unit.s_base);
+        t = detail::to_coord(at.t, wraps.t, unit.t_base);
+        ds = dt = {};
+        next_ = x + 1;
+        return next_;
+    }
+
+    /// Of a + b + c per L pixels, where a = D (1 + e0), b = D (e1 - 2 e0), c = D (e0 - e1): the cubic with
+    /// slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
+    Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
+        const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
+        const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * (1 << log2_),
+                           a = (d + d0) * (1 << log2_) * (1 << log2_);
+        const auto down = [&](std::int64_t v) {
+            return static_cast<std::uint32_t>((v + (std::int64_t{1} << (3 * log2_ - 1))) >> (3 * log2_));
+        };
+        return {down(a + b + c), down(2 * b + 6 * c), down(6 * c)};
+    }
+
+    int choose_log2() const {
+        const auto& unit = span_->unit[Unit];
+        if (!span_->state->wraps[Unit].s || !span_->state->wraps[Unit].t)
+            return 0;
+        if (row_.dq == 0)
+            return row_log2;
+        // The last run may reach beyond the span, by a quarter of it: 30-bit values then stay below 2^31.
+        const auto quarter = static_cast<std::uint32_t>(span_->length - 1) >> 2;
+        if (quarter < 2)
+            return 0;
+        const std::int32_t longest = 31 - numeric::clz32(quarter), reach = static_cast<std::int32_t>(quarter);
+        const std::int32_t end = row_.q(span_->length - 1 + reach), q0 = row_.q(0);
+        const std::int32_t least = q0 < end ? q0 : end;
+        if (least <= 0)
+            return 0;
+        const detail::RunBound bound(*span_, Unit, row_);
+        const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
+                           exponent = unit.exponent << 8;
+        // `through` takes differences of at most 16 repeats and ratios of 1/q of at most 2.
+        if (bound.repeats + exponent > 2 * q)
+            return 0;
+        // A straight row is off by at most L^2 |N| |dQ| / (4 Q^3).
+        const std::int32_t square = 3 * q - bound.n - bound.dq - exponent - (11 << 8) - 6;
+        if (square >> 8 >= 2 * (32 - numeric::clz32(static_cast<std::uint32_t>(span_->length))))
+            return row_log2;
+        const std::int32_t doubled = (q - bound.dq - 2) >> 8;
+        constexpr std::int32_t margin = 10 + (9 << 8); // of nine logarithms; 16 2^-13 = 2^-9
+        const std::int32_t fourth = (5 * q - bound.n - 3 * bound.dq - exponent - margin) >> 10;
+        const std::int32_t log2 = fourth < doubled ? fourth : doubled;
+        const std::int32_t most = longest < max_log2 ? longest : max_log2;
+        return log2 < 0 ? 0 : log2 > most ? most : log2;
+    }
+
+    const Span<Fixed>* span_;
+    detail::HomogeneousRow row_;
+    Sample last_;
+    std::int32_t next_;
+    int log2_;
+};
+
+} // namespace spangle::raster

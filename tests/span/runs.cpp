@@ -1,0 +1,118 @@
+// Coordinates along runs against a division per fragment: the bounds of the tiers, whatever the row.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "raster/span/stage_coord.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+/// A row: s, t and q go from one value to another.
+struct RandomRow {
+    DrawState state;
+    Span<Fixed> span{};
+    std::mt19937 random;
+    explicit RandomRow(std::uint32_t seed, int log2_size, bool wraps) : random(seed) {
+        span.state = &state;
+        state.log2_width[0] = state.log2_height[0] = static_cast<std::uint8_t>(log2_size);
+        state.wraps[0] = {wraps, wraps};
+        span.length = 2 + static_cast<std::int32_t>(random() % (seed % 2 == 0 ? 320 : 40));
+        span.kind = Kind::textured;
+        auto& unit = span.unit[0];
+        unit.exponent = -2 + static_cast<int>(random() % 8);
+        const auto plane = [&](std::int32_t least) {
+            const auto end = [&] { return least + static_cast<std::int64_t>(random() % (1 << 29)); };
+            const std::int64_t first = end() << guard_bits;
+            return Interpolant<std::uint64_t>{
+                static_cast<std::uint64_t>(first),
+                static_cast<std::uint64_t>(((end() << guard_bits) - first) / (span.length - 1)), 0};
+        };
+        unit.s = plane(-(1 << 28));
+        unit.t = plane(0);
+        span.q = plane(1 << (20 + random() % 10));
+        if (random() % 4 == 0)
+            span.q.dx = random() % 2 == 0 ? 0 : 40; // S4: none, or what rounding leaves
+    }
+    /// What a division may be off, in texels: S and Q are whole numbers then, and 1 / Q has 31 bits.
+    double division(int log2_size) const {
+        const auto last = static_cast<double>(span.q.at(span.length - 1, 0));
+        const double least = std::fmin(static_cast<double>(span.q.value), last) * 0x1p-16;
+        const double most = 0x1p30 / least;
+        return std::ldexp((1 + most) / least + most * 0x1p-30, log2_size + span.unit[0].exponent) +
+               std::ldexp(1., log2_size - 22);
+    }
+    double divided(const Interpolant<std::uint64_t>& v, std::int32_t x) const {
+        const auto at = [&](const Interpolant<std::uint64_t>& p) {
+            return static_cast<double>(static_cast<std::int64_t>(p.at(x, 0)));
+        };
+        return std::ldexp(at(v) / at(span.q), span.unit[0].exponent);
+    }
+};
+
+struct Found {
+    double worst = 0; ///< texels
+    long runs = 0, fragments = 0;
+};
+
+template <class Runs> Found follow(const RandomRow& row, int log2_size) {
+    Found found;
+    Runs run(row.span, 0);
+    std::int32_t next = 0;
+    for (std::int32_t x = 0; x < row.span.length; ++x, run.step(), ++found.fragments) {
+        if (x == next) {
+            next = run.begin(x);
+            ++found.runs;
+        }
+        const auto off = [&](std::uint32_t got, const Interpolant<std::uint64_t>& v) {
+            const double d = row.divided(v, x) - std::ldexp(double(got), -32);
+            return std::ldexp(std::fabs(d - std::floor(d + .5)), log2_size);
+        };
+        found.worst =
+            std::fmax(found.worst, std::fmax(off(run.s, row.span.unit[0].s), off(run.t, row.span.unit[0].t)));
+        Runs other(row.span, x); // any pixel can be the first
+        EXPECT_EQ(other.begin(x), next);
+        EXPECT_EQ(other.s, run.s);
+        EXPECT_EQ(other.t, run.t);
+    }
+    return found;
+}
+
+TEST(Runs, CubicsKeepWhatNearestLeavesOpen) {
+    long runs = 0, fragments = 0;
+    for (const int log2_size : {4, 6, 9})
+        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+            const RandomRow row(seed, log2_size, true);
+            const Found f = follow<CubicRuns<0>>(row, log2_size);
+            ASSERT_LE(f.worst, std::ldexp(1., -13) + row.division(log2_size)) << seed;
+            runs += f.runs;
+            fragments += f.fragments;
+        }
+    EXPECT_GT(fragments, 3 * runs);
+}
+
+TEST(Runs, LinesKeepAQuarterOfATexel) {
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        RandomRow row(seed, 6, true);
+        row.state.tier = Tier::balanced;
+        ASSERT_LE(follow<CoordRuns<0>>(row, 6).worst, .25 + row.division(6)) << seed;
+    }
+}
+
+/// Coordinates that do not wrap divide at every fragment.
+TEST(Runs, ClampedCoordinatesDivide) {
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        const RandomRow row(seed, 6, false);
+        CubicRuns<0> run(row.span, 0);
+        for (std::int32_t x = 0; x < row.span.length; ++x) {
+            ASSERT_EQ(run.begin(x), x + 1);
+            const double want = std::fmin(row.divided(row.span.unit[0].s, x), 7.9999999);
+            ASSERT_NEAR(static_cast<std::int32_t>(run.s) * std::ldexp(1., -28), std::fmax(want, -8), 1e-6)
+                << seed;
+        }
+    }
+}
+
+} // namespace
+} // namespace spangle::raster::test
