@@ -13,7 +13,7 @@ namespace {
 constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
                                    PixelFormat::rgba8888};
 constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
-constexpr EGLint precision_count = 5;
+constexpr EGLint precision_count = 7;
 constexpr EGLint depth_count = 3, format_count = 4;
 constexpr EGLint config_count = format_count * depth_count * precision_count;
 
@@ -245,6 +245,10 @@ Precision precision_of(EGLint precision) {
         return {reference_engines[0], raster::Tier::exact};
     case EGL_PRECISION_SHADOW_SPANGLE:
         return {reference_engines[1], raster::Tier::exact};
+    case EGL_PRECISION_SHADOW_BALANCED_SPANGLE:
+        return {reference_engines[1], raster::Tier::balanced};
+    case EGL_PRECISION_SHADOW_FAST_SPANGLE:
+        return {reference_engines[1], raster::Tier::fast};
     default:
         return {nullptr, raster::Tier::exact};
     }

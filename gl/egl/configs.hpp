@@ -22,7 +22,8 @@ struct Precision {
 };
 Precision precision_of(EGLint precision);
 
-/// Host tools link the reference policies and name them here, before contexts are made.
+/// Host tools link the reference policies and name them here, before contexts are made: DOUBLE, and SHADOW
+/// for its three tiers.
 void register_engine(EGLint precision, const gl::Engine* engine);
 
 } // namespace spangle::egl

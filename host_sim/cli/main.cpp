@@ -30,7 +30,9 @@ const std::map<std::string, Precision> precisions = {{"exact", Precision::exact}
                                                      {"balanced", Precision::balanced},
                                                      {"fast", Precision::fast},
                                                      {"double", Precision::reference},
-                                                     {"shadow", Precision::shadow}};
+                                                     {"shadow", Precision::shadow},
+                                                     {"shadow-balanced", Precision::shadow_balanced},
+                                                     {"shadow-fast", Precision::shadow_fast}};
 
 /// "320x240", both sides 1 to 2048.
 std::string read_size(const std::string& text, int& width, int& height) {
@@ -195,8 +197,9 @@ int spangle_main(int argc, char** argv) {
         ->capture_default_str();
     run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board");
     run->add_option("--precision", options.precision,
-                    "exact, balanced, fast; double: the reference; shadow: exact, with every stage "
-                    "held against a double beside it, and an error report")
+                    "exact, balanced, fast; double: the reference; shadow, shadow-balanced, shadow-fast: the "
+                    "tiers with "
+                    "every stage held against a double beside it, and an error report")
         ->transform(CLI::CheckedTransformer(precisions))
         ->default_str("exact");
     run->add_option("--dither", dither, "GL_DITHER")

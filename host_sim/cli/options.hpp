@@ -6,7 +6,15 @@
 
 namespace spangle::cli {
 
-enum class Precision : std::uint8_t { exact, balanced, fast, reference, shadow };
+enum class Precision : std::uint8_t {
+    exact,
+    balanced,
+    fast,
+    reference,
+    shadow,
+    shadow_balanced,
+    shadow_fast
+};
 
 struct RunOptions {
     std::string scene; ///< id of a scene; empty when a model is drawn

@@ -33,8 +33,13 @@ struct Program {
 };
 
 const char* name_of(Precision p) {
-    constexpr const char* names[] = {"exact", "balanced", "fast", "double", "shadow"};
+    constexpr const char* names[] = {"exact",  "balanced",        "fast",       "double",
+                                     "shadow", "shadow-balanced", "shadow-fast"};
     return names[static_cast<unsigned>(p)];
+}
+
+bool is_shadow(Precision p) {
+    return p >= Precision::shadow;
 }
 
 std::string make_program(const RunOptions& options, Model& model, Program& out) {
@@ -173,7 +178,7 @@ RunResult run(const RunOptions& options) {
         result.error = "no board '" + options.board + "'; `spangle boards` lists them";
         return result;
     }
-    if (options.precision == Precision::reference || options.precision == Precision::shadow)
+    if (options.precision == Precision::reference || is_shadow(options.precision))
         egl::use_reference_engines();
     std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(*description) : nullptr;
     Session session;
@@ -193,7 +198,7 @@ RunResult run(const RunOptions& options) {
     if (options.compare)
         counters.observer = &coverage;
     session.observe(&counters);
-    const ShadowSession shadow(options.precision == Precision::shadow);
+    const ShadowSession shadow(is_shadow(options.precision));
     Comparison comparison;
     if (options.compare) {
         result.error = comparison.open(session, program, options.dither);

@@ -27,9 +27,10 @@ std::string egl_problem(const char* call) {
 }
 
 EGLint token_of(Precision precision) {
-    constexpr EGLint tokens[] = {EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_BALANCED_SPANGLE,
-                                 EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_DOUBLE_SPANGLE,
-                                 EGL_PRECISION_SHADOW_SPANGLE};
+    constexpr EGLint tokens[] = {EGL_PRECISION_EXACT_SPANGLE,      EGL_PRECISION_BALANCED_SPANGLE,
+                                 EGL_PRECISION_FAST_SPANGLE,       EGL_PRECISION_DOUBLE_SPANGLE,
+                                 EGL_PRECISION_SHADOW_SPANGLE,     EGL_PRECISION_SHADOW_BALANCED_SPANGLE,
+                                 EGL_PRECISION_SHADOW_FAST_SPANGLE};
     return tokens[static_cast<unsigned>(precision)];
 }
 

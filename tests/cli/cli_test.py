@@ -66,8 +66,24 @@ STAGE_BOUNDS = {"vertex color": 2**-19, "vertex coord": 2**-20, "vertex fog": 2*
                 "fog": 1 / 255, "blend": 1 / 255}
 
 
+# What the balanced tier promises instead: a quarter of a texel, a quarter of a step of R5; fog distances are affine within 2^-9 of the factor.
+BALANCED_BOUNDS = {"coord 0": 0.25 + 1 / 64, "primary": 0.25 / 31, "vertex color": 2**-13, "fog factor": 2**-9}
+
+
+def shadow_tiers():
+    """The shadow of a tier draws its picture; balanced keeps its promises."""
+    for tier in ("balanced", "fast"):
+        for scene in ("S4", "S4r", "S5", "S6", "S9"):
+            plain, r = report(scene, "--dither", "off", "--precision", tier), report(scene, "--dither", "off", "--precision", f"shadow-{tier}")
+            check(r["picture_hash"] == plain["picture_hash"], f"{scene}: the picture of the {tier} tier")
+            for s in r["stages"]:
+                bound = BALANCED_BOUNDS.get(s["stage"]) if tier == "balanced" else None
+                check(bound is None or s["max"] <= bound, f"{scene} {tier} {s['stage']}: {s['max']}")
+
+
 def shadow():
     """Shadow precision draws the exact tier's picture and reports every stage within its bound, worst and RMS."""
+    shadow_tiers()
     worst = {}
     for scene in scenes():
         exact, r = report(scene, "--dither", "off"), report(scene, "--dither", "off", "--precision", "shadow")

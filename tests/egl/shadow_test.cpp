@@ -106,14 +106,22 @@ struct ShadowContexts : testing::Test {
     void SetUp() override { egl::use_reference_engines(); }
 };
 
-TEST_F(ShadowContexts, DrawThePictureOfTheExactTier) {
-    const std::vector<GLuint> exact = picture_of(EGL_PRECISION_EXACT_SPANGLE);
-    ShadowReport report;
-    EXPECT_EQ(raster::report_shadow(&report), nullptr);
-    EXPECT_EQ(picture_of(EGL_PRECISION_SHADOW_SPANGLE), exact);
-    EXPECT_EQ(raster::report_shadow(nullptr), &report);
-    EXPECT_EQ(picture_of(EGL_PRECISION_SHADOW_SPANGLE), exact); // and without a report
-    EXPECT_NE(exact.front(), exact[size * size / 2 + size / 2]);
+TEST_F(ShadowContexts, DrawThePictureOfTheirTier) {
+    const EGLint tiers[][2] = {{EGL_PRECISION_EXACT_SPANGLE, EGL_PRECISION_SHADOW_SPANGLE},
+                               {EGL_PRECISION_BALANCED_SPANGLE, EGL_PRECISION_SHADOW_BALANCED_SPANGLE},
+                               {EGL_PRECISION_FAST_SPANGLE, EGL_PRECISION_SHADOW_FAST_SPANGLE}};
+    double texels = 0;
+    for (const auto& [tier, shadow] : tiers) {
+        const std::vector<GLuint> picture = picture_of(tier);
+        ShadowReport report;
+        EXPECT_EQ(raster::report_shadow(&report), nullptr);
+        EXPECT_EQ(picture_of(shadow), picture);
+        EXPECT_EQ(raster::report_shadow(nullptr), &report);
+        EXPECT_EQ(picture_of(shadow), picture); // and without a report
+        EXPECT_NE(picture.front(), picture[size * size / 2 + size / 2]);
+        EXPECT_GT(report[Stage::coord0].rms(), texels); // each tier further off
+        texels = report[Stage::coord0].rms();
+    }
 }
 
 TEST_F(ShadowContexts, EveryStageIsReportedWithinItsBound) {

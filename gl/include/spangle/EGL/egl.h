@@ -147,14 +147,16 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_BUFFER_AGE_EXT 0x313D
 
 /* EGL_SPANGLE_precision: the accuracy tier of a config. Contexts made with it draw in that tier where no hint
- * says otherwise. DOUBLE and SHADOW are the reference picture and its comparison; they exist on hosts only.
- */
+ * says otherwise. DOUBLE is the reference picture, SHADOW, SHADOW_BALANCED and SHADOW_FAST are the tiers with a
+ * double beside every number; they exist on hosts only. */
 #define EGL_PRECISION_SPANGLE 0x3F00
 #define EGL_PRECISION_EXACT_SPANGLE 0x3F01
 #define EGL_PRECISION_BALANCED_SPANGLE 0x3F02
 #define EGL_PRECISION_FAST_SPANGLE 0x3F03
 #define EGL_PRECISION_DOUBLE_SPANGLE 0x3F04
 #define EGL_PRECISION_SHADOW_SPANGLE 0x3F05
+#define EGL_PRECISION_SHADOW_BALANCED_SPANGLE 0x3F06
+#define EGL_PRECISION_SHADOW_FAST_SPANGLE 0x3F07
 
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
