@@ -3,7 +3,8 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <map>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,13 +27,31 @@ int refuse(const std::string& why) {
     return bad_input;
 }
 
-const std::map<std::string, Precision> precisions = {{"exact", Precision::exact},
-                                                     {"balanced", Precision::balanced},
-                                                     {"fast", Precision::fast},
-                                                     {"double", Precision::reference},
-                                                     {"shadow", Precision::shadow},
-                                                     {"shadow-balanced", Precision::shadow_balanced},
-                                                     {"shadow-fast", Precision::shadow_fast}};
+struct NamedPrecision {
+    const char* name;
+    Precision precision;
+};
+constexpr NamedPrecision precisions[] = {{"exact", Precision::exact},
+                                         {"balanced", Precision::balanced},
+                                         {"fast", Precision::fast},
+                                         {"double", Precision::reference},
+                                         {"shadow", Precision::shadow},
+                                         {"shadow-balanced", Precision::shadow_balanced},
+                                         {"shadow-fast", Precision::shadow_fast}};
+
+std::vector<std::string> precision_names() {
+    std::vector<std::string> names;
+    for (const NamedPrecision& p : precisions)
+        names.emplace_back(p.name);
+    return names;
+}
+
+Precision precision_of(const std::string& name) {
+    for (const NamedPrecision& p : precisions)
+        if (name == p.name)
+            return p.precision;
+    return Precision::exact;
+}
 
 /// "320x240", both sides 1 to 2048.
 std::string read_size(const std::string& text, int& width, int& height) {
@@ -187,7 +206,7 @@ int spangle_main(int argc, char** argv) {
     demo_command->add_option("--out", folder, "folder for the pictures")->capture_default_str();
 
     cli::RunOptions options;
-    std::string size, dither = "on";
+    std::string size, dither = "on", precision = "exact";
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
@@ -196,12 +215,12 @@ int spangle_main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board");
-    run->add_option("--precision", options.precision,
+    run->add_option("--precision", precision,
                     "exact, balanced, fast; double: the reference; shadow, shadow-balanced, shadow-fast: the "
                     "tiers with "
                     "every stage held against a double beside it, and an error report")
-        ->transform(CLI::CheckedTransformer(precisions))
-        ->default_str("exact");
+        ->check(CLI::IsMember(precision_names()))
+        ->capture_default_str();
     run->add_option("--dither", dither, "GL_DITHER")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
@@ -226,6 +245,7 @@ int spangle_main(int argc, char** argv) {
         return bench();
     if (app.got_subcommand("demo"))
         return demo(folder);
+    options.precision = precision_of(precision);
     return run_command(options, size, dither);
 }
 

@@ -115,6 +115,10 @@ def errors():
             check(len(done.stderr.strip().splitlines()) == 1, f"'{text}': one line on stderr, not {done.stderr!r}")
             check(done.stdout == "", f"'{text}': nothing on stdout")
         check([p.name for p in pathlib.Path(folder).iterdir()] == ["broken.obj"], "nothing was written")
+    wrong = run("run", "S5", "--precision", "best").stderr
+    for text, name in ((run("run", "--help").stdout, "help"), (wrong, "error text")):
+        check(all(c.isprintable() or c == "\n" for c in text), f"the {name} holds control characters: {text!r}")
+        check("shadow-balanced" in text, f"the {name} names the precisions")
 
 
 def outputs():
