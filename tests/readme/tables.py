@@ -31,7 +31,7 @@ def table(heads, rows):
 
 class CommandLine:
     def __init__(self, program):
-        self.program = program
+        self.program = str(pathlib.Path(program).resolve())
 
     def scenes(self):
         listed = subprocess.run([self.program, "scenes"], capture_output=True, text=True, check=True).stdout
