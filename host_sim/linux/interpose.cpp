@@ -1,7 +1,6 @@
 // The system calls that libgpiod and our buses make, defined in the program itself: the dynamic linker looks
 // there first, so the unmodified libraries call these. What is not modelled goes on to the C library.
 #include <cerrno>
-#include <cstdarg>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -58,11 +57,11 @@ bool fake_stat(const char* path, struct stat* status) {
 
 extern "C" {
 
-int spangle_open(const char* path, int flags, ...) SPANGLE_SYMBOL("open");
-int spangle_open64(const char* path, int flags, ...) SPANGLE_SYMBOL("open64");
+int spangle_open(const char* path, int flags, mode_t mode) SPANGLE_SYMBOL("open");
+int spangle_open64(const char* path, int flags, mode_t mode) SPANGLE_SYMBOL("open64");
 int spangle_open_2(const char* path, int flags) SPANGLE_SYMBOL("__open_2");
 int spangle_close(int file) SPANGLE_SYMBOL("close");
-int spangle_ioctl(int file, unsigned long request, ...) SPANGLE_SYMBOL("ioctl");
+int spangle_ioctl(int file, unsigned long request, void* argument) SPANGLE_SYMBOL("ioctl");
 ssize_t spangle_read(int file, void* into, std::size_t count) SPANGLE_SYMBOL("read");
 ssize_t spangle_write(int file, const void* from, std::size_t count) SPANGLE_SYMBOL("write");
 long spangle_lseek(int file, long offset, int whence) SPANGLE_SYMBOL("lseek");
@@ -75,23 +74,13 @@ char* spangle_realpath(const char* path, char* resolved) SPANGLE_SYMBOL("realpat
 int spangle_clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec* left)
     SPANGLE_SYMBOL("clock_nanosleep");
 
-int spangle_open(const char* path, int flags, ...) {
-    va_list arguments;
-    va_start(arguments, flags);
-    mode_t mode = 0;
-    if ((flags & O_CREAT) != 0)
-        mode = va_arg(arguments, mode_t);
-    va_end(arguments);
+// open() and ioctl() take a last argument or not. Whatever stands in its register when none was passed goes
+// on to the C library, which does not look at it then either.
+int spangle_open(const char* path, int flags, mode_t mode) {
     return open_file(path, flags, mode);
 }
 
-int spangle_open64(const char* path, int flags, ...) {
-    va_list arguments;
-    va_start(arguments, flags);
-    mode_t mode = 0;
-    if ((flags & O_CREAT) != 0)
-        mode = va_arg(arguments, mode_t);
-    va_end(arguments);
+int spangle_open64(const char* path, int flags, mode_t mode) {
     return open_file(path, flags, mode);
 }
 
@@ -105,11 +94,7 @@ int spangle_close(int file) {
     return real(file);
 }
 
-int spangle_ioctl(int file, unsigned long request, ...) {
-    va_list arguments;
-    va_start(arguments, request);
-    void* const argument = va_arg(arguments, void*);
-    va_end(arguments);
+int spangle_ioctl(int file, unsigned long request, void* argument) {
     long answer = 0;
     // The kernel looks at 32 bits; libgpiod 2 keeps some requests in an int.
     if (Kernel::instance().ioctl(file, static_cast<std::uint32_t>(request), argument, answer))
