@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Builds and runs projects outside the tree against Spangle, as a user would.
 
-usage: check.py find_package|fetch_content|self_test|raspberry_pi BUILD_DIR
+usage: check.py find_package|fetch_content|self_test|raspberry_pi|gud_display BUILD_DIR
 
 find_package: installs BUILD_DIR into a temporary prefix and looks it up there. fetch_content: hands the source tree to
 FetchContent. The project links every exported library, draws a triangle on a simulated board and checks the glass.
 self_test: the example boards/examples/self_test against the installed package: its tests pass, and with another golden
 picture one of them fails and leaves the difference.
-raspberry_pi: that example against the installed package: built, and it says what this machine has not.
+raspberry_pi, gud_display: those examples against the installed package: built, and they say what this machine has not.
 """
 import os
 import pathlib
@@ -19,7 +19,10 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELLO = pathlib.Path(__file__).with_name("hello")
 SELF_TEST = ROOT / "boards/examples/self_test"
-RASPBERRY_PI = ROOT / "boards/examples/raspberry_pi"
+EXAMPLES = {  # program, arguments, and what it says where there is no such device
+    "raspberry_pi": ("cube", ["0"], "cube: /dev/spidev0.0: open: No such file"),
+    "gud_display": ("triangle", ["0", "/dev/bus/usb/999/999"], "triangle: /dev/bus/usb/999/999: open: No such file"),
+}
 
 
 def run(*command):
@@ -67,24 +70,25 @@ def self_test(build, outside):
     return 0
 
 
-def raspberry_pi(build, outside):
-    project = shutil.copytree(RASPBERRY_PI, outside / "raspberry_pi", ignore=shutil.ignore_patterns("build"))
+def example(way, build, outside):
+    program, words, says = EXAMPLES[way]
+    project = shutil.copytree(ROOT / "boards/examples" / way, outside / way, ignore=shutil.ignore_patterns("build"))
     option = installed(build, outside)
     if not list((outside / "prefix").rglob("rules.d/60-spangle.rules")):
         print("the udev rules are not installed")
         return 1
     build_project(project, outside, option)
-    cube = subprocess.run([outside / "build/cube", "0"], capture_output=True, text=True)
     if pathlib.Path("/dev/spidev0.0").exists():
-        return 0 # a board: what comes of it is the owner's affair
-    if cube.returncode != 1 or not cube.stderr.startswith("cube: /dev/spidev0.0: open: No such file"):
-        print(f"the example does not say that there is no spidev here: {cube.returncode} {cube.stderr}")
+        return 0  # a board: what comes of it is the owner's affair
+    done = subprocess.run([outside / "build" / program, *words], capture_output=True, text=True)
+    if done.returncode != 1 or not done.stderr.startswith(says):
+        print(f"{program} does not say what is missing here: {done.returncode} {done.stderr}")
         return 1
     return 0
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content", "self_test", "raspberry_pi"):
+    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content", "self_test", *EXAMPLES):
         print(__doc__.strip())
         return 2
     way, build = sys.argv[1:]
@@ -92,7 +96,7 @@ def main():
         outside = pathlib.Path(folder)
         if way == "self_test":
             return self_test(build, outside)
-        return raspberry_pi(build, outside) if way == "raspberry_pi" else hello(way, build, outside)
+        return example(way, build, outside) if way in EXAMPLES else hello(way, build, outside)
 
 
 if __name__ == "__main__":
