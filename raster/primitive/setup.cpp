@@ -120,19 +120,22 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t v0, st
             std::int64_t{d1} * center_[0] + std::int64_t{d2} * center_[1]};
 }
 
-SPANGLE_INLINE std::int64_t Setup<Fixed>::affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                                 std::int32_t v0, std::int32_t v1, std::int32_t v2, int up) {
+SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint32_t>& at,
+                                                           std::uint32_t first, std::int32_t v0,
+                                                           std::int32_t v1, std::int32_t v2, int up) {
     const Gradient g = gradient(v0, v1, v2);
     const int n = exponent_ - up;
     at.value = first + scaled_word(g.center, n);
     at.dx = scaled_word(g.dx, n);
     at.dy = scaled_word(g.dy, n);
-    return g.dy;
+    return g;
 }
 
-std::uint64_t Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                       const std::int32_t v[3], int up) {
-    return static_cast<std::uint64_t>(scaled(affine(at, first, v[0], v[1], v[2], up), exponent_ - up));
+Setup<Fixed>::Slope Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                             const std::int32_t v[3], int up) {
+    const Gradient g = affine(at, first, v[0], v[1], v[2], up);
+    return {static_cast<std::uint64_t>(scaled(g.dx, exponent_ - up)),
+            static_cast<std::uint64_t>(scaled(g.dy, exponent_ - up))};
 }
 
 std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {

@@ -39,6 +39,10 @@ template <> class Setup<Fixed> {
     static constexpr std::int64_t thin_aspect = 1 << 10;
 
   private:
+    /// Differences with all their bits: those of an affine plane wrap with it.
+    struct Slope {
+        std::uint64_t dx, dy;
+    };
     struct Gradient {
         std::int64_t dx, dy; ///< per pixel
         std::int64_t center; ///< from the lowest vertex to the centre of its pixel
@@ -74,10 +78,9 @@ template <> class Setup<Fixed> {
     Kind choose_kind(const UnitValues units[], bool same_w, bool one_color, const std::int32_t fog[3]) const;
 
     Gradient gradient(std::int32_t v0, std::int32_t v1, std::int32_t v2) const;
-    std::int64_t affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0, std::int32_t v1,
-                        std::int32_t v2, int up);
-    std::uint64_t add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
-                             int up);
+    Gradient affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0, std::int32_t v1,
+                    std::int32_t v2, int up);
+    Slope add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
     void constant_word(const Vertex& painted);

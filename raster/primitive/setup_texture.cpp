@@ -144,10 +144,15 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
                         : static_cast<std::uint32_t>(v >> less) +
                               (static_cast<std::uint32_t>(base) << clamped_coord_bits);
         };
-        at.s_dy = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
-                             wraps.s ? u.shift : u.shift - less);
-        at.t_dy = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
-                             wraps.t ? u.shift : u.shift - less);
+        const Slope s = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
+                                   wraps.s ? u.shift : u.shift - less);
+        const Slope t = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
+                                   wraps.t ? u.shift : u.shift - less);
+        // For the level of detail: a texture may repeat more than once from pixel to pixel.
+        at.s.dx = s.dx;
+        at.t.dx = t.dx;
+        at.s_dy = s.dy;
+        at.t_dy = t.dy;
         return;
     }
     at.shares_q = !u.homogeneous;

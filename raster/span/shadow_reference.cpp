@@ -121,7 +121,8 @@ template <class N> class Fragment {
         const Texture& texture = *state.fragment.unit[Unit].texture;
         if (texture.mip != MipFilter::none || texture.mag != texture.min) {
             run<Lod<N, Unit>, Lod<Reference, Unit>>();
-            report_[lod].add(f_.lod[Unit][0] / 256.0, d_.lod[Unit][0] / 256.0);
+            // Below 0 texels are magnified, however much.
+            report_[lod].add(std::fmax(f_.lod[Unit][0] / 256.0, 0), std::fmax(d_.lod[Unit][0] / 256.0, 0));
             run<Texture2D<N, Unit, true>, Texture2D<Reference, Unit, true>>();
         } else {
             run<Texture2D<N, Unit, false>, Texture2D<Reference, Unit, false>>();

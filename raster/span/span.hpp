@@ -77,8 +77,8 @@ template <class P> struct Span {
     Projective secondary_q[3];
     Projective fog_q;
     struct Unit {
-        Projective s, t;                         ///< s/w and t/w
-        Projective q;                            ///< q/w; not written when `shares_q`
+        Projective s, t; ///< s/w and t/w; of affine coordinates only dx, for the level of detail
+        Projective q;    ///< q/w; not written when `shares_q`
         typename P::Projective s_dy, t_dy, q_dy; ///< differences from row to row, for the level of detail
         std::int32_t exponent;                   ///< (s/w) / (q/w) * 2^exponent = s in repeats of the texture
         std::int32_t s_base,

@@ -31,14 +31,14 @@ template <class N, int Unit> struct Lod : StageBase {
     }
 
     std::int32_t affine() const {
-        const auto steps = [](std::uint32_t dx, std::uint64_t dy, bool wraps) {
-            const std::uint64_t m = largest(numeric::abs_u32(static_cast<std::int32_t>(dx)),
+        const auto steps = [](std::uint64_t dx, std::uint64_t dy, bool wraps) {
+            const std::uint64_t m = largest(numeric::abs_u64(static_cast<std::int64_t>(dx)),
                                             numeric::abs_u64(static_cast<std::int64_t>(dy)));
             return m << (wraps ? 0 : 32 - clamped_coord_bits);
         };
         const auto& unit = span.unit[Unit];
-        const std::uint64_t ds = steps(span.s[Unit].dx, unit.s_dy, span.state->wraps[Unit].s);
-        const std::uint64_t dt = steps(span.t[Unit].dx, unit.t_dy, span.state->wraps[Unit].t);
+        const std::uint64_t ds = steps(unit.s.dx, unit.s_dy, span.state->wraps[Unit].s);
+        const std::uint64_t dt = steps(unit.t.dx, unit.t_dy, span.state->wraps[Unit].t);
         return log2_fraction8(in_texels(ds, dt)) + ((span.state->log2_width[Unit] - 32) << 8);
     }
 

@@ -85,6 +85,36 @@ TEST(Shadow, BalancedTierWithinItsBounds) {
     EXPECT_LE(r[ShadowStage::depth].worst, 1.0 / 16777215);
 }
 
+/// 3.8.8: the level of detail of a texture that is so far away that it repeats several times from pixel to
+/// pixel.
+TEST(Shadow, LevelsOfDetailOfManyRepeats) {
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge})
+        for (const double w : {1.0, 1.5}) // of one corner: affine, projective
+            for (const double repeats : {0.1, 0.45, 0.55, 0.97, 1.02, 3.4, 30.0}) {
+                Scene scene;
+                for (int level = 0; level < 5; ++level)
+                    scene.texture.level[level] = {scene.texels, static_cast<std::uint16_t>(16 >> level),
+                                                  static_cast<std::uint16_t>(16 >> level), 64};
+                scene.texture.level_count = 5;
+                scene.texture.mip = MipFilter::linear;
+                scene.texture.wrap_s = scene.texture.wrap_t = wrap;
+                scene.state.fog = scene.state.blend = false;
+                for (int i = 0; i < 4; ++i) {
+                    Point& p = scene.corner[i];
+                    p.w = i == 2 ? w : 1;
+                    p.s = repeats * p.x;
+                    p.t = repeats / 7 * p.y;
+                }
+                ShadowReport r = draw(scene, scene);
+                EXPECT_EQ(r[ShadowStage::lod0].count, 48u * 48u);
+                EXPECT_LE(r[ShadowStage::lod0].worst, 1.0 / 64) << repeats << ' ' << w;
+                if (w == 1) {
+                    EXPECT_NEAR(r[ShadowStage::lod0].greatest, std::fmax(std::log2(16 * repeats), 0),
+                                1.0 / 64);
+                }
+            }
+}
+
 TEST(Shadow, LinesPointsAndNoReport) {
     Scene scene;
     Canvas fixed = scene.canvas;
