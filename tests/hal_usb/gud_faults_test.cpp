@@ -158,7 +158,7 @@ struct Random {
 
 TEST(GudFaults, AThousandSequencesAtRandom) {
     GudRig rig;
-    rig.config.bulk_timeout_ms = 5;
+    rig.config.bulk_timeout_ms = 20;
     rig.config.poll_ms = 1;
     rig.device.poll_status = true;
     rig.device.max_buffer_size = 600;
@@ -194,7 +194,9 @@ TEST(GudFaults, AThousandSequencesAtRandom) {
         }
         rig.usb.plug();
         auto sent = rig.display->present();
-        if (sent.error().fault == Fault::gone) // the poller had not noticed yet
+        // The poller had not noticed yet that it went; or the test machine was busy.
+        for (int i = 0; i < 5 && (sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout);
+             ++i)
             sent = rig.display->present();
         ASSERT_TRUE(sent.ok()) << sequence << ": " << sent.error().rule;
         ASSERT_EQ(rig.kernel.open_files(), 1) << sequence;
