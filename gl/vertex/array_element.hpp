@@ -28,6 +28,14 @@ class ArrayReader {
         return bits;
     }
 
+    /// The three of is_float3().
+    SPANGLE_INLINE void read3(std::uint32_t index, Real* out) const {
+        const std::uint8_t* const at = words(index);
+        out[0] = float_at(at);
+        out[1] = float_at(at + 4);
+        out[2] = float_at(at + 8);
+    }
+
     /// Components of an element; those beyond the array's size keep what `out` holds.
     template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
         const std::uint8_t* const at = base_ + stride_ * index;

@@ -91,12 +91,12 @@ std::int32_t plain_factor(std::int32_t v, std::int32_t e) {
     return up < numeric::clz32(static_cast<std::uint32_t>(v)) ? v << up : 0x7FFFFFFF;
 }
 
+/// Of a sum that has half a unit already.
 std::uint32_t plain_color(std::int64_t sum) {
-    constexpr std::int64_t one = std::int64_t{1} << plain_sum_bits;
-    if (static_cast<std::uint64_t>(sum) >= static_cast<std::uint64_t>(one)) // or negative
+    const auto high = static_cast<std::uint32_t>(static_cast<std::uint64_t>(sum) >> 32);
+    if (high >> (plain_sum_bits - 32) != 0) // 1 and more, or negative
         return sum < 0 ? 0 : raster::color_one;
-    return FixedMath::color_units(static_cast<std::uint32_t>(
-        (sum + (std::int64_t{1} << (plain_sum_bits - 31))) >> (plain_sum_bits - 30)));
+    return FixedMath::color_units(static_cast<std::uint32_t>(sum >> (plain_sum_bits - 30)));
 }
 
 /// N^T u: n . u of normals as they are given is their product with it.
@@ -203,6 +203,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
             out.has_specular = out.has_specular || out.specular[i][c] != 0;
         }
         out.base[c] = numeric::saturate_i32(base);
+        out.plain_base[c] =
+            std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
     out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_);
 }
@@ -228,10 +230,7 @@ bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVert
         r = numeric::rsqrt(
             static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
     }
-    std::int64_t sum[3];
-#pragma GCC unroll 3
-    for (int c = 0; c < 3; ++c)
-        sum[c] = std::int64_t{fold.base[c]} * (1 << plain_factor_bits);
+    std::int64_t sum[3] = {fold.plain_base[0], fold.plain_base[1], fold.plain_base[2]};
     for (int i = 0; i < count_; ++i) {
         std::int32_t facing;
         if (normalize_) {

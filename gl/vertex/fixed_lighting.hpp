@@ -55,6 +55,8 @@ class FixedLighting {
     };
     /// Products of one side's material with every light.
     struct Fold {
+        std::int64_t
+            plain_base[3];    ///< base as sums of plain lighting have it, and half a unit of their colours
         std::int32_t base[3]; ///< emission, model ambient and the ambient light that is not attenuated
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;

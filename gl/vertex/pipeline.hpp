@@ -52,16 +52,18 @@ template <class M, class L> class Pipeline {
         if (lighting_.tracks_color() || !reader.vertex.on())
             return elements_in_turn(context, reader, count, indices);
         arrays_begin(reader, current);
-        const bool usual = reader.vertex.is_float3() &&
-                           (!lit_ || !reader.normal.on() || reader.normal.is_float3()) &&
-                           !reader.color.on() && !reader.tex_coord.on();
+        const bool usual = is_usual(reader), normals = lit_ && reader.normal.on();
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t index = indices.at(i);
-            Vertex& v = usual ? usual_element(reader, index) : element(reader, index);
-            corner_[held_] = &v;
-            if (!usual)
+            Vertex* v;
+            if (usual) {
+                v = &usual_element(reader, index, current, normals);
+            } else {
+                v = &element(reader, index);
                 set_color_and_texture(context, reader, index);
-            attributes(current, v);
+                attributes(current, *v);
+            }
+            corner_[held_] = v;
             if (++held_ == full_)
                 mode_ == GL_TRIANGLE_STRIP ? strip() : primitive();
         }
@@ -116,6 +118,7 @@ template <class M, class L> class Pipeline {
     Vertex* corner_[slot_count] = {}; ///< of the primitive being assembled
     unsigned layout_ = 0;             ///< of the arrays that the cached vertices came from
     Given given_;                     ///< the element at hand
+    Real given_color_[4] = {};        ///< current during the last draw of elements
     std::uint32_t now_ = 1;           ///< of cached vertices; another one when their results would differ
     std::int32_t point_size_ = 1, line_width_ = 1;
     typename M::Transforms transforms_;
@@ -204,21 +207,36 @@ template <class M, class L> class Pipeline {
         return differ == 0;
     }
 
-    /// Cached vertices do not say how many components their arrays had, nor which normal goes with all.
+    /// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
+    /// ones, went with all.
     void arrays_begin(const ElementReader& reader, const CurrentState& current) {
-        const unsigned layout = reader.vertex.components() << 4 | reader.normal.components();
-        if (layout != layout_ || (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
+        const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
+                                (reader.color.on() ? 2u : 0u) | (reader.tex_coord.on() ? 1u : 0u);
+        if (layout != layout_ || !same<4>(given_color_, current.color) ||
+            (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
             forget();
         layout_ = layout;
         given_.position[2] = numeric::zero; // what the array leaves out
         given_.position[3] = numeric::one;
         for (int c = 0; c < 3; ++c)
             given_.normal[c] = current.normal[c];
+        for (int c = 0; c < 4; ++c)
+            given_color_[c] = current.color[c];
+    }
+
+    /// Three floats each, and everything else is current.
+    bool is_usual(const ElementReader& reader) const {
+        bool textured = reader.tex_coord.on();
+        for (const bool unit : textured_)
+            textured = textured || unit;
+        return reader.vertex.is_float3() && (!lit_ || !reader.normal.on() || reader.normal.is_float3()) &&
+               !reader.color.on() && !textured;
     }
 
     Vertex& cached(std::uint32_t index) { return cache_[index % SPANGLE_VERTEX_CACHE]; }
 
-    /// The vertex of an element: as it was processed before, if the arrays still say the same of it.
+    /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
+    /// the arrays still say the same of it.
     Vertex& element(const ElementReader& reader, std::uint32_t index) {
         Vertex& v = cached(index);
         reader.vertex.read(index, given_.position);
@@ -226,20 +244,30 @@ template <class M, class L> class Pipeline {
             reader.normal.read(index, given_.normal);
         if (v.time == now_ && same<4>(v.position, given_.position) && same<3>(v.normal, given_.normal))
             return v;
-        return given_anew(v);
+        Vertex& fresh = place_of(v);
+        static_cast<Given&>(fresh) = given_;
+        process(fresh);
+        return fresh;
     }
 
-    /// The same for three floats each.
-    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index) {
+    /// The same where is_usual(), and with its colour.
+    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index,
+                                         const CurrentState& current, bool normals) {
         Vertex& v = cached(index);
-        const bool normals = lit_ && reader.normal.on();
         if (v.time == now_ && equal(v.position, reader.vertex.words(index)) &&
             (!normals || equal(v.normal, reader.normal.words(index))))
             return v;
-        reader.vertex.read(index, given_.position);
+        Vertex& fresh = place_of(v);
+        reader.vertex.read3(index, fresh.position);
+        fresh.position[3] = numeric::one;
         if (normals)
-            reader.normal.read(index, given_.normal);
-        return given_anew(v);
+            reader.normal.read3(index, fresh.normal);
+        else
+            for (int c = 0; c < 3; ++c)
+                fresh.normal[c] = given_.normal[c];
+        process(fresh);
+        attributes(current, fresh);
+        return fresh;
     }
 
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words) {
@@ -247,14 +275,13 @@ template <class M, class L> class Pipeline {
                v[2].bits == ArrayReader::word(words, 2);
     }
 
-    [[gnu::noinline]] Vertex& given_anew(Vertex& cached) {
+    /// Where a new vertex goes that belongs into `cached`.
+    SPANGLE_INLINE Vertex& place_of(Vertex& cached) {
         Vertex* v = &cached;
         for (int i = 0; i < held_; ++i)
             if (corner_[i] == v)
                 v = free_slot(); // another corner of this primitive has its place
-        static_cast<Given&>(*v) = given_;
         v->time = now_;
-        process(*v);
         return *v;
     }
 
@@ -421,7 +448,8 @@ template <class M, class L> class Pipeline {
         Vertex* ends[2] = {&a, &b};
         if ((any & beyond_mask) != 0 && !clip_line(ends))
             return;
-        if (!project(*ends[0]) || !project(*ends[1]))
+        if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 &&
+            (!project(*ends[0]) || !project(*ends[1])))
             return;
         raster::draw_line(*state_, context_->drawable.surface, ends[0]->window, ends[1]->window, b.window,
                           line_width_);

@@ -64,7 +64,7 @@ class VertexCache : public Canvas {
     /// One thing that a cached vertex depends on.
     void change_something() {
         auto v = any();
-        switch (whole(0, 30)) {
+        switch (whole(0, 26)) {
         case 0:
             return glRotatef(real(-30, 30), v[0], v[1], v[2]);
         case 1:
@@ -92,14 +92,13 @@ class VertexCache : public Canvas {
         case 12:
             return toggle_array(GL_TEXTURE_COORD_ARRAY);
         case 13:
+            glGetFloatv(GL_CURRENT_NORMAL, v.data());
+            v[static_cast<std::size_t>(whole(0, 2))] = real(-1, 1);
             return glNormal3fv(v.data());
-        case 14: {
-            const auto c = static_cast<std::size_t>(whole(0, 3));
-            const GLfloat changed = v[c];
+        case 14:
             glGetFloatv(GL_CURRENT_COLOR, v.data());
-            v[c] = changed;
+            v[static_cast<std::size_t>(whole(0, 3))] = real(0, 1);
             return glColor4fv(v.data());
-        }
         case 15:
             size = whole(2, 4);
             return;
@@ -107,7 +106,8 @@ class VertexCache : public Canvas {
             return glShadeModel(whole(0, 1) != 0 ? GL_FLAT : GL_SMOOTH);
         case 17: // the usual case
             size = 3;
-            glEnable(GL_LIGHTING);
+            (whole(0, 1) != 0 ? glEnable : glDisable)(GL_LIGHTING);
+            glDisable(GL_TEXTURE_2D);
             glDisable(GL_COLOR_MATERIAL);
             glEnableClientState(GL_NORMAL_ARRAY);
             glDisableClientState(GL_COLOR_ARRAY);
