@@ -219,7 +219,8 @@ struct FixedMath {
 
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
         if (t.texture_is_identity) {
-            set_texture(out, unit, numeric::to_block(stq[0], stq[1], stq[3]));
+            const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
+            set_texture(out, unit, {{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
             out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
             return;
         }
