@@ -69,6 +69,7 @@ template <PixelFormat Format> struct BlendPacked : StageBase {
     SPANGLE_INLINE bool operator()(Px<Packed>& p) const {
         if (p.color.a == 0)
             return false;
+        asm("" : "+r"(p.color.a)); // what follows is not begun before the branch
         std::uint8_t* const at = plane + 2 * p.i;
         Words::store(at, p.color.a == 255 ? Packed::opaque(p.color) : Packed::over(p.color, Words::load(at)));
         return true;

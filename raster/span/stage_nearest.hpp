@@ -23,10 +23,12 @@ template <bool Cubic> class TexelAxis {
     SPANGLE_INLINE bool straight() const { return v_.straight(); }
     /// n steps stay in one texel.
     SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
-    /// Every step is one texel.
-    SPANGLE_INLINE bool one_to_one() const {
+    /// n pixels have one texel each, in order: the step is one texel, or so nearly that none is met twice.
+    SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
-        return v_.by == 1u << shift_ && shift_ != 31;
+        const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
+        const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
+        return last >= 0 && last >> shift_ == 0;
     }
 
   private:
@@ -42,6 +44,8 @@ template <class T, int Unit, class Runs> struct NearestWalk : T {
     /// With lanes only whole rows of words gain from it.
     static constexpr bool rows = N::lanes == 1 || T::loads_words;
     static constexpr std::uint32_t lanes = N::lanes;
+    /// Sprites: such a row is texel after texel.
+    static constexpr bool in_order = is_packed<N>;
     TexelAxis<is_cubic<Runs>> s, t;
     const std::uint8_t* row_at;
     bool one_to_one;
@@ -65,13 +69,21 @@ template <class T, int Unit, class Runs> struct NearestWalk : T {
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!s.straight() || !t.constant(static_cast<std::uint32_t>(n) - 1))
             return false;
-        row_at = this->at(0, static_cast<std::int32_t>(t.index()));
+        const auto j = static_cast<std::int32_t>(t.index());
+        if constexpr (in_order) {
+            const auto i = static_cast<std::int32_t>(s.index());
+            row_at = this->at(i, j);
+            return s.one_to_one(static_cast<std::uint32_t>(n)) && i + n <= 1 << this->log2_width;
+        }
+        row_at = this->at(0, j);
         if constexpr (lanes > 1)
-            one_to_one = s.one_to_one();
+            one_to_one = s.one_to_one(static_cast<std::uint32_t>(n));
         return true;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row) {
+            if constexpr (in_order)
+                return this->combine(p, [&](std::uint32_t) { return row_at; });
             if constexpr (lanes > 1 && T::loads_words) {
                 const std::uint32_t i = s.index();
                 if (one_to_one && static_cast<std::int32_t>(i) + N::lanes <= 1 << this->log2_width)
@@ -90,7 +102,12 @@ template <class T, int Unit, class Runs> struct NearestWalk : T {
         s.step(lanes);
         t.step(lanes);
     }
-    SPANGLE_INLINE void step_row() { s.step_straight(lanes); }
+    SPANGLE_INLINE void step_row() {
+        if constexpr (in_order)
+            row_at += T::bytes;
+        else
+            s.step_straight(lanes);
+    }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
         s.step(static_cast<std::uint32_t>(pixels));
         t.step(static_cast<std::uint32_t>(pixels));
