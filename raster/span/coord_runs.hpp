@@ -97,10 +97,23 @@ struct RunBound {
 /// does not change along the row, the row is one run.
 template <int Unit> class CoordRuns {
   public:
-    std::uint32_t s, t, ds, dt; ///< at the current pixel, and per pixel (TexCoords)
+    std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
+
+  private:
+    std::int32_t
+        next_; ///< between them, lest a compiler store four words as one, which narrower loads wait for
+
+  public:
+    std::uint32_t t, ds;
+
+  private:
+    int log2_;
+
+  public:
+    std::uint32_t dt;
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
-        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
+        : next_(x), log2_(-1), span_(&span), row_(span, Unit) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -111,15 +124,36 @@ template <int Unit> class CoordRuns {
 
   private:
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
-        const bool first = log2_ < 0;
-        if (first)
-            log2_ = choose_log2();
+        if (log2_ < 0)
+            first_run(x);
         const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
-        const std::int32_t to = from + length < limit ? from + length : limit;
-        const auto& unit = span_->unit[Unit];
-        const Sample start = first ? Sample(row_, from, unit.exponent) : last_;
-        last_ = Sample(row_, to, unit.exponent);
         next_ = from + length;
+        const auto& wraps = span_->state->wraps[Unit];
+        if (next_ <= limit && wraps.s && wraps.t) [[likely]] {
+            const Sample end(row_, next_, span_->unit[Unit].exponent);
+            s = static_cast<std::uint32_t>(last_.s);
+            t = static_cast<std::uint32_t>(last_.t);
+            ds = static_cast<std::uint32_t>(difference(end.s, last_.s) >> log2_);
+            dt = static_cast<std::uint32_t>(difference(end.t, last_.t) >> log2_);
+            last_ = end;
+        } else {
+            other_run(from, next_ < limit ? next_ : limit);
+        }
+        if (x != from) {
+            s += static_cast<std::uint32_t>(x - from) * ds;
+            t += static_cast<std::uint32_t>(x - from) * dt;
+        }
+        return next_;
+    }
+    /// The start of the first one.
+    [[gnu::noinline]] void first_run(std::int32_t x) {
+        log2_ = choose_log2();
+        last_ = Sample(row_, x & -(std::int32_t{1} << log2_), span_->unit[Unit].exponent);
+    }
+    /// Cut short by the end of the row, or of coordinates that do not wrap.
+    [[gnu::noinline]] void other_run(std::int32_t from, std::int32_t to) {
+        const auto& unit = span_->unit[Unit];
+        const Sample end(row_, to, unit.exponent);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
             v = detail::to_coord(v0, wraps, base);
@@ -127,13 +161,11 @@ template <int Unit> class CoordRuns {
                 wraps ? difference(v1, v0)
                       : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
                             static_cast<std::int32_t>(v);
-            dv = to - from == length ? static_cast<std::uint32_t>(d >> log2_) : detail::slope(d, to - from);
+            dv = to == next_ ? static_cast<std::uint32_t>(d >> log2_) : detail::slope(d, to - from);
         };
-        along(start.s, last_.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
-        along(start.t, last_.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
-        s += static_cast<std::uint32_t>(x - from) * ds;
-        t += static_cast<std::uint32_t>(x - from) * dt;
-        return next_;
+        along(last_.s, end.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
+        along(last_.t, end.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
+        last_ = end;
     }
 
     static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
@@ -172,8 +204,6 @@ template <int Unit> class CoordRuns {
     const Span<Fixed>* span_;
     detail::HomogeneousRow row_;
     Sample last_;
-    std::int32_t next_;
-    int log2_;
 };
 
 } // namespace spangle::raster
