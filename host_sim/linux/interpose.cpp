@@ -1,6 +1,7 @@
 // The system calls that libgpiod and our buses make, defined in the program itself: the dynamic linker looks
 // there first, so the unmodified libraries call these. What is not modelled goes on to the C library.
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -9,6 +10,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -73,6 +75,8 @@ int spangle_access(const char* path, int mode) SPANGLE_SYMBOL("access");
 char* spangle_realpath(const char* path, char* resolved) SPANGLE_SYMBOL("realpath");
 int spangle_clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec* left)
     SPANGLE_SYMBOL("clock_nanosleep");
+int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
+                           const timespec* deadline) SPANGLE_SYMBOL("pthread_cond_clockwait");
 
 // open() and ioctl() take a last argument or not. Whatever stands in its register when none was passed goes
 // on to the C library, which does not look at it then either.
@@ -180,6 +184,25 @@ int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* le
         return 0;
     *left = {static_cast<time_t>(rest / second), static_cast<long>(rest % second)};
     return EINTR;
+}
+
+/// A modelled transfer takes what its model takes, on a busy machine and under a sanitizer many times the
+/// real one: a thread that waits for one is as patient.
+int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
+                           const timespec* deadline) {
+    constexpr std::int64_t second = 1000000000, patience = 8;
+    timespec now{};
+    clock_gettime(clock, &now);
+    const std::int64_t left = (deadline->tv_sec - now.tv_sec) * second + (deadline->tv_nsec - now.tv_nsec);
+    timespec later = *deadline;
+    if (left > 0 && left < 60 * second) {
+        const std::int64_t until = now.tv_nsec + left * patience;
+        later.tv_sec = now.tv_sec + static_cast<time_t>(until / second);
+        later.tv_nsec = static_cast<long>(until % second);
+    }
+    using Wait = int (*)(pthread_cond_t*, pthread_mutex_t*, clockid_t, const timespec*);
+    static const auto real = next<Wait>("pthread_cond_clockwait");
+    return real(condition, mutex, clock, &later);
 }
 
 } // extern "C"
