@@ -147,8 +147,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_BUFFER_AGE_EXT 0x313D
 
 /* EGL_SPANGLE_precision: the accuracy tier of a config. Contexts made with it draw in that tier where no hint
- * says otherwise. DOUBLE is the reference picture, SHADOW, SHADOW_BALANCED and SHADOW_FAST are the tiers with a
- * double beside every number; they exist on hosts only. */
+ * says otherwise. DOUBLE is the reference picture, SHADOW, SHADOW_BALANCED and SHADOW_FAST are the tiers with
+ * a double beside every number; they exist on hosts only. */
 #define EGL_PRECISION_SPANGLE 0x3F00
 #define EGL_PRECISION_EXACT_SPANGLE 0x3F01
 #define EGL_PRECISION_BALANCED_SPANGLE 0x3F02
