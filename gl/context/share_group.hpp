@@ -12,8 +12,10 @@ struct ShareGroup {
 
     Arena& arena;
     std::uint32_t references = 0; ///< contexts
-    NameTable textures;           ///< to TextureObject
-    NameTable lists;              ///< to list::Chunk, the first of its chain; null for an empty list
+    /// Images and parameters stored: what any context compiled of textures before is stale.
+    std::uint32_t texture_changes = 0;
+    NameTable textures; ///< to TextureObject
+    NameTable lists;    ///< to list::Chunk, the first of its chain; null for an empty list
 };
 
 } // namespace spangle::gl

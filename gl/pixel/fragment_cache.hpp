@@ -1,4 +1,5 @@
-// The compiled form of all fragment state, good while dirty_fragment is clear.
+// The compiled form of all fragment state, good while dirty_fragment is clear and no context of the share
+// group changed a texture.
 #pragma once
 
 #include "raster/span/draw_state.hpp"
@@ -7,6 +8,7 @@ namespace spangle::gl {
 
 struct FragmentCache {
     bool count_passed = false;
+    std::uint32_t texture_changes = 0; ///< of the share group, when this was compiled
     raster::Counters* counters = nullptr;
     raster::DrawState state;
 };

@@ -1,6 +1,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 
 #include "gl/context/features.hpp"
+#include "gl/context/share_group.hpp"
 #include "gl/texture/complete.hpp"
 #include "gl/vertex/engine.hpp"
 #include "raster/numeric/real.hpp"
@@ -166,7 +167,9 @@ void observe(Context& context, raster::Counters* counters, bool count_passed) {
 
 const raster::DrawState& draw_state(Context& context) {
     FragmentCache& cache = context.fragments;
-    if ((context.dirty & dirty_fragment) != 0) {
+    const std::uint32_t texture_changes = context.share->texture_changes;
+    if ((context.dirty & dirty_fragment) != 0 || cache.texture_changes != texture_changes) {
+        cache.texture_changes = texture_changes;
         raster::FragmentState fragment;
         fill(context, fragment);
         context.engine->compile(fragment, context.drawable.surface, cache.state);

@@ -1,6 +1,7 @@
 // TexParameter and the texture queries (GL 1.3, 3.8.4, 6.1.3).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/share_group.hpp"
 #include "gl/texture/internal_format.hpp"
 
 namespace spangle::gl {
@@ -111,6 +112,7 @@ void TexParameter(Context& context, GLenum target, GLenum pname, const Params& p
     if (refused != GL_NO_ERROR)
         return error(context, refused);
     texture.view_valid = false;
+    ++context.share->texture_changes;
     context.changed(dirty_fragment);
 }
 

@@ -61,6 +61,7 @@ void replace_level(Context& context, GLint level, LevelShape shape, const PixelL
     arena.free(texture.level[level]);
     texture.level[level] = image;
     texture.view_valid = false;
+    ++context.share->texture_changes; // another context's compiled state may point at the old texels
     context.changed(dirty_fragment);
 }
 

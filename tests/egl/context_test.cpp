@@ -144,6 +144,54 @@ TEST_F(Contexts, MakeCurrentErrors) {
     EXPECT_EQ(eglMakeCurrent(display, second, second, d), yes);
 }
 
+/// A texture of one colour, drawn over the whole surface: the word of its first pixel.
+std::uint32_t pixel_of_texture() {
+    std::uint32_t pixel = 0;
+    glRectf(-1, -1, 1, 1);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    return pixel;
+}
+void store_texture(std::uint32_t color, GLsizei side) {
+    std::uint32_t texels[64];
+    for (std::uint32_t& texel : texels)
+        texel = color;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, side, side, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+}
+
+TEST_F(Contexts, ATextureReplacedByAnotherContextIsSeenWithoutBindingItAgain) {
+    const EGLSurface surface = pbuffer(), second = pbuffer();
+    const EGLContext c = context(), d = context(c);
+    ASSERT_EQ(eglMakeCurrent(display, surface, surface, c), yes);
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(GL_TEXTURE_2D);
+    store_texture(0x55555555, 8);
+    EXPECT_EQ(pixel_of_texture(), 0x55555555u);
+    std::thread([&] { // c stays current here, and its compiled state knows where the old texels were
+        ASSERT_EQ(eglMakeCurrent(display, second, second, d), yes);
+        glBindTexture(GL_TEXTURE_2D, name);
+        store_texture(0xEEEEEEEE, 4);
+        GLuint other = 0;
+        glGenTextures(1, &other);
+        glBindTexture(GL_TEXTURE_2D, other);
+        store_texture(0x11111111, 8); // where the old texels were
+        EXPECT_EQ(eglReleaseThread(), yes);
+    })
+        .join();
+    EXPECT_EQ(pixel_of_texture(), 0xEEEEEEEEu);
+    std::thread([&] { // incomplete from here on: as if texturing were off (GL 1.3, 3.8.15)
+        ASSERT_EQ(eglMakeCurrent(display, second, second, d), yes);
+        glBindTexture(GL_TEXTURE_2D, name);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+        EXPECT_EQ(eglReleaseThread(), yes);
+    })
+        .join();
+    EXPECT_EQ(pixel_of_texture(), 0xFFFFFFFFu);
+}
+
 TEST_F(Contexts, ObjectsLiveWhileTheyAreCurrent) {
     const EGLSurface surface = pbuffer();
     const EGLContext c = context();
