@@ -87,7 +87,8 @@ std::string difference_path(const std::string& shot) {
 
 int run_command(cli::RunOptions options, const std::string& size, const std::string& dither) {
     if (options.scene.empty() == options.model.empty())
-        return refuse("run takes a scene or --model FILE; `spangle scenes` lists the scenes");
+        return refuse(fmt::format("run takes a scene or --model FILE{}; `spangle scenes` lists the scenes",
+                                  options.scene.empty() ? "" : ", not both"));
     if (!size.empty())
         if (const std::string problem = read_size(size, options.width, options.height); !problem.empty())
             return refuse(problem);
@@ -193,8 +194,13 @@ int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
     app.require_subcommand(1);
     app.set_version_flag("--version", "spangle 0.1.0");
-    app.failure_message([](const CLI::App*, const CLI::Error& error) {
-        return std::string("spangle: ") + error.what() + "; see spangle --help\n";
+    app.name("spangle");
+    app.failure_message([&](const CLI::App*, const CLI::Error& error) {
+        const auto commands = app.get_subcommands();
+        if (commands.empty() && argc > 1 && argv[1][0] != '-')
+            return fmt::format("spangle: no command '{}'; see spangle --help\n", argv[1]);
+        return fmt::format("spangle: {}; see spangle {}--help\n", error.what(),
+                           commands.empty() ? "" : commands.front()->get_name() + " ");
     });
 
     app.add_subcommand("scenes", "list the scenes");

@@ -115,6 +115,10 @@ def errors():
             check(len(done.stderr.strip().splitlines()) == 1, f"'{text}': one line on stderr, not {done.stderr!r}")
             check(done.stdout == "", f"'{text}': nothing on stdout")
         check([p.name for p in pathlib.Path(folder).iterdir()] == ["broken.obj"], "nothing was written")
+    for words, advice in ((["dance"], "no command 'dance'; see spangle --help"), (["run", "S5", "--nonsense"], "see spangle run --help"),
+                          (["run", "S5", "--model", "x.obj"], "a scene or --model FILE, not both")):
+        check(advice in run(*words).stderr, f"'{' '.join(words)}': {run(*words).stderr!r} says '{advice}'")
+    check("Usage: spangle run [OPTIONS]" in run("run", "--help").stdout, "the help calls the program by its name, wherever it lies")
     wrong = run("run", "S5", "--precision", "best").stderr
     for text, name in ((run("run", "--help").stdout, "help"), (wrong, "error text")):
         check(all(c.isprintable() or c == "\n" for c in text), f"the {name} holds control characters: {text!r}")
