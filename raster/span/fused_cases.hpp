@@ -43,15 +43,16 @@ template <Key K> class FusedCase {
     static constexpr bool packed =
         K.unit[0] ==
             UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
-        !exact && K.blend && !K.fog && !K.dither && is_565(K.format);
+        K.blend && !K.fog && !K.dither && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     using Runs = std::conditional_t<!projective, NoRuns,
                                     std::conditional_t<exact || K.cubic, CubicRuns<0>, CoordRuns<0>>>;
     template <int L> struct Stages {
-        using N = std::conditional_t<
-            raw, Raw565<L>,
-            std::conditional_t<exact, Exact, std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>;
+        using N =
+            std::conditional_t<raw, Raw565<L>,
+                               std::conditional_t<exact, std::conditional_t<packed, PackedExact, Exact>,
+                                                  std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>;
         static auto depth() {
             if constexpr (tested)
                 return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
@@ -98,7 +99,7 @@ template <Key K> class FusedCase {
             if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
             else if constexpr (is_packed<N>)
-                return std::type_identity<BlendPacked<K.format>>{};
+                return std::type_identity<BlendPacked<N, K.format>>{};
             else if constexpr (K.dither)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else

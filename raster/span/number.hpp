@@ -204,7 +204,29 @@ struct Packed {
         return (rest * scale + (Balanced<1>::over_half(Bits) * scale >> 8)) >> 8;
     }
 };
-template <class N> inline constexpr bool is_packed = std::is_same_v<N, Packed>;
+
+/// The same of the exact tier: the bits of Exact, which rounds to 8 bits what nothing but the quotient
+/// decides. With k of m = 31 or 63 steps stored, v = (m s a + 255 (255 - a) k) / (255 m) is never halfway
+/// between two of them, m being odd.
+struct PackedExact : Packed {
+    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
+        const std::uint32_t rest = 255 * (255 - s.a), by5 = 31 * s.a, by6 = 63 * s.a;
+        const std::uint32_t r = top<5>((s.rb & 0xFF) * by5 + (under >> 11) * rest),
+                            g = top<6>(s.g * by6 + ((under >> 5) & 63) * rest),
+                            b = top<5>((s.rb >> 16) * by5 + (under & 31) * rest);
+        return r << 11 | g << 5 | b;
+    }
+
+  private:
+    /// The top bits of round(x / (255 m)): floor((x / (255 m) + 1/2) / 2^(8 - Bits)), x < 2^22.
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t top(std::uint32_t x) {
+        constexpr std::uint32_t unit = 255 * ((1u << Bits) - 1), step = unit << (8 - Bits);
+        constexpr auto inverse = static_cast<std::uint32_t>((std::uint64_t{1} << 43) / step + 1);
+        return numeric::mul_high_u32(x + unit / 2, inverse) >> 11; // off by less than 2^-21
+    }
+};
+template <class N>
+inline constexpr bool is_packed = std::is_same_v<N, Packed> || std::is_same_v<N, PackedExact>;
 
 template <class N> inline constexpr bool is_balanced = false;
 template <int Count> inline constexpr bool is_balanced<Balanced<Count>> = true;

@@ -58,20 +58,21 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     }
 };
 
-/// BlendAlpha and Store of the packed system.
-template <PixelFormat Format> struct BlendPacked : StageBase {
+/// BlendAlpha and Store of the packed systems.
+template <class N, PixelFormat Format> struct BlendPacked : StageBase {
+    static_assert(is_packed<N>);
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
     std::uint8_t* plane;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
-    SPANGLE_INLINE bool operator()(Px<Packed>& p) const {
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.color.a == 0)
             return false;
         asm("" : "+r"(p.color.a)); // what follows is not begun before the branch
         std::uint8_t* const at = plane + 2 * p.i;
-        Words::store(at, p.color.a == 255 ? Packed::opaque(p.color) : Packed::over(p.color, Words::load(at)));
+        Words::store(at, p.color.a == 255 ? N::opaque(p.color) : N::over(p.color, Words::load(at)));
         return true;
     }
 };

@@ -79,5 +79,22 @@ TEST(Over, PackedHasTheSameBits) {
             }
 }
 
+template <unsigned Bits> void packed_exact() {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 1u << Bits; ++k) {
+                const std::uint32_t want =
+                    Exact::to8(Exact::over<Bits>(Exact::from8(s), Exact::from8(a), k)) >> (8 - Bits);
+                const Packed::Color c = Packed::from_word(s | s << 8 | s << 16 | a << 24);
+                const std::uint32_t got = PackedExact::over(c, Bits == 5 ? k << 11 | (31 - k) : k << 5);
+                ASSERT_EQ(Bits == 5 ? got >> 11 : (got >> 5) & 63, want) << s << " " << a << " " << k;
+            }
+}
+
+TEST(Over, PackedExactHasTheBitsOfExact) {
+    packed_exact<5>();
+    packed_exact<6>();
+}
+
 } // namespace
 } // namespace spangle::raster::test
