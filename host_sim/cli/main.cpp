@@ -216,11 +216,13 @@ int spangle_main(int argc, char** argv) {
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
-    run->add_option("--board", options.board, "the simulated board")->capture_default_str();
+    auto* const board =
+        run->add_option("--board", options.board, "the simulated board")->capture_default_str();
     run->add_option("--frames", options.frames, "how many frames")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board");
+    run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board")
+        ->excludes(board);
     run->add_option("--precision", precision,
                     "exact, balanced, fast; double: the reference; shadow, shadow-balanced, shadow-fast: the "
                     "tiers with "

@@ -275,7 +275,8 @@ ModelResult load_model(const std::string& path) {
     ModelResult result;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
-        result.error = "cannot read model '" + path + "': no such file";
+        result.error = "cannot read model '" + path +
+                       "': " + (fs::is_directory(path, ignored) ? "it is a folder" : "no such file");
         return result;
     }
     Assimp::Importer importer;

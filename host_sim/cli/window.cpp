@@ -1,6 +1,7 @@
 #include "host_sim/cli/window.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <SDL2/SDL.h>
 #include <fmt/format.h>
@@ -16,11 +17,18 @@ void Window::open(const std::string& title, int width, int height) {
     title_ = title;
     scale_ = width <= 400 ? 2 : 1;
     SDL_SetMainReady();
+    // SDL's own choice ends at drivers that show nothing, and Wayland's library complains without this
+    // variable. SDL_VIDEODRIVER wins.
+    SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER,
+                            std::getenv("XDG_RUNTIME_DIR") != nullptr ? "x11,wayland,KMSDRM" : "x11,KMSDRM",
+                            SDL_HINT_DEFAULT);
     if (SDL_Init(SDL_INIT_VIDEO) == 0)
         window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
                                    width * scale_ * 2, height * scale_, 0);
     if (window_ == nullptr)
-        fmt::print(stderr, "spangle: no window ({}); going on without\n", SDL_GetError());
+        fmt::print(stderr,
+                   "spangle: no window, for there is no display to open it on ({}); going on without\n",
+                   SDL_GetError());
 }
 
 namespace {
