@@ -35,6 +35,11 @@ std::uint32_t big_endian(const std::uint8_t* bytes, int count) {
     return value;
 }
 
+/// What a line that floats high makes of an identity.
+std::uint32_t ones(const Identity& identity) {
+    return 0xFFFFFFu >> (24u - 8u * (identity.bytes < 3 ? identity.bytes : 3u));
+}
+
 } // namespace
 
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
@@ -46,14 +51,16 @@ Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& s
     scratch = {};
     Op storage[8];
     OpList ops(storage, nullptr, 8);
-    ops.read(dcs::RDDID, wide, scratch.id, 3);
+    const Identity& identity = panel.identity;
+    const std::uint32_t id_bytes = identity.bytes < sizeof scratch.id ? identity.bytes : sizeof scratch.id;
+    ops.read(identity.command, dummy_bits(caps.value(), identity.dummy_bits), scratch.id, id_bytes);
     ops.read(dcs::RDDST, wide, scratch.status, 4);
     for (unsigned i = 0; i < 6; ++i)
         ops.read(static_cast<std::uint8_t>(dcs::RDDPM + i), narrow, &scratch.registers[i], 1);
     if (const Result<void> done = run(bus, caps.value(), ops); !done)
         return done.error();
     const std::uint8_t(&registers)[6] = scratch.registers;
-    return PanelStatus{big_endian(scratch.id, 3),
+    return PanelStatus{big_endian(scratch.id, static_cast<int>(id_bytes)),
                        big_endian(scratch.status, 4),
                        registers[0],
                        registers[1],
@@ -98,11 +105,11 @@ Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scrat
     if (!answer)
         return answer.error();
     const std::uint32_t id = answer.value().id, status = answer.value().status;
-    const bool floating = (id == 0 && status == 0) || (id == 0xFFFFFF && status == 0xFFFFFFFF);
+    const bool floating = (id == 0 && status == 0) || (id == ones(panel.identity) && status == 0xFFFFFFFF);
     if (floating)
-        return Error{Fault::no_answer, "panel: RDDID (04h) and RDDST (09h) read a line nobody drives", id};
+        return Error{Fault::no_answer, "panel: the identity and RDDST (09h) read a line nobody drives", id};
     if ((id & panel.identity.mask) != panel.identity.id)
-        return Error{Fault::wrong_device, "panel: RDDID (04h) names another controller", id};
+        return Error{Fault::wrong_device, "panel: the identity names another controller", id};
     return {};
 }
 

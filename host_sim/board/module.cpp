@@ -1,9 +1,16 @@
 #include "host_sim/board/module.hpp"
 
+#include <stdexcept>
+#include <string>
+
 namespace spangle::sim {
 
-const Chip& chip_of(hal::Controller controller) {
-    return chips[static_cast<unsigned>(controller)];
+Chip chip_of(const hal::PanelDesc& panel) {
+    const Chip chip =
+        strapped(chips[static_cast<unsigned>(panel.controller)], {panel.memory.width, panel.memory.height});
+    if (chip.width == 0)
+        throw std::invalid_argument(std::string(panel.name) + ": its controller has no such memory");
+    return chip;
 }
 
 GlassMount mount_of(const hal::PanelDesc& panel) {

@@ -11,7 +11,8 @@
 
 namespace spangle::sim {
 
-const Chip& chip_of(hal::Controller controller);
+/// The panel's controller, its memory as the module straps it.
+Chip chip_of(const hal::PanelDesc& panel);
 /// How the module is built.
 GlassMount mount_of(const hal::PanelDesc& panel);
 Image picture_of(const std::vector<Rgb666>& pixels, int width, int height);

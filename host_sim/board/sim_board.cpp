@@ -44,8 +44,8 @@ struct SimBoard::Parts {
     std::unique_ptr<VcdFile> vcd;
 
     explicit Parts(const hal::Board& b)
-        : board(b), controller(chip_of(b.display.panel->controller), mount_of(*b.display.panel),
-                               b.bus == hal::BusKind::i8080),
+        : board(b),
+          controller(chip_of(*b.display.panel), mount_of(*b.display.panel), b.bus == hal::BusKind::i8080),
           bus(controller, hal::bus_caps(b)),
           books(hal::place(*b.display.panel, b.display.orientation).size.height, b.display.buffers),
           display(bus, board.display, books.memory()) {}

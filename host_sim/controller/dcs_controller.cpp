@@ -85,6 +85,8 @@ void DcsController::power_on_registers() {
     partial_end_ = chip_.height - 1;
     scroll_top_ = scroll_start_ = 0;
     scroll_height_ = chip_.height;
+    makers_.clear();
+    keys_turned_ = 0;
     has_command_ = false;
     pixel_fill_ = 0;
     forget_read();
@@ -184,6 +186,44 @@ void DcsController::end_command(Time now) {
                now);
     end_read(now);
     end_write(now);
+    end_maker_register(now);
+    turn_key();
+}
+
+/// Keys count in their order; one that is turned again changes nothing.
+void DcsController::turn_key() {
+    bool wrong = false;
+    for (int i = 0; i < chip_.key_count; ++i) {
+        const Key& key = chip_.keys[static_cast<std::size_t>(i)];
+        if (command_ != key.command)
+            continue;
+        if (std::equal(parameters_.begin(), parameters_.end(), key.parameters.begin(),
+                       key.parameters.begin() + key.count)) {
+            keys_turned_ = std::max(keys_turned_, i <= keys_turned_ ? i + 1 : 0);
+            return;
+        }
+        wrong = true;
+    }
+    if (wrong)
+        keys_turned_ = 0;
+}
+
+/// From 60h on commands are the maker's; behind a lock they are lost.
+void DcsController::end_maker_register(Time now) {
+    if (command_ < 0x60 || parameters_.empty())
+        return;
+    for (int i = 0; i < chip_.key_count; ++i)
+        if (command_ == chip_.keys[static_cast<std::size_t>(i)].command)
+            return;
+    if (keys_turned_ == chip_.key_count)
+        makers_[command_] = parameters_;
+    else
+        report(Rule::locked_register, "register " + hex(command_) + " was written without its key", now);
+}
+
+std::vector<std::uint8_t> DcsController::maker_register(std::uint8_t command) const {
+    const auto found = makers_.find(command);
+    return found == makers_.end() ? std::vector<std::uint8_t>{} : found->second;
 }
 
 /// Exactly the dummy clocks are missing: the host took the first of them for data. (More clocks than an
@@ -343,10 +383,13 @@ void DcsController::set_window(bool columns, Time now) {
 
 // --- pixels
 
-/// COLMOD values that name no format have been reported; the model goes on with 16 bits.
+/// COLMOD values that name no format have been reported; the model goes on with 16 bits, or with 18 where
+/// this bus has no other.
 DcsController::Format DcsController::format() const {
-    const unsigned f = colmod_ & 7u;
-    return f == 6 ? Format::rgb666 : f == 3 && chip_.takes_444 ? Format::rgb444 : Format::rgb565;
+    const unsigned takes = parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
+    if ((takes >> asked & 1u) != 0)
+        return static_cast<Format>(asked);
+    return (takes & depths({5})) != 0 ? Format::rgb565 : Format::rgb666;
 }
 
 std::uint64_t DcsController::bytes_of(std::uint64_t pixels) const {
@@ -462,10 +505,14 @@ void DcsController::push_read(std::initializer_list<std::uint8_t> bytes, int dum
     answering_ = true;
     read_dummies_ = static_cast<std::size_t>(dummies);
     read_bits_.assign(read_dummies_, false);
-    for (const std::uint8_t byte : bytes)
-        for (int bit = 7; bit >= 0; --bit)
-            read_bits_.push_back((byte >> bit & 1) != 0);
+    push_bytes(bytes.begin(), bytes.size());
     read_at_ = 0;
+}
+
+void DcsController::push_bytes(const std::uint8_t* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (int bit = 7; bit >= 0; --bit)
+            read_bits_.push_back((bytes[i] >> bit & 1) != 0);
 }
 
 void DcsController::forget_read() {
@@ -532,6 +579,10 @@ void DcsController::prepare_read(Time now) {
         push_read({chip_.id[command_ - 0xDAu]}, 0);
         break;
     default:
+        if (const MakerId& own = chip_.maker_id; own.command != 0 && command_ == own.command) {
+            push_read({}, own.dummy_bits);
+            push_bytes(own.bytes.data(), own.count);
+        }
         break;
     }
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,8 @@ class DcsController {
     bool awake() const { return awake_; }
     bool display_on() const { return on_; }
     std::uint8_t madctl() const { return madctl_; }
+    /// What was last written to one of the maker's registers; empty after reset.
+    std::vector<std::uint8_t> maker_register(std::uint8_t command) const;
 
     const Violations& violations() const { return violations_; }
     void report(Rule rule, const std::string& text, Time at);
@@ -68,7 +71,7 @@ class DcsController {
     std::uint64_t pixels_written() const { return pixels_written_; }
 
   private:
-    const Chip& chip_;
+    Chip chip_;
     GlassMount glass_;
     bool parallel_;
     std::vector<Rgb666> memory_, shown_; ///< frame memory; what the last scan put on the glass
@@ -79,6 +82,8 @@ class DcsController {
          te_on_ = false, te_with_hblank_ = false;
     std::uint8_t madctl_ = 0, colmod_ = 0x66;
     int te_line_ = 0;
+    std::map<std::uint8_t, std::vector<std::uint8_t>> makers_;
+    int keys_turned_ = 0;
     int xs_ = 0, xe_ = 0, ys_ = 0, ye_ = 0;
     int partial_start_ = 0, partial_end_ = 0;
     int scroll_top_ = 0, scroll_height_ = 0, scroll_start_ = 0;
@@ -113,6 +118,8 @@ class DcsController {
     void end_command(Time now);
     void end_read(Time now);
     void end_write(Time now);
+    void turn_key();
+    void end_maker_register(Time now);
     void parameter(std::uint8_t byte, Time now);
     void execute(Time now);
     void set_window(bool columns, Time now);
@@ -122,6 +129,7 @@ class DcsController {
     void prepare_read(Time now);
     void forget_read();
     void push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits);
+    void push_bytes(const std::uint8_t* bytes, std::size_t count);
     void push_pixels();
     bool reads_memory() const { return command_ == 0x2E || command_ == 0x3E; }
     bool locate(int x, int y, int& column, int& row) const;

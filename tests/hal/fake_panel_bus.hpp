@@ -27,6 +27,7 @@ class FakePanelBus final : public Bus {
     int late_waits = 0;         ///< the next waits time out while the transfer goes on
     bool te_missing = false;    ///< wait_te ends the transfer with timeout
     int allow_acquires = 1000;
+    std::uint8_t id_command = 0x04;
     std::uint8_t id[3] = {0x85, 0x85, 0x52}, status[4] = {0x00, 0x61, 0x00, 0x00};
 
     // What it saw.
@@ -203,7 +204,7 @@ class FakePanelBus final : public Bus {
         note("/%u ", op.dummy_bits);
         for (std::uint32_t i = 0; i < op.length; ++i) {
             std::uint8_t value = 0x9C;
-            if (op.command == 0x04)
+            if (op.command == id_command)
                 value = id[i % 3];
             if (op.command == 0x09)
                 value = status[i % 4];

@@ -206,6 +206,21 @@ TEST(Init, BothKindsOfSt7735AndTheNamelessIli9341AreKnown) {
     EXPECT_FALSE(accepts(panels::ili9341_240x320, 0x85, 0x85, 0x52));
 }
 
+TEST(Init, AnIdentityOfOneByteIsToldFromAFloatingLine) {
+    FakePanelBus bus(panels::hx8357d_320x480, spi());
+    ReadScratch scratch;
+    bus.id_command = 0xD0;
+    const auto fault = [&](std::uint8_t id, std::uint8_t status) {
+        bus.id[0] = id;
+        std::fill(bus.status, bus.status + 4, status);
+        return check_identity(bus, panels::hx8357d_320x480, scratch).error().fault;
+    };
+    EXPECT_EQ(fault(0x99, 0x61), Fault::none);
+    EXPECT_EQ(fault(0x98, 0x61), Fault::wrong_device);
+    EXPECT_EQ(fault(0xFF, 0xFF), Fault::no_answer);
+    EXPECT_EQ(fault(0x00, 0x00), Fault::no_answer);
+}
+
 TEST(Init, EveryNamedBoardComesUp) {
     for (const Board* board : boards::all) {
         const Extent size = place(*board->display.panel, board->display.orientation).size;

@@ -12,13 +12,6 @@ using namespace spangle::hal;
 
 namespace {
 
-const PanelDesc* const geometries[] = {
-    &panels::ili9341_240x320,      &panels::st7789_240x320, &panels::st7789_240x280,
-    &panels::st7789_240x240,       &panels::st7789_172x320, &panels::st7789_170x320,
-    &panels::st7789_135x240,       &panels::st7735_128x160, &panels::st7735_128x160_green,
-    &panels::st7735_128x128_green, &panels::st7735_80x160,  &panels::st7735_80x160_26,
-};
-
 struct Point {
     int x, y;
 };
@@ -65,7 +58,7 @@ void write_window(hal_test::DcsModel& model, const Placement& placed, int x, int
 TEST(Orientation, EveryPixelOfEveryWindowLandsWhereItIsSeen) {
     std::mt19937 random(1);
     long checked = 0;
-    for (const PanelDesc* panel : geometries) {
+    for (const PanelDesc* panel : panels::all) {
         for (const Orientation o : orientations) {
             const Placement placed = place(*panel, o);
             hal_test::DcsModel model(panel->memory.width, panel->memory.height);

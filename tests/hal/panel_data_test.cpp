@@ -65,6 +65,9 @@ TEST(PanelData, FlawsAreNamed) {
     EXPECT_EQ(flawed([](PanelDesc& p) { p.mount = dcs::MV; }), "panel: a mount is made of MX and MY only");
     EXPECT_EQ(flawed([](PanelDesc& p) { p.timing.reset_low_us = 9; }),
               "panel: a reset pulse is at least 10 us");
+    for (const std::uint8_t bytes : {0, 4})
+        EXPECT_EQ(flawed([bytes](PanelDesc& p) { p.identity.bytes = bytes; }),
+                  "panel: an identity has one to three bytes");
 }
 
 namespace {
@@ -127,13 +130,49 @@ TEST(BoardData, FlawsAreNamed) {
 }
 
 TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {
-    PanelDesc ili9488 = panels::ili9341_240x320;
-    ili9488.serial = {.rgb565 = 0, .rgb666 = 0x66};
-    Board board = boards::ili9341_spi;
-    board.display.panel = &ili9488;
-    EXPECT_STREQ(flaw(board), "board: the panel cannot take this format on this bus");
-    board.display.format = PixelFormat::rgb888;
-    EXPECT_EQ(flaw(board), nullptr);
+    for (const PanelDesc* panel : {&panels::ili9488_320x480, &panels::ili9486_320x480}) {
+        Board board = boards::ili9488_spi;
+        board.display.panel = panel;
+        board.write_hz = 20000000;
+        EXPECT_EQ(flaw(board), nullptr);
+        board.display.format = PixelFormat::rgb565_be;
+        EXPECT_STREQ(flaw(board), "board: the panel cannot take this format on this bus");
+        board.bus = BusKind::i8080, board.read_hz = 2000000;
+        EXPECT_EQ(flaw(board), nullptr);
+    }
+}
+
+/// Where module makers put the glass: nothing else in the data could tell a wrong offset.
+TEST(PanelData, OffsetsAreTheModuleMakers) {
+    const struct {
+        const PanelDesc& panel;
+        int x, y;
+    } facts[] = {
+        {panels::st7789_240x280, 0, 20},      {panels::st7789_240x240, 0, 0},
+        {panels::st7789_172x320, 34, 0},      {panels::st7789_170x320, 35, 0},
+        {panels::st7789_135x240, 52, 40},     {panels::st7735_128x160, 0, 0},
+        {panels::st7735_128x160_green, 2, 1}, {panels::st7735_128x128_green, 2, 1},
+        {panels::st7735_128x128_red, 2, 3},   {panels::st7735_80x160, 24, 0},
+        {panels::st7735_80x160_26, 26, 1},
+    };
+    for (const auto& fact : facts) {
+        EXPECT_EQ(fact.panel.offset.x, fact.x) << fact.panel.name;
+        EXPECT_EQ(fact.panel.offset.y, fact.y) << fact.panel.name;
+    }
+}
+
+TEST(PanelData, TheTableIsUniqueAndSound) {
+    std::set<std::string> names;
+    for (const PanelDesc* panel : panels::all) {
+        EXPECT_TRUE(names.insert(panel->name).second) << panel->name;
+        EXPECT_EQ(flaw(*panel), nullptr) << panel->name;
+        EXPECT_NEAR(panel->timing.frame_us, 14000, 5000) << panel->name << ": "
+                                                         << "56 to 111 Hz";
+        EXPECT_GT(panel->timing.scan_lines, panel->memory.height) << panel->name;
+        EXPECT_EQ(panel->timing.scan_lines - panel->timing.porch_lines, panel->memory.height) << panel->name;
+        EXPECT_EQ(panel->identity.id & ~panel->identity.mask, 0u) << panel->name << ": can never answer";
+    }
+    EXPECT_EQ(names.size(), 19u);
 }
 
 TEST(BoardData, NamesAreUniqueAndSound) {

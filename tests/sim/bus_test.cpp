@@ -19,13 +19,20 @@ bool present(sim::SimBoard& board, unsigned seed) {
     const auto frame = board.display().acquire();
     if (!frame.ok())
         return false;
+    const int bytes = format_info(info.format).bytes_per_pixel;
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x) {
-            std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + 2 * x;
+            std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + bytes * x;
             const unsigned word =
                 (static_cast<unsigned>(x) * 40503u ^ static_cast<unsigned>(y) * 9973u) + seed * 2654435761u;
-            at[0] = static_cast<std::uint8_t>(word >> 8);
-            at[1] = static_cast<std::uint8_t>(word);
+            if (bytes == 2) {
+                at[0] = static_cast<std::uint8_t>(word >> 8);
+                at[1] = static_cast<std::uint8_t>(word);
+            } else {
+                at[0] = static_cast<std::uint8_t>(word >> 11 << 3);
+                at[1] = static_cast<std::uint8_t>(word >> 5 << 2);
+                at[2] = static_cast<std::uint8_t>(word << 3);
+            }
         }
     for (int y = 0; y < info.height; ++y)
         frame.value().extents->rows[y] = {0, static_cast<std::int16_t>(info.width)};

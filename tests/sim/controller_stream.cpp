@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -32,10 +33,12 @@ class Bytes {
 
 constexpr std::uint64_t most_bytes = 2000; ///< on the bus in one run: it fills a small memory twice
 
+constexpr auto kinds = static_cast<unsigned>(std::size(chips));
+
 /// Small memories are as good as large ones for finding mistakes, and far quicker.
 Chip chip_of(unsigned choice) {
-    Chip chip = chips[choice % 3];
-    if (choice >= 3) {
+    Chip chip = chips[choice % kinds];
+    if (choice >= kinds) {
         chip.width = 12;
         chip.height = 20;
     }
@@ -443,7 +446,7 @@ void run_controller_stream(const std::uint8_t* data, std::size_t bytes) {
 
 std::vector<std::vector<std::uint8_t>> controller_seeds() {
     std::vector<std::vector<std::uint8_t>> seeds;
-    for (unsigned chip = 0; chip < 6; ++chip) // three with their own memory, three with a small one
+    for (unsigned chip = 0; chip < 2 * kinds; ++chip) // with their own memory, and with a small one
         for (const unsigned front : {0u, 1u, 2u, 3u, 6u, 7u}) {
             const Chip facts = chip_of(chip);
             const auto with = [&](auto fill) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,10 +43,10 @@ struct Host {
             byte(static_cast<std::uint8_t>(p), true);
         chip.select(false, now);
     }
-    void wake() {
+    void wake(int colmod = 0x55) {
         send(0x11);
         now += 120 * ms;
-        send(0x3A, {0x55});
+        send(0x3A, {colmod});
         send(0x29);
     }
     void window(int xs, int xe, int ys, int ye) {
@@ -87,9 +88,13 @@ constexpr Rgb666 red18{62, 0, 0}, green18{0, 63, 0}, blue18{0, 0, 62};
 TEST(Controller, RightStreamsBreakNoRule) {
     for (const Chip& chip : chips) {
         Host h(chip);
-        h.wake();
+        const bool takes_565 = (chip.serial_depths & depths({5})) != 0;
+        h.wake(takes_565 ? 0x55 : 0x66);
         h.window(3, 4, 5, 6);
-        h.pixels(0x2C, {red, green, blue, 0});
+        if (takes_565)
+            h.pixels(0x2C, {red, green, blue, 0});
+        else
+            h.send(0x2C, {0xFC, 0, 0, 0, 0xFC, 0, 0, 0, 0xFC, 0, 0, 0});
         h.send(0x00);
         EXPECT_TRUE(h.chip.violations().empty()) << chip.name << ": " << h.chip.violations().front().text;
     }
@@ -274,9 +279,128 @@ TEST(Controller, ScrollsAndShowsParts) {
     EXPECT_EQ(first(1), green18);
 }
 
+const Chip& chip_named(const std::string& name) {
+    return *std::find_if(std::begin(chips), std::end(chips), [&](const Chip& c) { return c.name == name; });
+}
+
+TEST(Controller, AnswersForWhatItIs) {
+    using Bytes = std::vector<int>;
+    EXPECT_EQ(Host(chip_named("ILI9342C")).read(0x04, 1, 3)[0], 0xE3);
+    EXPECT_EQ(Host(chip_named("ILI9488")).read(0x04, 1, 3), (Bytes{0x54, 0x80, 0x66}));
+    EXPECT_EQ(Host(chip_named("GC9A01")).read(0x04, 1, 3), (Bytes{0x00, 0x9A, 0x01}));
+    EXPECT_EQ(Host(chip_named("ILI9341")).read(0xD3, 8, 3), (Bytes{0x00, 0x93, 0x41}));
+    EXPECT_EQ(Host(chip_named("ILI9486")).read(0xD3, 8, 3), (Bytes{0x00, 0x94, 0x86}));
+    EXPECT_EQ(Host(chip_named("ST7796S")).read(0xD3, 8, 3), (Bytes{0x00, 0x77, 0x96}));
+    EXPECT_EQ(Host(chip_named("HX8357D")).read(0xD0, 0, 1), (Bytes{0x99}));
+    EXPECT_EQ(Host(chip_named("GC9A01")).read(0xD3, 8, 3), (Bytes{0, 0, 0})) << "has no such register";
+    EXPECT_EQ(Host(chip_named("ILI9488")).read(0xD0, 0, 1), (Bytes{0}));
+}
+
+/// ILI9486 and ILI9488: 16-bit pixels only on a parallel bus.
+TEST(Controller, DepthsDependOnTheBus) {
+    for (const char* name : {"ILI9486", "ILI9488"}) {
+        Host serial(chip_named(name));
+        serial.send(0x11);
+        serial.now += 120 * ms;
+        serial.send(0x3A, {0x55});
+        EXPECT_TRUE(serial.reported(Rule::color_format)) << name;
+        serial.chip.forget_violations();
+        serial.window(0, 0, 0, 1);
+        serial.pixels(0x2C, {red, green});
+        EXPECT_TRUE(serial.reported(Rule::half_pixel) ||
+                    (serial.send(0x00), serial.reported(Rule::color_format)))
+            << "two bytes a pixel fill no window of three";
+        serial.send(0x3A, {0x66});
+        serial.chip.forget_violations();
+        serial.send(0x2C, {0xFC, 0x04, 0x08, 0x00, 0xFC, 0x0C});
+        serial.send(0x00);
+        EXPECT_TRUE(serial.chip.violations().empty());
+        EXPECT_EQ(serial.cell(0, 0), (Rgb666{63, 1, 2}));
+        EXPECT_EQ(serial.cell(0, 1), (Rgb666{0, 63, 3}));
+
+        DcsController parallel(chip_named(name), {0, 0, 320, 480}, true);
+        parallel.select(true, 0);
+        Time now = 200 * ms;
+        const auto send = [&](std::uint8_t byte, bool data) { parallel.write(byte, data, now += 100, 100); };
+        send(0x11, false);
+        now += 120 * ms;
+        send(0x3A, false), send(0x55, true);
+        for (const int axis : {0x2A, 0x2B}) {
+            send(static_cast<std::uint8_t>(axis), false);
+            for (int i = 0; i < 4; ++i)
+                send(0, true);
+        }
+        send(0x2C, false), send(0xF8, true), send(0x00, true), send(0x00, false);
+        EXPECT_TRUE(parallel.violations().empty()) << parallel.violations().front().text;
+        EXPECT_EQ(parallel.memory()[0], red18);
+    }
+}
+
+TEST(Controller, MakersRegistersWaitForTheirKey) {
+    using Bytes = std::vector<std::uint8_t>;
+    Host open(chip_named("ILI9341"));
+    open.send(0xC0, {0x23});
+    open.send(0x00);
+    EXPECT_EQ(open.chip.maker_register(0xC0), Bytes{0x23});
+
+    Host st(chip_named("ST7796S"));
+    const auto writes = [](Host& h, int value) {
+        h.chip.forget_violations();
+        h.send(0xC1, {value});
+        h.send(0x00);
+        const bool took = h.chip.maker_register(0xC1) == Bytes{static_cast<std::uint8_t>(value)};
+        EXPECT_NE(took, h.reported(Rule::locked_register));
+        return took;
+    };
+    EXPECT_FALSE(writes(st, 1));
+    st.send(0xF0, {0x96});
+    EXPECT_FALSE(writes(st, 2)) << "the second key before the first";
+    st.send(0xF0, {0xC3});
+    EXPECT_FALSE(writes(st, 3)) << "half of the key";
+    st.send(0xF0, {0x96});
+    EXPECT_TRUE(writes(st, 4));
+    st.send(0xF0, {0xC3});
+    EXPECT_TRUE(writes(st, 5)) << "a key that is turned again changes nothing";
+    st.send(0xF0, {0x3C});
+    EXPECT_FALSE(writes(st, 6));
+    EXPECT_EQ(st.chip.maker_register(0xC1), Bytes{5}) << "what was written behind the lock is lost";
+    st.reset(20 * us);
+    EXPECT_TRUE(st.chip.maker_register(0xC1).empty());
+
+    Host gc(chip_named("GC9A01"));
+    EXPECT_FALSE(writes(gc, 1));
+    gc.send(0xEF);
+    EXPECT_FALSE(writes(gc, 2));
+    gc.send(0xFE);
+    gc.send(0xEF);
+    EXPECT_TRUE(writes(gc, 3));
+
+    Host hx(chip_named("HX8357D"));
+    hx.send(0xB9, {0xFF, 0x83});
+    EXPECT_FALSE(writes(hx, 1)) << "the key is cut short";
+    hx.send(0xB9, {0xFF, 0x83, 0x57});
+    EXPECT_TRUE(writes(hx, 2));
+    hx.reset(20 * us);
+    EXPECT_FALSE(writes(hx, 3)) << "reset locks";
+}
+
+TEST(Controller, PinsChooseTheMemoryOfAnSt7735) {
+    const Chip& st = chip_named("ST7735");
+    EXPECT_EQ(strapped(st, {132, 162}).width, 132);
+    const Chip small = strapped(st, {128, 160});
+    EXPECT_EQ(small.height, 160);
+    EXPECT_EQ(strapped(st, {128, 128}).width, 0);
+    Host h(small);
+    h.wake();
+    h.send(0x36, {0xC0}); // mirrored both ways: the host's first pixel is the last cell of this memory
+    h.window(0, 0, 0, 0);
+    h.pixels(0x2C, {red});
+    EXPECT_EQ(h.cell(127, 159), red18);
+}
+
 TEST(Scan, RatesAndTearingEffect) {
-    const double rate[] = {70.3, 59.3, 80.6};
-    for (int i = 0; i < 3; ++i) {
+    const double rate[] = {70.3, 59.3, 80.6, 93.4, 60, 60, 60, 60, 60};
+    for (unsigned i = 0; i < std::size(chips); ++i) {
         const Chip& c = chips[i];
         EXPECT_NEAR(1e9 / (static_cast<double>(c.line_ns) * (c.height + c.porch_lines)), rate[i], 0.3)
             << c.name;

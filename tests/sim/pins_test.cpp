@@ -26,7 +26,9 @@ DcsController controller_of(const hal::Board& board) {
     const hal::PanelDesc& panel = *board.display.panel;
     const sim::GlassMount mount{
         .x = panel.offset.x, .y = panel.offset.y, .width = panel.glass.width, .height = panel.glass.height};
-    return {sim::chips[static_cast<unsigned>(panel.controller)], mount, board.bus == hal::BusKind::i8080};
+    const sim::Chip& chip = sim::chips[static_cast<unsigned>(panel.controller)];
+    return {sim::strapped(chip, {panel.memory.width, panel.memory.height}), mount,
+            board.bus == hal::BusKind::i8080};
 }
 
 std::unique_ptr<PinBus> pins_of(const hal::Board& board, DcsController& controller) {

@@ -1,17 +1,30 @@
 // Every named board, as one table.
 #pragma once
 
+#include "gc9a01.hpp"
+#include "hx8357d_spi.hpp"
 #include "ili9341_8080.hpp"
 #include "ili9341_spi.hpp"
+#include "ili9342c.hpp"
+#include "ili9486_8080.hpp"
+#include "ili9488_spi.hpp"
+#include "st7735_128x128.hpp"
 #include "st7735_128x160.hpp"
+#include "st7735_80x160.hpp"
 #include "st7789_135x240.hpp"
+#include "st7789_170x320.hpp"
+#include "st7789_172x320.hpp"
 #include "st7789_240.hpp"
+#include "st7789_240x280.hpp"
 #include "st7789_240x320.hpp"
+#include "st7796s_spi.hpp"
 
 namespace spangle::boards {
 
 inline constexpr const hal::Board* all[] = {
-    &ili9341_spi, &ili9341_8080, &st7789_240, &st7789_135x240, &st7789_240x320, &st7735_128x160,
+    &ili9341_spi,    &ili9341_8080,   &st7789_240,     &st7789_135x240, &st7789_240x320, &st7735_128x160,
+    &st7789_240x280, &st7789_170x320, &st7789_172x320, &st7735_128x128, &st7735_80x160,  &ili9342c,
+    &ili9486_8080,   &ili9488_spi,    &st7796s_spi,    &hx8357d_spi,    &gc9a01,
 };
 
 } // namespace spangle::boards

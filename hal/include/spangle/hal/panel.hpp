@@ -10,7 +10,17 @@
 
 namespace spangle::hal {
 
-enum class Controller : std::uint8_t { ili9341, st7789, st7735 };
+enum class Controller : std::uint8_t {
+    ili9341,
+    st7789,
+    st7735,
+    ili9342c,
+    ili9486,
+    ili9488,
+    st7796s,
+    gc9a01,
+    hx8357d
+};
 enum class ColorOrder : std::uint8_t { rgb, bgr };
 enum class BusKind : std::uint8_t {
     spi4,  ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
@@ -39,11 +49,14 @@ struct PanelTiming {
     std::uint16_t porch_lines = 0;           ///< of these, lines of vertical blanking: TE is high
 };
 
-/// What RDDID (04h) answers, and the clocks the line needs to turn round on a serial bus.
+/// What tells the controller from others, and the clocks the line needs to turn round on a serial bus.
 struct Identity {
-    std::uint32_t id = 0; ///< ID1 ID2 ID3, ID1 highest
+    std::uint8_t command = dcs::RDDID; ///< or a register of the maker's
+    std::uint8_t bytes = 3;            ///< of its answer, 3 at most
+    std::uint8_t dummy_bits = 1;
+    std::uint32_t id = 0; ///< the first byte highest
     std::uint32_t mask = 0xFFFFFF;
-    std::uint8_t register_dummy_bits = 1; ///< 04h 09h 45h; the one-byte reads have none
+    std::uint8_t register_dummy_bits = 1; ///< 09h 45h; the one-byte reads have none
     std::uint8_t pixel_dummy_bits = 8;    ///< 2Eh
 };
 
@@ -63,7 +76,7 @@ struct PanelDesc {
     Controller controller = Controller::ili9341;
     Extent memory;          ///< the controller's frame memory, MADCTL 00h
     Extent glass;           ///< the part of it that shows
-    Offset offset;          ///< of the glass in memory, MADCTL 00h
+    Offset offset{};        ///< of the glass in memory, MADCTL 00h
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
@@ -105,6 +118,8 @@ constexpr const char* flaw(const PanelDesc& p) {
         return "panel: the setup program is cut short";
     if (p.timing.reset_low_us < 10)
         return "panel: a reset pulse is at least 10 us";
+    if (p.identity.bytes < 1 || p.identity.bytes > 3)
+        return "panel: an identity has one to three bytes";
     return nullptr;
 }
 

@@ -11,7 +11,7 @@
 namespace spangle::hal {
 
 struct PanelStatus {
-    std::uint32_t id = 0;         ///< 04h: ID1 ID2 ID3, ID1 highest
+    std::uint32_t id = 0;         ///< what Identity::command answers, 04h: ID1 ID2 ID3
     std::uint32_t status = 0;     ///< 09h: bit 31 first
     std::uint8_t power_mode = 0;  ///< 0Ah
     std::uint8_t madctl = 0;      ///< 0Bh
@@ -28,7 +28,7 @@ struct ReadScratch {
     OpParams window[3];
 };
 
-/// Reads 04h, 09h and 0Ah to 0Fh in one transfer.
+/// Reads the identity, 09h and 0Ah to 0Fh in one transfer.
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
 /// 45h: the line the controller is showing.

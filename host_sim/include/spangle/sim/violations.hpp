@@ -12,19 +12,20 @@ using Time = std::uint64_t;
 
 /// The rules of the protocol, numbered as the reports name them.
 enum class Rule : std::uint8_t {
-    too_early = 1,       ///< a command too soon after a reset, SLPIN or SLPOUT
-    reset_pulse = 2,     ///< reset low for less than 10 us
-    write_in_sleep = 3,  ///< RAMWR while asleep (a warning: the memory takes it)
-    dc_in_byte = 4,      ///< D/C changed while a byte was under way
-    parameter_count = 5, ///< too few or too many parameters of a known command
-    window = 6,          ///< start behind end, outside of the memory, or outside of the glass
-    pixel_count = 7,     ///< more or fewer pixels than the window holds
-    read = 8,            ///< read faster than the read clock, or without the dummy clocks
-    write_clock = 9,     ///< clock faster than the controller takes
-    half_pixel = 10,     ///< the pixel stream ends inside a pixel
-    buffer_changed = 11, ///< the source changed between submit and the wire
-    color_format = 12,   ///< pixels of another size than COLMOD says, or a format this bus has not
-    tear = 13,           ///< the write crossed the scan line while TE is used
+    too_early = 1,        ///< a command too soon after a reset, SLPIN or SLPOUT
+    reset_pulse = 2,      ///< reset low for less than 10 us
+    write_in_sleep = 3,   ///< RAMWR while asleep (a warning: the memory takes it)
+    dc_in_byte = 4,       ///< D/C changed while a byte was under way
+    parameter_count = 5,  ///< too few or too many parameters of a known command
+    window = 6,           ///< start behind end, outside of the memory, or outside of the glass
+    pixel_count = 7,      ///< more or fewer pixels than the window holds
+    read = 8,             ///< read faster than the read clock, or without the dummy clocks
+    write_clock = 9,      ///< clock faster than the controller takes
+    half_pixel = 10,      ///< the pixel stream ends inside a pixel
+    buffer_changed = 11,  ///< the source changed between submit and the wire
+    color_format = 12,    ///< pixels of another size than COLMOD says, or a format this bus has not
+    tear = 13,            ///< the write crossed the scan line while TE is used
+    locked_register = 15, ///< a maker's register written without the key that opens it
 };
 
 struct Violation {

@@ -1,0 +1,17 @@
+// ST7789 behind 240x280 IPS glass with round corners: the 1.69" modules.
+#pragma once
+
+#include <spangle/hal/board.hpp>
+#include <spangle/panels.hpp>
+
+namespace spangle::boards {
+
+inline constexpr hal::Board st7789_240x280 = hal::board({
+    .name = "st7789-240x280",
+    .summary = "ST7789 240x280, 4-wire SPI at 62.5 MHz",
+    .display = {.panel = &hal::panels::st7789_240x280},
+    .bus = hal::BusKind::spi4,
+    .write_hz = 62500000, // ST7789VW datasheet: 16 ns
+});
+
+} // namespace spangle::boards

@@ -1,0 +1,161 @@
+// Every panel of the table, over the model of its controller: what the driver sends shows the surface, in all
+// eight orientations and on both buses, breaks no rule, and the controller is the one that was asked for.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+#include <spangle/hal/readback.hpp>
+#include <spangle/native.hpp>
+#include <spangle/panels.hpp>
+#include <spangle/sim/board.hpp>
+
+#include "boards/scenes/scene.hpp"
+#include "host_sim/board/module.hpp"
+#include "host_sim/bus/sim_bus.hpp"
+
+namespace {
+
+using namespace spangle;
+
+/// As fast as the panel goes, in the first format it takes there.
+hal::Board board_of(const hal::PanelDesc& panel, hal::BusKind bus, hal::Orientation o) {
+    hal::Board board{.name = panel.name, .display = {.panel = &panel, .orientation = o}, .bus = bus};
+    if (hal::colmod(panel, bus, PixelFormat::rgb565_be) == 0)
+        board.display.format = PixelFormat::rgb888;
+    board.write_hz = bus == hal::BusKind::spi4 ? panel.timing.practical_serial_mhz * 1000000u
+                                               : 1000000000u / panel.timing.parallel_write_ns;
+    board.read_hz = 2000000;
+    board.display.read_back = true;
+    return board;
+}
+
+/// The bits that reach the wire: 565 of a surface that holds those, the upper six of 888.
+sim::Image on_the_wire(const std::vector<std::uint8_t>& rgb, int width, int height, bool six_each) {
+    sim::Image out(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const int v = rgb[static_cast<std::size_t>(((height - 1 - y) * width + x) * 3 + c)];
+                const int most = c == 1 ? 63 : 31;
+                out.at(x, y)[c] =
+                    static_cast<std::uint8_t>(six_each ? v >> 2 : (v * most + 127) / 255 << (c == 1 ? 0 : 1));
+            }
+    return out;
+}
+
+/// The same bits of a glass of six.
+sim::Image same_bits(const sim::Image& glass, bool six_each) {
+    sim::Image out(glass.width, glass.height);
+    for (int y = 0; y < glass.height; ++y)
+        for (int x = 0; x < glass.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                out.at(x, y)[c] =
+                    static_cast<std::uint8_t>(glass.at(x, y)[c] >> 2 & (six_each || c == 1 ? 63 : 62));
+    return out;
+}
+
+struct Drawn {
+    sim::Image surface, glass;
+    std::string violations;
+};
+
+/// Two frames, so that the second one is sent as damage.
+Drawn draw(const scenes::Scene& scene, const hal::Board& board) {
+    sim::SimBoard sim(board);
+    const bool six_each = board.display.format == PixelFormat::rgb888;
+    const EGLDisplay display = eglGetDisplay(native(sim.display()));
+    EGLConfig config;
+    EGLint count = 0;
+    const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                             EGL_WINDOW_BIT,
+                             EGL_RENDERABLE_TYPE,
+                             EGL_OPENGL_BIT,
+                             EGL_DEPTH_SIZE,
+                             16,
+                             EGL_STENCIL_SIZE,
+                             0,
+                             EGL_NONE};
+    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr)) << board.name;
+    EXPECT_TRUE(eglBindAPI(EGL_OPENGL_API));
+    EXPECT_TRUE(eglChooseConfig(display, wanted, &config, 1, &count));
+    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
+    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
+    EXPECT_TRUE(eglMakeCurrent(display, window, window, context)) << board.name;
+    const hal::DisplayInfo info = sim.display().info();
+    scene.setup(info.width, info.height);
+    std::vector<std::uint8_t> rgb(static_cast<std::size_t>(info.width * info.height * 3));
+    for (int frame = 0; frame < 2; ++frame) {
+        scene.draw(frame);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, info.width, info.height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+        EXPECT_TRUE(eglSwapBuffers(display, window));
+    }
+    Drawn drawn{on_the_wire(rgb, info.width, info.height, six_each), same_bits(sim.glass(), six_each),
+                sim.violations_text()};
+    EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    EXPECT_TRUE(eglTerminate(display));
+    return drawn;
+}
+
+class Panels : public testing::TestWithParam<const hal::PanelDesc*> {};
+
+/// The scenes take turns: together the panels show each of them in each orientation.
+TEST_P(Panels, ShowTheSurfaceInEveryOrientation) {
+    std::vector<const scenes::Scene*> every;
+    for (const scenes::Scene& scene : scenes::all())
+        every.push_back(&scene);
+    std::size_t turn = static_cast<std::size_t>(GetParam()->glass.width);
+    for (const hal::Orientation o : hal::orientations) {
+        const auto bus = o.mirrored ? hal::BusKind::i8080 : hal::BusKind::spi4;
+        const scenes::Scene& scene = *every[turn++ % every.size()];
+        const Drawn drawn = draw(scene, board_of(*GetParam(), bus, o));
+        const std::string where = std::string(scene.id) + ", turned " + std::to_string(90 * int(o.rotation)) +
+                                  (o.mirrored ? ", mirrored" : "");
+        EXPECT_EQ(drawn.violations, "") << where;
+        EXPECT_EQ(drawn.glass, drawn.surface) << where;
+    }
+}
+
+/// 04h of an ILI9341 is three zeros, which is also what chips answer that are told by another register.
+bool tells(const hal::PanelDesc& asked, const sim::Chip& answering) {
+    const bool zeros = asked.identity.command == 0x04 && asked.identity.id == 0;
+    return !zeros || answering.id != std::array<std::uint8_t, 3>{};
+}
+
+TEST_P(Panels, AreTakenForNoOther) {
+    const hal::PanelDesc& asked = *GetParam();
+    for (const hal::PanelDesc* built : hal::panels::all)
+        for (const auto kind : {hal::BusKind::spi4, hal::BusKind::i8080}) {
+            const sim::Chip chip = sim::chip_of(*built);
+            sim::DcsController controller(chip, sim::mount_of(*built), kind == hal::BusKind::i8080);
+            sim::SimBus bus(controller, hal::bus_caps(board_of(*built, kind, {})));
+            bus.pass(200'000'000);
+            hal::ReadScratch scratch;
+            const auto answer = hal::check_identity(bus, asked, scratch);
+            const bool same = built->controller == asked.controller;
+            if (!same && !tells(asked, chip))
+                continue;
+            EXPECT_EQ(answer.ok() ? hal::Fault::none : answer.error().fault,
+                      same ? hal::Fault::none : hal::Fault::wrong_device)
+                << built->name;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Panels, testing::ValuesIn(hal::panels::all), [](const auto& info) {
+    std::string name = info.param->name;
+    for (char& c : name)
+        c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    return name;
+});
+
+TEST(PanelModule, HasAMemoryItsControllerCanBeStrappedTo) {
+    hal::PanelDesc panel = hal::panels::st7735_128x160;
+    EXPECT_EQ(sim::chip_of(panel).width, 128);
+    EXPECT_EQ(sim::chip_of(hal::panels::st7735_80x160_26).height, 162);
+    panel.memory.height = 161;
+    EXPECT_THROW(sim::chip_of(panel), std::invalid_argument);
+}
+
+} // namespace
