@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "raster/span/cubic_runs.hpp"
 #include "raster/span/stage_coord.hpp"
 
 namespace spangle::raster::test {
@@ -90,6 +91,27 @@ TEST(Runs, CubicsKeepWhatNearestLeavesOpen) {
             fragments += f.fragments;
         }
     EXPECT_GT(fragments, 3 * runs);
+}
+
+/// A span that begins inside a run is the rest of that run, to the bit.
+TEST(Runs, AJumpIsThatManySteps) {
+    std::mt19937 random(7);
+    const auto word = [&random] { return static_cast<std::uint32_t>(random()); };
+    for (int n = 0; n < 1000; ++n) {
+        const Differences start{word(), word(), word()};
+        const std::uint32_t from = word();
+        Differences stepped = start;
+        std::uint32_t at = from;
+        for (std::uint32_t count = 0; count < 16; ++count) {
+            Differences jumped = start;
+            std::uint32_t v = from;
+            jumped.jump(v, count);
+            ASSERT_EQ(v, at) << count;
+            ASSERT_EQ(jumped.first, stepped.first) << count;
+            ASSERT_EQ(jumped.second, stepped.second) << count;
+            stepped.step(at);
+        }
+    }
 }
 
 TEST(Runs, LinesKeepAQuarterOfATexel) {
