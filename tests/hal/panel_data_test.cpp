@@ -65,7 +65,7 @@ TEST(PanelData, FlawsAreNamed) {
     EXPECT_EQ(flawed([](PanelDesc& p) { p.mount = dcs::MV; }), "panel: a mount is made of MX and MY only");
     EXPECT_EQ(flawed([](PanelDesc& p) { p.timing.reset_low_us = 9; }),
               "panel: a reset pulse is at least 10 us");
-    for (const std::uint8_t bytes : {0, 4})
+    for (const auto bytes : {std::uint8_t{0}, std::uint8_t{4}})
         EXPECT_EQ(flawed([bytes](PanelDesc& p) { p.identity.bytes = bytes; }),
                   "panel: an identity has one to three bytes");
 }
