@@ -188,6 +188,7 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
     out.alpha = FixedMath::color_units(material.diffuse[3]);
     out.shininess = numeric::power_exponent(material.shininess);
     out.has_specular = false;
+    std::uint32_t brightest = 0;
     for (int c = 0; c < 3; ++c) {
         const std::int32_t ambient = intensity(material.ambient[c]), diffuse = intensity(material.diffuse[c]),
                            specular = intensity(material.specular[c]);
@@ -199,6 +200,7 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
             if (s.simple())
                 base += own;
             out.diffuse[i][c] = times(diffuse, s.diffuse[c]);
+            brightest |= numeric::abs_u32(out.diffuse[i][c]);
             out.specular[i][c] = times(specular, s.specular[c]);
             out.has_specular = out.has_specular || out.specular[i][c] != 0;
         }
@@ -206,7 +208,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
         out.plain_base[c] =
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
-    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_);
+    // Eight products with 31 bits each, and the base, stay below 2^63.
+    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_) && brightest < 1u << 28;
 }
 
 /// base + sum of (n . l) * diffuse: with unit normals n . l = (N n) . l / |N n|, else (N^T l) . n. False: a

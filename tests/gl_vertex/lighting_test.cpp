@@ -529,6 +529,20 @@ TEST_F(Lighting, StretchedObjects) {
     EXPECT_LT(worst, 0.001);
 }
 
+/// Eight lights as bright as they can be, on a normal four times too long: the sum is 1, not what overflows.
+TEST_F(Lighting, TooMuchLight) {
+    LitVertex v;
+    for (LightSource& l : v.light) {
+        l.on = true;
+        l.position = {0, 0, 1, 0};
+        l.diffuse = {1e30, 40000, 1900, 1};
+    }
+    v.normal = {0, 0, 4};
+    const raster::FixedVertex got = lit_point(v);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(got.color[c], raster::color_one) << c;
+}
+
 /// Table 2.7, before anything is set.
 TEST_F(Lighting, Defaults) {
     const LitVertex v;
