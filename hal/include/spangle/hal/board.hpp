@@ -19,37 +19,35 @@ struct Board {
 };
 
 /// The rule this board breaks, or null. It must name a panel.
-constexpr const char* flaw(const Board& board) {
+constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
     const PanelConfig& display = board.display;
     const PanelDesc& panel = *display.panel;
-    if (const char* rule = flaw(panel))
+    if (const char* rule = flaw(panel, on))
         return rule;
     if (colmod(panel, board.bus, display.format) == 0)
-        return "board: the panel cannot take this format on this bus";
+        return broken("board: the panel cannot take this format on this bus", on);
     if (display.buffers < 1 || display.buffers > 2)
-        return "board: one or two buffers";
+        return broken("board: one or two buffers", on);
     if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
-        return "board: reading back needs a read clock and a panel that answers";
+        return broken("board: reading back needs a read clock and a panel that answers", on);
     if (display.wait_te && !board.has_te)
-        return "board: waiting for TE without a TE line";
+        return broken("board: waiting for TE without a TE line", on);
     if (board.write_hz == 0)
-        return "board: no write clock";
+        return broken("board: no write clock", on);
     const bool serial = board.bus == BusKind::spi4;
     const std::uint32_t write_limit =
         serial ? panel.timing.practical_serial_mhz * 1000000u : 1000000000u / panel.timing.parallel_write_ns;
     if (board.write_hz > write_limit)
-        return "board: the write clock is faster than this panel is known to take";
+        return broken("board: the write clock is faster than this panel is known to take", on);
     const std::uint32_t read_ns = serial ? panel.timing.serial_read_ns : panel.timing.parallel_read_ns;
     if (board.read_hz > 1000000000u / read_ns)
-        return "board: the read clock is faster than the datasheet allows";
+        return broken("board: the read clock is faster than the datasheet allows", on);
     return nullptr;
 }
 
 /// Describes a board, or does not compile.
-void board_description_is_wrong(const char* rule);
 consteval Board board(Board description) {
-    if (const char* rule = flaw(description))
-        board_description_is_wrong(rule);
+    flaw(description, OnFlaw::stop);
     return description;
 }
 

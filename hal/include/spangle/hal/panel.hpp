@@ -98,36 +98,45 @@ constexpr std::uint8_t colmod(const PanelDesc& panel, BusKind bus, PixelFormat f
     return 0;
 }
 
+/// Whether a rule that a description breaks is told, or stops the compiler with the rule in its message.
+enum class OnFlaw : std::uint8_t { tell, stop };
+/// Not constexpr: no constant expression gets past it.
+inline void does_not_compile() {}
+/// The compiler shows this call as it is written, the rule in it.
+constexpr const char* broken(const char* rule, OnFlaw on) {
+    if (on == OnFlaw::stop)
+        does_not_compile();
+    return rule;
+}
+
 /// The rule this description breaks, or null.
-constexpr const char* flaw(const PanelDesc& p) {
+constexpr const char* flaw(const PanelDesc& p, OnFlaw on = OnFlaw::tell) {
     if (p.memory.width <= 0 || p.memory.height <= 0)
-        return "panel: the memory has no size";
+        return broken("panel: the memory has no size", on);
     if (p.memory.width > 4096 || p.memory.height > 4096)
-        return "panel: the memory is larger than 4096 x 4096";
+        return broken("panel: the memory is larger than 4096 x 4096", on);
     if (p.glass.width <= 0 || p.glass.height <= 0)
-        return "panel: the glass has no size";
+        return broken("panel: the glass has no size", on);
     if (p.offset.x < 0 || p.offset.y < 0)
-        return "panel: the offset is negative";
+        return broken("panel: the offset is negative", on);
     if (p.offset.x + p.glass.width > p.memory.width)
-        return "panel: the glass is wider than the memory behind it";
+        return broken("panel: the glass is wider than the memory behind it", on);
     if (p.offset.y + p.glass.height > p.memory.height)
-        return "panel: the glass is taller than the memory behind it";
+        return broken("panel: the glass is taller than the memory behind it", on);
     if ((p.mount & ~(dcs::MX | dcs::MY)) != 0)
-        return "panel: a mount is made of MX and MY only";
+        return broken("panel: a mount is made of MX and MY only", on);
     if (!well_formed(p.setup))
-        return "panel: the setup program is cut short";
+        return broken("panel: the setup program is cut short", on);
     if (p.timing.reset_low_us < 10)
-        return "panel: a reset pulse is at least 10 us";
+        return broken("panel: a reset pulse is at least 10 us", on);
     if (p.identity.bytes < 1 || p.identity.bytes > 3)
-        return "panel: an identity has one to three bytes";
+        return broken("panel: an identity has one to three bytes", on);
     return nullptr;
 }
 
-/// Describes a panel, or does not compile: the flaw is the argument of the call that is not constexpr.
-void panel_description_is_wrong(const char* rule);
+/// Describes a panel, or does not compile.
 consteval PanelDesc panel(PanelDesc description) {
-    if (const char* rule = flaw(description))
-        panel_description_is_wrong(rule);
+    flaw(description, OnFlaw::stop);
     return description;
 }
 
