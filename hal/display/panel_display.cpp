@@ -410,7 +410,7 @@ Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
     if (const auto r = finish(); !r)
         return r;
     windows_.forget();
-    return read_pixels(bus_, *config_.panel, placement_, area, rgb, scratch_);
+    return read_pixels(bus_, *config_.panel, placement_, config_.format, area, rgb, scratch_);
 }
 
 } // namespace spangle::hal

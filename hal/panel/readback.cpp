@@ -35,6 +35,16 @@ std::uint32_t big_endian(const std::uint8_t* bytes, int count) {
     return value;
 }
 
+/// Two bytes a pixel to three, in place: from the last, so that none is overwritten before it is read.
+void widen_565(std::uint8_t* rgb, std::uint32_t pixels) {
+    for (std::uint32_t i = pixels; i-- > 0;) {
+        const unsigned word = static_cast<unsigned>(rgb[2 * i]) << 8 | rgb[2 * i + 1];
+        rgb[3 * i] = static_cast<std::uint8_t>(word >> 8 & 0xF8);
+        rgb[3 * i + 1] = static_cast<std::uint8_t>(word >> 3 & 0xFC);
+        rgb[3 * i + 2] = static_cast<std::uint8_t>(word << 3 & 0xF8);
+    }
+}
+
 /// What a line that floats high makes of an identity.
 std::uint32_t ones(const Identity& identity) {
     return 0xFFFFFFu >> (24u - 8u * (identity.bytes < 3 ? identity.bytes : 3u));
@@ -84,20 +94,26 @@ Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratc
     return static_cast<std::uint16_t>(big_endian(scratch.scanline, 2));
 }
 
-Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, const Rect& area,
-                         std::uint8_t* rgb, ReadScratch& scratch) {
+Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, PixelFormat written,
+                         const Rect& area, std::uint8_t* rgb, ReadScratch& scratch) {
     const Result<BusCaps> caps = readable(bus, panel);
     if (!caps)
         return caps.error();
     if (area.w <= 0 || area.h <= 0 || area.x < 0 || area.y < 0 || area.w > placement.size.width - area.x ||
         area.h > placement.size.height - area.y)
         return Error{Fault::bad_argument, "panel: the area to read is not inside the picture"};
+    const std::uint32_t pixels = static_cast<std::uint32_t>(area.w) * static_cast<std::uint32_t>(area.h);
+    const bool two_bytes = panel.quirks.reads_write_depth && written == PixelFormat::rgb565_be;
     Op storage[3];
     OpList ops(storage, scratch.window, 3);
     Windows(placement, panel.quirks).select(ops, area);
     ops.read(dcs::RAMRD, dummy_bits(caps.value(), panel.identity.pixel_dummy_bits), rgb,
-             static_cast<std::uint32_t>(area.w) * static_cast<std::uint32_t>(area.h) * 3);
-    return run(bus, caps.value(), ops);
+             pixels * (two_bytes ? 2u : 3u));
+    if (const Result<void> done = run(bus, caps.value(), ops); !done)
+        return done;
+    if (two_bytes)
+        widen_565(rgb, pixels);
+    return {};
 }
 
 Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {

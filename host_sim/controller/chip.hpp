@@ -52,6 +52,7 @@ struct Chip {
     int register_dummy_bits = 1, pixel_dummy_bits = 8; ///< of 04h and 09h, and of 2Eh
     bool out_of_range_clamps = false; ///< XE, YE beyond the memory: clamped, else pixels there are ignored
     bool low_bit_from_green = false;  ///< reset value of EPF: the missing low bit of R and B is green's
+    bool reads_write_depth = false;   ///< 2Eh answers in COLMOD's format, else three bytes a pixel
     std::uint8_t serial_depths = depths({5, 6}), parallel_depths = depths({5, 6}); ///< what COLMOD may say
     std::array<Key, 2> keys{}; ///< in this order; none: the maker's registers are always open
     int key_count = 0;
@@ -134,6 +135,7 @@ inline constexpr Chip chips[] = {
      .porch_lines = 8,
      .serial_write_ns = 66,
      .serial_write_got_ns = 12,
+     .reads_write_depth = true,
      .keys = {{{0xF0, {0xC3}, 1}, {0xF0, {0x96}, 1}}},
      .key_count = 2},
     {.name = "GC9A01",

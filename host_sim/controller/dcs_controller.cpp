@@ -231,8 +231,10 @@ std::vector<std::uint8_t> DcsController::maker_register(std::uint8_t command) co
 void DcsController::end_read(Time now) {
     if (!answering_ || read_dummies_ == 0 || read_clocks_ == 0)
         return;
-    const bool slipped = reads_memory() ? read_clocks_ % 24 == 0 && (read_clocks_ - read_dummies_) % 24 != 0
-                                        : read_clocks_ + read_dummies_ == read_bits_.size();
+    const std::uint64_t pixel = reads_565() ? 16 : 24;
+    const bool slipped = reads_memory()
+                             ? read_clocks_ % pixel == 0 && (read_clocks_ - read_dummies_) % pixel != 0
+                             : read_clocks_ + read_dummies_ == read_bits_.size();
     if (slipped)
         report(Rule::read, "command " + hex(command_) + " was read without its dummy clocks", now);
 }
@@ -587,15 +589,18 @@ void DcsController::prepare_read(Time now) {
     }
 }
 
-/// Three bytes a pixel whatever COLMOD says, six bits left aligned.
+/// Three bytes a pixel, six bits left aligned, whatever COLMOD says; some answer as they were written.
 void DcsController::push_pixels() {
     int column, row;
     Rgb666 p;
     if (locate(read_x_, read_y_, column, row))
         p = memory_[static_cast<std::size_t>(row * chip_.width + column)];
-    for (const int six : {p.r, p.g, p.b})
-        for (int bit = 7; bit >= 0; --bit)
-            read_bits_.push_back((six << 2 >> bit & 1) != 0);
+    const int word = p.r >> 1 << 11 | p.g << 5 | p.b >> 1;
+    const std::array<int, 3> six_each{p.r << 2, p.g << 2, p.b << 2}, as_written{word >> 8, word & 255, 0};
+    std::array<std::uint8_t, 3> bytes{};
+    for (std::size_t i = 0; i < 3; ++i)
+        bytes[i] = static_cast<std::uint8_t>(reads_565() ? as_written[i] : six_each[i]);
+    push_bytes(bytes.data(), reads_565() ? 2 : 3);
     if (++read_x_ <= xe_)
         return;
     read_x_ = xs_;

@@ -136,6 +136,7 @@ class DcsController {
     enum class Format : std::uint8_t { rgb444 = 3, rgb565 = 5, rgb666 = 6 };
     Format format() const;
     std::uint64_t bytes_of(std::uint64_t pixels) const;
+    bool reads_565() const { return chip_.reads_write_depth && format() == Format::rgb565; }
     Rgb666 decode(int nibble) const;
     std::uint64_t window_pixels() const;
     void scan_until(Time now);

@@ -384,6 +384,21 @@ TEST(Controller, MakersRegistersWaitForTheirKey) {
     EXPECT_FALSE(writes(hx, 3)) << "reset locks";
 }
 
+TEST(Controller, AnSt7796sReadsAsItWasWritten) {
+    Host h(chip_named("ST7796S"));
+    h.wake();
+    h.window(0, 0, 0, 1);
+    h.pixels(0x2C, {0xA987, blue});
+    EXPECT_EQ(h.read(0x2E, 8, 4), (std::vector<int>{0xA9, 0x87, 0x00, 0x1F}));
+    h.send(0x00);
+    EXPECT_TRUE(h.chip.violations().empty()) << h.chip.violations().front().text;
+    h.read(0x2E, 0, 4);
+    h.send(0x00);
+    EXPECT_TRUE(h.reported(Rule::read)) << "the dummy clocks were taken for a pixel's";
+    h.send(0x3A, {0x66});
+    EXPECT_EQ(h.read(0x2E, 8, 6), (std::vector<int>{0xA8, 0x30, 0x38, 0x00, 0x00, 0xF8}));
+}
+
 TEST(Controller, PinsChooseTheMemoryOfAnSt7735) {
     const Chip& st = chip_named("ST7735");
     EXPECT_EQ(strapped(st, {132, 162}).width, 132);

@@ -118,6 +118,44 @@ TEST_P(Panels, ShowTheSurfaceInEveryOrientation) {
     }
 }
 
+TEST_P(Panels, ReadBackWhatWasWritten) {
+    for (const auto kind : {hal::BusKind::spi4, hal::BusKind::i8080}) {
+        const hal::Board board = board_of(*GetParam(), kind, {hal::Rotation::r90});
+        sim::DcsController controller(sim::chip_of(*GetParam()), sim::mount_of(*GetParam()),
+                                      kind == hal::BusKind::i8080);
+        sim::SimBus bus(controller, hal::bus_caps(board));
+        hal::PanelStorage<320, 1> storage;
+        hal::PanelDisplay display(bus, board.display, storage.memory());
+        ASSERT_TRUE(display.init().ok());
+        const auto frame = display.acquire();
+        ASSERT_TRUE(frame.ok());
+        const int bytes = format_info(board.display.format).bytes_per_pixel;
+        const Rect area{3, 5, 17, 4};
+        std::vector<std::uint8_t> wanted, read(17 * 4 * 3);
+        for (int y = area.y; y < area.y + area.h; ++y) {
+            for (int x = area.x; x < area.x + area.w; ++x) {
+                std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + x * bytes;
+                const unsigned word = static_cast<unsigned>(y * 977 + x) * 2654435761u >> 8 & 0xFFFF;
+                const auto eight = [](unsigned v) { return static_cast<std::uint8_t>(v); };
+                const std::uint8_t r = eight(word >> 8 & 0xF8), g = eight(word >> 3 & 0xFC),
+                                   b = eight(word << 3 & 0xF8);
+                wanted.insert(wanted.end(), {r, g, b});
+                at[0] = bytes == 2 ? eight(word >> 8) : r;
+                at[1] = bytes == 2 ? eight(word) : g;
+                if (bytes == 3)
+                    at[2] = b;
+            }
+            frame.value().extents->rows[y] = {3, 20};
+        }
+        ASSERT_TRUE(display.present().ok());
+        ASSERT_TRUE(display.read_back(area, read.data()).ok());
+        for (std::size_t i = 0; i < read.size(); ++i) // the low bit of red and blue is what EPF makes it
+            read[i] &= i % 3 == 1 ? 0xFC : 0xF8;
+        EXPECT_EQ(read, wanted);
+        EXPECT_TRUE(controller.violations().empty()) << controller.violations().front().text;
+    }
+}
+
 /// 04h of an ILI9341 is three zeros, which is also what chips answer that are told by another register.
 bool tells(const hal::PanelDesc& asked, const sim::Chip& answering) {
     const bool zeros = asked.identity.command == 0x04 && asked.identity.id == 0;

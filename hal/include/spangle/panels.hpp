@@ -388,7 +388,7 @@ inline constexpr PanelDesc st7796s_320x480 = panel({
     .setup = st7796s::setup,
     .timing = half_vga::timing(66, 80, 66),
     .identity = {.command = 0xD3, .dummy_bits = 8, .id = 0x007796},
-    .quirks = {},
+    .quirks = {.reads_write_depth = true},
 });
 
 namespace hx8357d {

@@ -69,6 +69,7 @@ struct WireFormats {
 struct Quirks {
     bool resend_window = false; ///< RAMWR does not return to the window's start: CASET and RASET each time
     bool no_read_back = false;  ///< the data line never drives back
+    bool reads_write_depth = false; ///< RAMRD answers in COLMOD's format, not in three bytes a pixel
 };
 
 struct PanelDesc {

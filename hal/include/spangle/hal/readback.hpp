@@ -35,9 +35,9 @@ Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& s
 Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
 /// 2Eh: the picture's pixels of `area`, row by row, three bytes (R, G, B; six bits left aligned) each, into
-/// `rgb`. Moves the controller's window.
-Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, const Rect& area,
-                         std::uint8_t* rgb, ReadScratch& scratch);
+/// `rgb`. `written`: the format COLMOD is set to. Moves the controller's window.
+Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, PixelFormat written,
+                         const Rect& area, std::uint8_t* rgb, ReadScratch& scratch);
 
 /// Is this the panel it should be? The error says what answered (`detail`), or that nothing did.
 Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
