@@ -29,7 +29,6 @@ struct Block4 {
 };
 
 inline constexpr int block_bits = 30;
-inline constexpr std::int32_t block_one = 1 << 29; ///< with exponent -29: the block of 1
 inline constexpr std::int32_t block_max = (1 << block_bits) - 1;
 
 namespace detail {

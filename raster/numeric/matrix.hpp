@@ -71,8 +71,6 @@ constexpr Block to_block(Element v) {
     return make_block(v.m, v.e + element_bias);
 }
 
-inline constexpr Element element_one = to_element(one);
-
 // --- matrices
 // ------------------------------------------------------------------------------------------------------
 

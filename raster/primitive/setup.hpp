@@ -30,9 +30,9 @@ template <> class Setup<Fixed> {
     /// Point: nothing varies.
     Setup(Span<Fixed>& span, const Vertex& v);
 
-    // Bounds, for tests and proofs.
-    static constexpr int coefficient_bits = 30; ///< |mantissa| of a gradient's coefficient <= 2^30
-    static constexpr int value_bits = 31;       ///< |difference| of an attribute between two vertices < 2^31
+    // A gradient's coefficient is at most 2^30, the difference of an attribute between two vertices below
+    // 2^31.
+
     /// Above this ratio of window box to area a triangle is interpolated along its longer axis only:
     /// two-dimensional gradients would lose too much there, and its centres lie within a fraction of a pixel
     /// of a line.
