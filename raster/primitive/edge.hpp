@@ -121,13 +121,17 @@ class ShortEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
 
-    SPANGLE_INLINE ShortEdge(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
-                             std::int32_t row)
-        : x_(x0 >> subpixel_bits), denominator_((y1 - y0) * subpixel_one), part_((x1 - x0) * subpixel_one) {
+    SPANGLE_INLINE static ShortEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                                       std::int32_t row) {
+        ShortEdge e;
+        e.x_ = x0 >> subpixel_bits;
+        e.denominator_ = (y1 - y0) * subpixel_one;
+        e.part_ = (x1 - x0) * subpixel_one;
         const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
         const std::int32_t inside = (x0 & (subpixel_one - 1)) - subpixel_one / 2;
-        remainder_ = above * (x1 - x0) + inside * (y1 - y0);
-        walk();
+        e.remainder_ = above * (x1 - x0) + inside * (y1 - y0);
+        e.walk();
+        return e;
     }
     SPANGLE_INLINE std::int32_t column() const { return x_; }
     /// To a row that the edge reaches.
@@ -215,24 +219,27 @@ template <class E> class TriangleRows {
     E left_{}, right_{};
 };
 
-/// All rows of a triangle within ShortEdge::extent at once, as TriangleRows::fill() gives them: 16 at most.
-template <bool Cut>
-int short_rows(Row* to, const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left,
-               const Rect& clip) {
+/// A triangle up to this high has 16 rows at most.
+inline constexpr std::int32_t low_extent = 15 * subpixel_one;
+
+/// All rows of such a triangle at once, as TriangleRows::fill() gives them.
+template <class E, bool Cut>
+int low_rows(Row* to, const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left,
+             const Rect& clip) {
     const Row* const first = to;
     std::int32_t y = first_center(ys[0]), end = first_center(ys[2]);
     y = y < clip.y ? clip.y : y;
     end = end < clip.y + clip.h ? end : clip.y + clip.h;
     if (y >= end)
         return 0;
-    ShortEdge across(xs[0], ys[0], xs[2], ys[2], y);
+    E across = E::at(xs[0], ys[0], xs[2], ys[2], y);
     std::int32_t stop = first_center(ys[1]);
     int from = 0;
     if (y >= stop)
         from = 1, stop = end;
     for (;; from = 1, stop = end) {
         stop = stop < end ? stop : end;
-        ShortEdge beside(xs[from], ys[from], xs[from + 1], ys[from + 1], y);
+        E beside = E::at(xs[from], ys[from], xs[from + 1], ys[from + 1], y);
         for (;;) {
             std::int32_t left = across.column(), right = beside.column();
             if (middle_left) {

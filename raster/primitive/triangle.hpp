@@ -69,13 +69,12 @@ void draw_rows(Pen<P>& pen, const typename P::Vertex* const corners[3], const ty
     } while (count == pen.batch && (count = fill()) != 0);
 }
 
-template <class P>
-SPANGLE_INLINE void draw_short(Pen<P>& pen, const typename P::Vertex* const corners[3],
-                               const typename P::Vertex& provoking, const std::int32_t xs[3],
-                               const std::int32_t ys[3], std::int64_t area2) {
-    static_assert(ShortEdge::extent <= (Pen<P>::batch - 1) * subpixel_one);
-    const int count = pen.cuts() ? short_rows<true>(pen.rows(), xs, ys, area2 < 0, pen.clip())
-                                 : short_rows<false>(pen.rows(), xs, ys, area2 < 0, pen.clip());
+template <class E, class P>
+void draw_low(Pen<P>& pen, const typename P::Vertex* const corners[3], const typename P::Vertex& provoking,
+              const std::int32_t xs[3], const std::int32_t ys[3], std::int64_t area2) {
+    static_assert(low_extent <= (Pen<P>::batch - 1) * subpixel_one);
+    const int count = pen.cuts() ? low_rows<E, true>(pen.rows(), xs, ys, area2 < 0, pen.clip())
+                                 : low_rows<E, false>(pen.rows(), xs, ys, area2 < 0, pen.clip());
     if (count == 0)
         return;
     Setup<P>(pen.span, *corners[0], *corners[1], *corners[2], provoking, area2);
@@ -107,9 +106,12 @@ void draw_triangle_of(const DrawState& state, const Surface& target, const typen
     Pen<P> pen(state, target);
     if (state.nothing || !pen.sees(first_center(least), first_center(most)))
         return;
-    if (numeric::cheap_branches && most - least <= ShortEdge::extent && ys[2] - ys[0] <= ShortEdge::extent)
-        detail::draw_short(pen, corners, provoking, xs, ys, area2);
-    else if (most - least <= SmallEdge::extent && ys[2] - ys[0] <= SmallEdge::extent)
+    const std::int32_t width = most - least, height = ys[2] - ys[0];
+    if (numeric::cheap_branches && width <= ShortEdge::extent && height <= low_extent)
+        detail::draw_low<ShortEdge>(pen, corners, provoking, xs, ys, area2);
+    else if (width <= SmallEdge::extent && height <= low_extent)
+        detail::draw_low<SmallEdge>(pen, corners, provoking, xs, ys, area2);
+    else if (width <= SmallEdge::extent && height <= SmallEdge::extent)
         detail::draw_rows<SmallEdge>(pen, corners, provoking, xs, ys, area2);
     else
         detail::draw_rows<Edge>(pen, corners, provoking, xs, ys, area2);

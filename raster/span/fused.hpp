@@ -30,6 +30,8 @@ SPANGLE_INLINE void fused_loop(List& list, std::int32_t i, std::int32_t stop) {
             list.step_row();
         else
             list.step();
+        if constexpr (!List::runs && !List::rows)
+            i = numeric::factor32(i); // one index for all planes, not a pointer for each
     } while (++i != stop);
 }
 

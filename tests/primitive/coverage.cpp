@@ -59,10 +59,13 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
         };
         Row buffer[16];
         Listed at_once;
-        at_once.add(buffer, short_rows<true>(buffer, xs, ys, area < 0, clip));
+        at_once.add(buffer, low_rows<ShortEdge, true>(buffer, xs, ys, area < 0, clip));
+        Listed small_at_once;
+        small_at_once.add(buffer, low_rows<SmallEdge, true>(buffer, xs, ys, area < 0, clip));
         const Listed exact = walked(std::type_identity<Edge>{});
         ASSERT_EQ(exact.words, walked(std::type_identity<SmallEdge>{}).words) << "round " << round;
         ASSERT_EQ(exact.words, at_once.words) << "round " << round;
+        ASSERT_EQ(exact.words, small_at_once.words) << "round " << round;
         rows += static_cast<long>(exact.words.size() / 5);
     }
     EXPECT_GT(rows, 200000);
