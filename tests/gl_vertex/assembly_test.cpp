@@ -5,43 +5,21 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
 #include "gl/pixel/fragment_setup.hpp"
+#include "tests/gl_vertex/canvas.hpp"
 
 namespace {
 
-constexpr int size = 128;
-
-class Vertices : public testing::Test {
+class Vertices : public spangle::test::Canvas {
   protected:
+    static constexpr int size = 128;
+    Vertices() : Canvas(size) {}
     void SetUp() override {
-        display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-        ASSERT_TRUE(eglInitialize(display_, nullptr, nullptr));
-        const EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                               EGL_OPENGL_BIT,
-                               EGL_SURFACE_TYPE,
-                               EGL_PBUFFER_BIT,
-                               EGL_ALPHA_SIZE,
-                               8,
-                               EGL_DEPTH_SIZE,
-                               24,
-                               EGL_NONE};
-        const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
-        EGLConfig config = nullptr;
-        EGLint count = 0;
-        ASSERT_TRUE(eglChooseConfig(display_, wish, &config, 1, &count) && count == 1);
-        const EGLSurface surface = eglCreatePbufferSurface(display_, config, area);
-        ASSERT_TRUE(
-            eglMakeCurrent(display_, surface, surface, eglCreateContext(display_, config, nullptr, nullptr)));
+        Canvas::SetUp();
         spangle::gl::observe(*spangle::gl::current_context(), &counters_, false);
         glOrtho(0, size, 0, size, -1, 1);
-    }
-    void TearDown() override {
-        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-        eglMakeCurrent(display_, nullptr, nullptr, nullptr);
-        eglTerminate(display_);
     }
 
     /// Vertex i of a circle of nine.
@@ -60,7 +38,6 @@ class Vertices : public testing::Test {
         return picture();
     }
 
-    EGLDisplay display_ = nullptr;
     spangle::raster::Counters counters_;
 };
 

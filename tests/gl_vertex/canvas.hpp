@@ -9,7 +9,8 @@ namespace spangle::test {
 
 class Canvas : public testing::Test {
   protected:
-    static constexpr int size = 64;
+    explicit Canvas(int side = size) : side_(side) {}
+    static constexpr int size = 64; ///< of most
 
     void SetUp() override {
         display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
@@ -23,7 +24,7 @@ class Canvas : public testing::Test {
                                EGL_DEPTH_SIZE,
                                24,
                                EGL_NONE};
-        const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
+        const EGLint area[] = {EGL_WIDTH, side_, EGL_HEIGHT, side_, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         ASSERT_TRUE(eglChooseConfig(display_, wish, &config, 1, &count) && count == 1);
@@ -38,6 +39,9 @@ class Canvas : public testing::Test {
     }
 
     EGLDisplay display_ = nullptr;
+
+  private:
+    int side_;
 };
 
 } // namespace spangle::test

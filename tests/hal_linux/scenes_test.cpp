@@ -1,39 +1,16 @@
 // Whole scenes through every transport: the glass shows, to the bit, what the simulated board shows.
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/boards/boards.hpp>
-#include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
 
-#include "boards/scenes/scene.hpp"
 #include "tests/hal_linux/rig.hpp"
+#include "tests/scene_player.hpp"
 
 namespace {
 
 using namespace linux_test;
 
-/// False when EGL or GL refused anything.
-bool play(hal::Display& hal_display, const scenes::Scene& scene, int frames) {
-    const EGLDisplay display = eglGetDisplay(native(hal_display));
-    const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    bool good = eglInitialize(display, nullptr, nullptr) != EGL_FALSE &&
-                eglChooseConfig(display, wish, &config, 1, &count) != EGL_FALSE && count == 1;
-    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-    good = good && eglMakeCurrent(display, window, window, context) != EGL_FALSE;
-    const hal::DisplayInfo info = hal_display.info();
-    if (good)
-        scene.setup(info.width, info.height);
-    for (int frame = 0; good && frame < frames; ++frame) {
-        scene.draw(frame);
-        good = eglSwapBuffers(display, window) != EGL_FALSE;
-    }
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglTerminate(display);
-    return good;
-}
+using spangle::test::play;
 
 hal::Board board_of(Transport transport, bool small) {
     hal::Board board = small ? boards::st7735_128x160 : boards::ili9341_spi;

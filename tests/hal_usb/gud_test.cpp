@@ -4,13 +4,11 @@
 #include <thread>
 
 #include <linux/usbdevice_fs.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/boards/boards.hpp>
-#include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
 
-#include "boards/scenes/scene.hpp"
 #include "tests/hal_usb/gud_rig.hpp"
+#include "tests/scene_player.hpp"
 
 namespace {
 
@@ -326,34 +324,14 @@ TEST(Gud, WrongDevicesAreSaidSo) {
 TEST(Gud, ShowsScenesAsABoardDoes) {
     for (const char* const id : {"S6", "HUD"}) {
         const scenes::Scene& scene = *scenes::find(id);
-        const auto play = [&](hal::Display& target) {
-            const EGLDisplay display = eglGetDisplay(native(target));
-            const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-            EGLConfig config = nullptr;
-            EGLint count = 0;
-            bool good = eglInitialize(display, nullptr, nullptr) != EGL_FALSE &&
-                        eglChooseConfig(display, wish, &config, 1, &count) != EGL_FALSE && count == 1;
-            const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
-            good = good &&
-                   eglMakeCurrent(display, window, window,
-                                  eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr)) != EGL_FALSE;
-            scene.setup(320, 240);
-            for (int frame = 0; good && frame < 3; ++frame) {
-                scene.draw(frame);
-                good = eglSwapBuffers(display, window) != EGL_FALSE;
-            }
-            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-            eglTerminate(display);
-            return good;
-        };
         sim::SimBoard board(boards::ili9341_spi);
-        ASSERT_TRUE(play(board.display()));
+        ASSERT_TRUE(test::play(board.display(), scene, 3));
         GudRig rig;
         rig.size(320, 240);
         rig.device.max_buffer_size = 40000; // as gud-pico: smaller than a frame
         rig.usb.attach(rig.kernel, path);
         rig.display.emplace(rig.config);
-        ASSERT_TRUE(play(*rig.display));
+        ASSERT_TRUE(test::play(*rig.display, scene, 3));
         EXPECT_EQ(sim::compare_565(rig.device.glass(), board.glass()).identical_percent(), 100.0) << id;
         EXPECT_EQ(rig.device.violations(), "");
     }

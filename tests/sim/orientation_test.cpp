@@ -4,13 +4,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
-#include <spangle/GL/gl.h>
 #include <spangle/boards/boards.hpp>
-#include <spangle/native.hpp>
 #include <spangle/sim/board.hpp>
 
-#include "boards/scenes/scene.hpp"
+#include "tests/scene_player.hpp"
 
 namespace {
 
@@ -24,35 +21,8 @@ struct Seen {
 /// Two frames, so that the second one is sent as damage.
 Seen draw(const scenes::Scene& scene, const hal::Board& board) {
     sim::SimBoard sim(board);
-    const EGLDisplay display = eglGetDisplay(native(sim.display()));
-    EGLConfig config;
-    EGLint count = 0;
-    const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                             EGL_WINDOW_BIT,
-                             EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_BIT,
-                             EGL_DEPTH_SIZE,
-                             16,
-                             EGL_STENCIL_SIZE,
-                             0,
-                             EGL_NONE};
-    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr));
-    EXPECT_TRUE(eglBindAPI(EGL_OPENGL_API));
-    EXPECT_TRUE(eglChooseConfig(display, wanted, &config, 1, &count));
-    EXPECT_EQ(count, 1);
-    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
-    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
-    EXPECT_TRUE(eglMakeCurrent(display, window, window, context));
-    const hal::DisplayInfo info = sim.display().info();
-    scene.setup(info.width, info.height);
-    for (int frame = 0; frame < 2; ++frame) {
-        scene.draw(frame);
-        EXPECT_TRUE(eglSwapBuffers(display, window));
-    }
-    Seen seen{sim.glass(), sim.memory(), sim.violations_text()};
-    EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
-    EXPECT_TRUE(eglTerminate(display));
-    return seen;
+    EXPECT_TRUE(test::play(sim.display(), scene, 2));
+    return {sim.glass(), sim.memory(), sim.violations_text()};
 }
 
 class Orientations : public testing::TestWithParam<const scenes::Scene*> {};

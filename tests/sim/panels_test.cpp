@@ -4,16 +4,14 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 #include <spangle/hal/readback.hpp>
-#include <spangle/native.hpp>
 #include <spangle/panels.hpp>
 #include <spangle/sim/board.hpp>
 
-#include "boards/scenes/scene.hpp"
 #include "host_sim/board/module.hpp"
 #include "host_sim/bus/sim_bus.hpp"
+#include "tests/scene_player.hpp"
 
 namespace {
 
@@ -65,38 +63,14 @@ struct Drawn {
 Drawn draw(const scenes::Scene& scene, const hal::Board& board) {
     sim::SimBoard sim(board);
     const bool six_each = board.display.format == PixelFormat::rgb888;
-    const EGLDisplay display = eglGetDisplay(native(sim.display()));
-    EGLConfig config;
-    EGLint count = 0;
-    const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                             EGL_WINDOW_BIT,
-                             EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_BIT,
-                             EGL_DEPTH_SIZE,
-                             16,
-                             EGL_STENCIL_SIZE,
-                             0,
-                             EGL_NONE};
-    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr)) << board.name;
-    EXPECT_TRUE(eglBindAPI(EGL_OPENGL_API));
-    EXPECT_TRUE(eglChooseConfig(display, wanted, &config, 1, &count));
-    const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
-    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
-    EXPECT_TRUE(eglMakeCurrent(display, window, window, context)) << board.name;
     const hal::DisplayInfo info = sim.display().info();
-    scene.setup(info.width, info.height);
     std::vector<std::uint8_t> rgb(static_cast<std::size_t>(info.width * info.height * 3));
-    for (int frame = 0; frame < 2; ++frame) {
-        scene.draw(frame);
+    EXPECT_TRUE(test::play(sim.display(), scene, 2, [&] {
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, info.width, info.height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
-        EXPECT_TRUE(eglSwapBuffers(display, window));
-    }
-    Drawn drawn{on_the_wire(rgb, info.width, info.height, six_each), same_bits(sim.glass(), six_each),
-                sim.violations_text()};
-    EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
-    EXPECT_TRUE(eglTerminate(display));
-    return drawn;
+    })) << board.name;
+    return {on_the_wire(rgb, info.width, info.height, six_each), same_bits(sim.glass(), six_each),
+            sim.violations_text()};
 }
 
 class Panels : public testing::TestWithParam<const hal::PanelDesc*> {};
