@@ -73,13 +73,14 @@ void destroy_context(Context* context) {
     arena.free(context);
 }
 
-void make_current(Context* context, const raster::Surface& surface, bool double_buffered) {
+void make_current(Context* context, const raster::Surface& surface, bool double_buffered, void (*show)()) {
     set_current_context(context);
     if (context == nullptr)
         return;
     Drawable& drawable = context->drawable;
     drawable.surface = surface;
     drawable.double_buffered = double_buffered;
+    drawable.show = show;
     read_from(*context, surface, double_buffered);
     context->changed(dirty_all);
     if (drawable.bound_before)

@@ -24,15 +24,16 @@ bool elsewhere(const Surface* surface) {
 
 void attach_surfaces() {
     const Thread& t = thread();
-    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->window);
+    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_single_buffer);
     if (t.read != t.draw)
-        gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->window);
+        gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
 }
 
 void release_current() {
     Thread& t = thread();
     if (t.context == nullptr)
         return;
+    show_single_buffer(); // changing the context flushes the old one (EGL 1.4, 3.7.3)
     Display& display = *t.display;
     Context* const context = t.context;
     Surface* const surfaces[2] = {t.draw, t.read};
@@ -185,7 +186,7 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGL
         break;
     case EGL_RENDER_BUFFER:
         *value = thread().context != context || thread().draw == nullptr ? EGL_NONE
-                 : thread().draw->window                                 ? EGL_BACK_BUFFER
+                 : thread().draw->back_buffered                          ? EGL_BACK_BUFFER
                                                                          : EGL_SINGLE_BUFFER;
         break;
     default:

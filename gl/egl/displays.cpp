@@ -221,10 +221,11 @@ EGLBoolean eglReleaseThread() {
 }
 
 EGLBoolean eglWaitGL() {
-    return succeed();
+    return eglWaitClient();
 }
 
-EGLBoolean eglWaitClient() {
+EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
+    show_single_buffer();
     return succeed();
 }
 

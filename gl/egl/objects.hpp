@@ -24,6 +24,8 @@ struct Surface {
     Config config;
     std::int32_t width = 0, height = 0;
     bool window = false, destroyed = false;
+    bool wants_single = false;     ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
+    bool back_buffered = false;    ///< SwapBuffers shows what was drawn; else Flush does
     unsigned bindings = 0;         ///< contexts it is current to
     std::uint8_t* color = nullptr; ///< a pbuffer's own; a window's belongs to the display
     std::uint8_t* depth = nullptr;
@@ -75,6 +77,12 @@ raster::Surface pixels_of(const Surface& surface);
 
 /// Hands the surfaces of this thread to its context; again after a window got another buffer.
 void attach_surfaces();
+
+/// Presents what was drawn to a window of this thread and attaches the next frame's buffer.
+bool present(Display& display, Surface& surface);
+
+/// Shows the single-buffered window that is current on this thread, if there is one: Flush, WaitClient.
+void show_single_buffer();
 
 /// Undoes MakeCurrent on this thread.
 void release_current();

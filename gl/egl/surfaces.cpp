@@ -59,6 +59,18 @@ bool next_frame(Display& display, Surface& surface) {
     return true;
 }
 
+/// EGL_SUCCESS, or the error in the list. `single`: a window without a back buffer is wished.
+EGLint read_window(const EGLint* list, bool& single) {
+    for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        if (list[0] != EGL_RENDER_BUFFER)
+            return EGL_BAD_ATTRIBUTE;
+        if (list[1] != EGL_SINGLE_BUFFER && list[1] != EGL_BACK_BUFFER)
+            return EGL_BAD_PARAMETER;
+        single = list[1] == EGL_SINGLE_BUFFER;
+    }
+    return EGL_SUCCESS;
+}
+
 struct PbufferWish {
     EGLint width = 0, height = 0;
     bool largest = false;
@@ -92,6 +104,28 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
 }
 
 } // namespace
+
+bool present(Display& display, Surface& surface) {
+    const hal::Result<void> shown = display.native->present();
+    if (!shown.ok()) {
+        fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
+        return false;
+    }
+    if (!next_frame(display, surface))
+        return false;
+    attach_surfaces();
+    return true;
+}
+
+/// What the panel refused it is sent by the next one: GL has no error for it, the message tells.
+void show_single_buffer() {
+    const Thread& t = thread();
+    if (t.draw == nullptr || !t.draw->window || t.draw->back_buffered || !t.display->initialized)
+        return;
+    const EGLint before = thread().error;
+    present(*t.display, *t.draw);
+    thread().error = before;
+}
 
 raster::Surface pixels_of(const Surface& surface) {
     raster::Surface out;
@@ -135,9 +169,9 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         problem = EGL_BAD_MATCH;
     if (problem == EGL_SUCCESS && win != 0)
         problem = EGL_BAD_NATIVE_WINDOW;
-    for (const EGLint* a = attrib_list; problem == EGL_SUCCESS && a != nullptr && *a != EGL_NONE; a += 2)
-        if (a[0] != EGL_RENDER_BUFFER)
-            problem = EGL_BAD_ATTRIBUTE;
+    bool single = false;
+    if (problem == EGL_SUCCESS)
+        problem = read_window(attrib_list, single);
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
         if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
@@ -154,6 +188,9 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         return EGL_NO_SURFACE;
     }
     surface->window = true;
+    surface->wants_single = single;
+    // A wish that a display which flips buffers cannot grant (EGL 1.4, 3.5.1).
+    surface->back_buffered = !single || !info.keeps_buffer;
     if (!next_frame(*display, *surface)) {
         const EGLint error = thread().error;
         arena().free(surface->depth);
@@ -218,7 +255,7 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         *value = s->config.id;
         break;
     case EGL_RENDER_BUFFER:
-        *value = s->window ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
+        *value = s->window && !s->wants_single ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
         break;
     case EGL_SWAP_BEHAVIOR:
         *value = EGL_BUFFER_DESTROYED;
@@ -268,16 +305,10 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
     Surface* const surface = find_surface(*display, handle);
     if (surface == nullptr)
         return EGL_FALSE;
-    if (!surface->window)
-        return succeed(); // a pbuffer has nothing to swap (EGL 1.4, 3.9.1)
+    if (!surface->back_buffered)
+        return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
     if (thread().draw != surface)
         return fail(EGL_BAD_SURFACE);
-    const spangle::hal::Result<void> shown = display->native->present();
-    if (!shown.ok())
-        return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
-    if (!next_frame(*display, *surface))
-        return EGL_FALSE;
-    attach_surfaces();
-    return succeed();
+    return present(*display, *surface) ? succeed() : EGL_FALSE;
 }
 }

@@ -117,8 +117,15 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     *number = value;
 }
 
-// Every command has reached the surface when it returns; a window shows it at SwapBuffers.
-void Flush(Context&) {}
-void Finish(Context&) {}
+// Every command has reached the surface when it returns. A window with a back buffer shows it at SwapBuffers,
+// one without here.
+void Flush(Context& context) {
+    if (context.drawable.show != nullptr)
+        context.drawable.show();
+}
+
+void Finish(Context& context) {
+    Flush(context);
+}
 
 } // namespace spangle::gl::cmd

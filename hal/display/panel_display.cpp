@@ -27,7 +27,8 @@ PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemor
 DisplayInfo PanelDisplay::info() const {
     const bool described = config_.panel != nullptr;
     const Extent size = described ? place(*config_.panel, config_.orientation).size : Extent{};
-    return {described ? config_.panel->name : "", size.width, size.height, config_.format};
+    return {described ? config_.panel->name : "", size.width, size.height, config_.format,
+            config_.buffers == 1};
 }
 
 // --- Initialisation ---

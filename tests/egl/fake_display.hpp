@@ -19,7 +19,7 @@ class FakeDisplay final : public hal::Display {
         extents.height = height;
     }
 
-    hal::DisplayInfo info() const override { return {"fake", width_, height_, format_}; }
+    hal::DisplayInfo info() const override { return {"fake", width_, height_, format_, !two_buffers}; }
     hal::Result<void> init() override {
         ++inits;
         return fail_init ? hal::Error{hal::Fault::no_answer, "fake: the panel does not answer"}

@@ -278,6 +278,79 @@ TEST_F(Surfaces, EachFrameIsDrawnIntoItsOwnBuffer) {
     }
 }
 
+TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
+    const EGLint single[] = {EGL_RENDER_BUFFER, EGL_SINGLE_BUFFER, EGL_NONE};
+    const EGLConfig config = window_config();
+    const EGLSurface surface = eglCreateWindowSurface(display, config, 0, single);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    ASSERT_EQ(eglMakeCurrent(display, surface, surface, context), yes);
+    EGLint granted = 0;
+    EXPECT_EQ(eglQueryContext(display, context, EGL_RENDER_BUFFER, &granted), yes);
+    EXPECT_EQ(granted, EGL_SINGLE_BUFFER);
+    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_SINGLE_BUFFER);
+    GLboolean doubled = GL_TRUE;
+    glGetBooleanv(GL_DOUBLEBUFFER, &doubled);
+    EXPECT_EQ(doubled, GL_FALSE);
+    GLint drawn = 0;
+    glGetIntegerv(GL_DRAW_BUFFER, &drawn);
+    EXPECT_EQ(drawn, GL_FRONT);
+
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(panel.presents, 0);
+    EXPECT_EQ(eglSwapBuffers(display, surface), yes); // no effect (EGL 1.4, 3.9.1)
+    EXPECT_EQ(panel.presents, 0);
+    glFlush();
+    EXPECT_EQ(panel.presents, 1);
+    EXPECT_EQ(panel.shown[0], 0xFF);
+    glFinish();
+    EXPECT_EQ(panel.presents, 2);
+    EXPECT_EQ(eglWaitClient(), yes);
+    EXPECT_EQ(panel.presents, 3);
+    EXPECT_EQ(eglWaitGL(), yes);
+    EXPECT_EQ(panel.presents, 4);
+
+    glEnable(GL_SCISSOR_TEST); // on what is there
+    glScissor(0, 8, 2, 1);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    panel.fail_present = true; // the transfer's failure is told; GL goes on
+    on_message(&remember);
+    last_code = 0;
+    glFlush();
+    EXPECT_EQ(last_code, static_cast<unsigned>(EGL_BAD_NATIVE_WINDOW));
+    EXPECT_EQ(eglGetError(), EGL_SUCCESS);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    panel.fail_present = false;
+    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes); // flushes
+    EXPECT_EQ(panel.presents, 5);
+    EXPECT_EQ(panel.shown_extents[0], (RowSpan{0, 2}));
+    EXPECT_EQ(panel.shown[0], 0);
+    EXPECT_EQ(panel.shown[2 * 2], 0xFF);
+}
+
+TEST_F(Surfaces, ADisplayThatFlipsGrantsNoSingleBuffer) {
+    panel.two_buffers = true;
+    const EGLint single[] = {EGL_RENDER_BUFFER, EGL_SINGLE_BUFFER, EGL_NONE};
+    const EGLConfig config = window_config();
+    const EGLSurface surface = eglCreateWindowSurface(display, config, 0, single);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    ASSERT_EQ(eglMakeCurrent(display, surface, surface, context), yes);
+    EGLint granted = 0;
+    EXPECT_EQ(eglQueryContext(display, context, EGL_RENDER_BUFFER, &granted), yes);
+    EXPECT_EQ(granted, EGL_BACK_BUFFER);
+    EXPECT_EQ(query(surface, EGL_RENDER_BUFFER), EGL_SINGLE_BUFFER); // what was asked for (EGL 1.4, 3.5.6)
+    glFlush();
+    EXPECT_EQ(panel.presents, 0);
+    EXPECT_EQ(eglSwapBuffers(display, surface), yes);
+    EXPECT_EQ(panel.presents, 1);
+    const EGLint nonsense[] = {EGL_RENDER_BUFFER, 7, EGL_NONE};
+    EXPECT_EQ(eglDestroySurface(display, surface), yes);
+    EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), yes);
+    EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nonsense), EGL_NO_SURFACE);
+    EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
+}
+
 TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     EGLSurface surface;
     current_window(surface);

@@ -12,6 +12,7 @@ struct DisplayInfo {
     const char* name = "";
     std::int32_t width = 0, height = 0;
     PixelFormat format = PixelFormat::rgb565_be;
+    bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
 };
 
 /// The buffer of the frame being drawn, top row first, in the panel's wire format.
