@@ -22,6 +22,9 @@ Real cast_i(GLint v);
 inline Real cast_s(GLshort v) {
     return cast_i(v);
 }
+inline Real cast_ub(GLubyte v) {
+    return cast_i(v);
+}
 
 // As components of colours and normals (GL 1.3, table 2.6).
 Real unit_b(GLbyte v);

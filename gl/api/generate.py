@@ -5,14 +5,15 @@ the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail
 
 One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   name, row     the family and its row of the feature matrix
-  kind          plain (default), components, matrix, rect, params, get_params
+  kind          plain (default), components, matrix, rect, flag, params, get_params
   args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
-                A "real" is given once per entry of "types"
+                A "real" is given once per entry of "types". Components: what stands before them
   types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
   inside        legal between Begin and End
   list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
   feature       optional system it belongs to
+  digits        of components: false where the name does not tell their number
   pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try
 """
 import json
@@ -125,19 +126,27 @@ class Family:
 
     def entries_components(self):
         pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]
-        names = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"),
-                 "Normal": ["nx", "ny", "nz"]}.get(self.name, list("xyzw"))
+        names = {"Normal": ["nx", "ny", "nz"]}.get(self.name, self.component_names)
+        leading = [(a.c_type, a.name) for a in self.args]
+        first, first_tries = [n for _, n in leading], [(a.type, a) for a in self.args]
         for size in self.data["sizes"]:
             for code, suffix in self.types:
                 convert = normalize if self.data["integers"] == "normalize" else cast
                 rest = pad[size:]
-                one = [convert(code, n) for n in names[:size]] + rest
-                many = [convert(code, f"v[{i}]") for i in range(size)] + rest
-                stem, c = f"gl{self.name}{size}", C_TYPES[code]
+                one = first + [convert(code, n) for n in names[:size]] + rest
+                many = first + [convert(code, f"v[{i}]") for i in range(size)] + rest
+                stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
-                yield self.entry(stem + suffix, [(c, n) for n in names[:size]], one, [("real", value)] * size)
-                yield self.entry(stem + vector, [(f"const {c}*", "v")], many, [("values", value)], "v")
+                yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one,
+                                 first_tries + [("real", value)] * size)
+                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many,
+                                 first_tries + [("values", value)], "v")
+
+    def entries_flag(self):
+        value = Arg("boolean flag", {})
+        yield self.entry("gl" + self.name, [("GLboolean", "flag")], ["flag != 0"], [("boolean", value)])
+        yield self.entry(f"gl{self.name}v", [("const GLboolean*", "flag")], ["*flag != 0"], [("values", value)], "flag")
 
     def entries_rect(self):
         for code, suffix in self.types:
@@ -180,14 +189,21 @@ class Family:
                     f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
 
+    @property
+    def component_names(self):
+        known = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"), "MultiTexCoord": list("strq"),
+                 "Index": ["index"], "FogCoord": ["coord"]}
+        return known.get(self.name, list("xyzw")[:len(self.data["pad"].split())])
+
     # --- the handwritten function ------------------------------------------------------------------------------
 
     @property
     def canonical(self):
         """Parameter list of cmd::Name after the context."""
         if self.kind == "components":
-            names = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq")}
-            return [("Real", n) for n in names.get(self.name, list("xyzw")[:len(self.data["pad"].split())])]
+            return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in self.component_names]
+        if self.kind == "flag":
+            return [("bool", "flag")]
         if self.kind == "rect":
             return [("Real", n) for n in ("x1", "y1", "x2", "y2")]
         if self.kind == "matrix":

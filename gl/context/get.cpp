@@ -56,6 +56,12 @@ void GetPointerv(Context& context, GLenum pname, void** params) {
     case GL_COLOR_ARRAY_POINTER:
         pointer = arrays.color.pointer;
         break;
+    case GL_INDEX_ARRAY_POINTER:
+        pointer = arrays.index.pointer;
+        break;
+    case GL_EDGE_FLAG_ARRAY_POINTER:
+        pointer = arrays.edge_flag.pointer;
+        break;
     case GL_TEXTURE_COORD_ARRAY_POINTER:
         pointer = arrays.tex_coord[0].pointer;
         break;

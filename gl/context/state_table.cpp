@@ -65,6 +65,14 @@ constexpr StateRow of_lighting(StateRow row) {
 constexpr StateRow of_fog(StateRow row) {
     return of_feature(SPANGLE_FEATURE_FOG != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"), row);
 }
+constexpr StateRow of_polygon_mode(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_POLYGON_MODE != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_POLYGON_MODE"), row);
+}
+constexpr StateRow of_color_index(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_COLOR_INDEX != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"), row);
+}
 constexpr StateRow of_lists(StateRow row) {
     return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"),
                       row);
@@ -78,6 +86,13 @@ void matrix(const Context& context, GLenum name, Param* out) {
     const Matrix16 top = top_matrix(context, name);
     for (int i = 0; i < 16; ++i)
         out[i] = Param::from(top.m[i]);
+}
+
+/// The tokens of both forms stand in one order.
+void transposed_matrix(const Context& context, GLenum name, Param* out) {
+    const Matrix16 top = top_matrix(context, name - GL_TRANSPOSE_MODELVIEW_MATRIX + GL_MODELVIEW_MATRIX);
+    for (int i = 0; i < 16; ++i)
+        out[i] = Param::from(top.m[i / 4 + i % 4 * 4]);
 }
 
 void depth_of_stack(const Context& context, GLenum name, Param* out) {
@@ -124,6 +139,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
     // Current values
     linear(STORED(GL_CURRENT_COLOR, current.color)),
     linear(STORED(GL_CURRENT_NORMAL, current.normal)),
+    of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
+    of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
     STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0]),
     // Vertex arrays
     CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
@@ -137,6 +154,11 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_COLOR_ARRAY_SIZE, arrays.color.size),
     STORED(GL_COLOR_ARRAY_TYPE, arrays.color.type),
     STORED(GL_COLOR_ARRAY_STRIDE, arrays.color.stride),
+    of_color_index(CLIENT_SWITCH(GL_INDEX_ARRAY, arrays.index.enabled)),
+    of_color_index(STORED(GL_INDEX_ARRAY_TYPE, arrays.index.type)),
+    of_color_index(STORED(GL_INDEX_ARRAY_STRIDE, arrays.index.stride)),
+    of_polygon_mode(CLIENT_SWITCH(GL_EDGE_FLAG_ARRAY, arrays.edge_flag.enabled)),
+    of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_STRIDE, arrays.edge_flag.stride)),
     CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled),
     STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size),
     STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type),
@@ -145,6 +167,9 @@ constexpr auto unsorted = std::to_array<StateRow>({
     computed(GL_MODELVIEW_MATRIX, Kind::real, 16, matrix),
     computed(GL_PROJECTION_MATRIX, Kind::real, 16, matrix),
     computed(GL_TEXTURE_MATRIX, Kind::real, 16, matrix),
+    computed(GL_TRANSPOSE_MODELVIEW_MATRIX, Kind::real, 16, transposed_matrix),
+    computed(GL_TRANSPOSE_PROJECTION_MATRIX, Kind::real, 16, transposed_matrix),
+    computed(GL_TRANSPOSE_TEXTURE_MATRIX, Kind::real, 16, transposed_matrix),
     computed(GL_MODELVIEW_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
     computed(GL_PROJECTION_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
     computed(GL_TEXTURE_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
@@ -183,6 +208,7 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_LINE_WIDTH, polygon.line_width),
     SWITCH(GL_CULL_FACE, polygon.cull_face),
     STORED(GL_CULL_FACE_MODE, polygon.cull_face_mode),
+    of_polygon_mode(STORED(GL_POLYGON_MODE, polygon.mode)),
     STORED(GL_FRONT_FACE, polygon.front_face),
     // Textures
     SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d),

@@ -8,7 +8,7 @@
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/list/record.hpp"
-#include "gl/vertex/array_element.hpp"
+#include "gl/vertex/current_element.hpp"
 
 namespace spangle::gl {
 
@@ -32,7 +32,22 @@ const Word* play_end_draw(Context& context, const Word* words) {
     return words;
 }
 
+void capture_seldom([[maybe_unused]] Context& context, const ArraysState& arrays, GLuint index) {
+    CurrentState now;
+    set_seldom(now, arrays, index);
+#if SPANGLE_FEATURE_COLOR_INDEX
+    if (arrays.index.on())
+        list::record_words<family::Index>(context, now.index);
+#endif
+#if SPANGLE_FEATURE_POLYGON_MODE
+    if (arrays.edge_flag.on())
+        list::record_words<family::EdgeFlag>(context, now.edge_flag);
+#endif
+}
+
 void capture(Context& context, const ElementReader& reader, GLuint index) {
+    if (reader.seldom != nullptr)
+        capture_seldom(context, *reader.seldom, index);
     Real v[4];
     const auto has = [&v, index](const ArrayReader& array) {
         if (!array.on())

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "gl/context/features.hpp"
 #include "gl/vertex/arrays_state.hpp"
 
 namespace spangle::gl {
@@ -71,10 +72,17 @@ class ArrayReader {
 /// What glArrayElement reads: the arrays of one moment.
 struct ElementReader {
     ArrayReader vertex, normal, color, tex_coord;
+    /// Those that are seldom on, or null when none of them is: index, edge_flag.
+    const ArraysState* seldom;
 
     explicit ElementReader(const ArraysState& arrays)
         : vertex(arrays.vertex, false), normal(arrays.normal, true), color(arrays.color, true),
-          tex_coord(arrays.tex_coord[0], false) {}
+          tex_coord(arrays.tex_coord[0], false), seldom(any_seldom(arrays) ? &arrays : nullptr) {}
+
+    static bool any_seldom(const ArraysState& arrays) {
+        return (SPANGLE_FEATURE_COLOR_INDEX && arrays.index.enabled) ||
+               (SPANGLE_FEATURE_POLYGON_MODE && arrays.edge_flag.enabled);
+    }
 };
 
 /// What the elements of a draw are numbered by: consecutively from `first`, or from client memory.

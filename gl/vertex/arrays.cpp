@@ -1,7 +1,7 @@
 // Vertex arrays: where they are, which are on, and how their elements become canonical values (GL 1.3, 2.8).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/vertex/array_element.hpp"
+#include "gl/vertex/current_element.hpp"
 
 namespace spangle::gl {
 
@@ -87,6 +87,21 @@ void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
         out[c] = component(at + std::size_t{c} * bytes, type_, normalized_);
 }
 
+void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const ArraysState& arrays,
+                [[maybe_unused]] std::uint32_t index) {
+#if SPANGLE_FEATURE_COLOR_INDEX
+    if (const ArrayReader indices(arrays.index, false); indices.on()) {
+        Real v[4];
+        indices.read(index, v);
+        current.index = v[0];
+    }
+#endif
+#if SPANGLE_FEATURE_POLYGON_MODE
+    if (const ArrayReader flags(arrays.edge_flag, false); flags.on())
+        current.edge_flag = *flags.words(index) != 0;
+#endif
+}
+
 namespace cmd {
 
 void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -122,7 +137,32 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
     point(context.arrays.tex_coord[0], size, type, stride, pointer);
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
+    if (stride < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (!is_position_type(type) && type != GL_UNSIGNED_BYTE)
+        return error(context, GL_INVALID_ENUM);
+    point(context.arrays.index, 1, type, stride, pointer);
+}
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_MODE
+void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
+    if (stride < 0)
+        return error(context, GL_INVALID_VALUE);
+    point(context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+}
+#endif
+
 namespace {
+
+/// An array of a system that a build may leave out.
+void enable_optional(Context& context, ClientArray& array, bool on, bool present, const char* missing) {
+    if (!present)
+        return error(context, GL_INVALID_OPERATION, missing);
+    array.enabled = on;
+}
 
 void enable_array(Context& context, GLenum array, bool on) {
     switch (array) {
@@ -138,6 +178,12 @@ void enable_array(Context& context, GLenum array, bool on) {
     case GL_TEXTURE_COORD_ARRAY:
         context.arrays.tex_coord[0].enabled = on;
         break;
+    case GL_INDEX_ARRAY:
+        return enable_optional(context, context.arrays.index, on, SPANGLE_FEATURE_COLOR_INDEX != 0,
+                               SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+    case GL_EDGE_FLAG_ARRAY:
+        return enable_optional(context, context.arrays.edge_flag, on, SPANGLE_FEATURE_POLYGON_MODE != 0,
+                               SPANGLE_TEXT("this build has no SPANGLE_FEATURE_POLYGON_MODE"));
     default:
         error(context, GL_INVALID_ENUM);
     }

@@ -11,10 +11,13 @@ struct ClientArray {
     GLenum type = GL_FLOAT;
     GLsizei stride = 0; ///< as given; 0 = packed
     const void* pointer = nullptr;
+
+    bool on() const { return enabled && pointer != nullptr; }
 };
 
 struct ArraysState {
     ClientArray vertex, normal, color;
+    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE};
     ClientArray tex_coord[texture_units];
 };
 

@@ -22,7 +22,12 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
     }
 }
 
+/// Of the arrays in ElementReader::seldom.
+void set_seldom(CurrentState& current, const ArraysState& arrays, std::uint32_t index);
+
 inline void set_attributes(Context& context, const ElementReader& reader, std::uint32_t index) {
+    if (reader.seldom != nullptr)
+        set_seldom(context.current, *reader.seldom, index);
     if (reader.normal.on())
         reader.normal.read(index, context.current.normal);
     set_color_and_texture(context, reader, index);

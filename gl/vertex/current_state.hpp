@@ -8,6 +8,8 @@ namespace spangle::gl {
 struct CurrentState {
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
+    Real index = numeric::one; ///< as set; masked only in use
+    bool edge_flag = true;
     Real tex_coord[texture_units][4] = {{numeric::zero, numeric::zero, numeric::zero, numeric::one}};
 };
 

@@ -77,17 +77,15 @@ struct DoubleMath {
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }
 
-    static double volume_distance(const Clip& c, int plane) {
-        return (plane & 1) != 0 ? c.v[3] - c.v[plane >> 1] : c.v[3] + c.v[plane >> 1];
-    }
-    static double distance(const Clip& c, int plane) {
-        const double w = plane < 4 ? 4.0 * c.v[3] : c.v[3];
+    static constexpr int guard_band = 4;
+    static double distance(const Clip& c, int plane, int band) {
+        const double w = plane < 4 ? band * c.v[3] : c.v[3];
         return (plane & 1) != 0 ? w - c.v[plane >> 1] : w + c.v[plane >> 1];
     }
     static bool in_front(const Clip& c) { return c.v[3] > 0.0; }
 
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
-        const double a = distance(inside, plane), b = distance(outside, plane);
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
+        const double a = distance(inside, plane, band), b = distance(outside, plane, band);
         return a / (a - b);
     }
 

@@ -126,23 +126,20 @@ struct FixedMath {
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 
-    /// w plus or minus a coordinate, in the vertex's own exponent: < 0 is outside. |result| < 2^31.
-    static std::int64_t volume_distance(const Clip& c, int plane) {
-        const std::int64_t w = c.m[3], v = c.m[plane >> 1];
-        return (plane & 1) != 0 ? w - v : w + v;
-    }
-    /// The same against the guard band, 4 x the viewport; near and far have none.
-    static std::int64_t distance(const Clip& c, int plane) {
-        const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * 4 : c.m[3], v = c.m[plane >> 1];
+    static constexpr int guard_band = 4; ///< x the viewport
+    /// w plus or minus a coordinate, in the vertex's own exponent: < 0 is outside of `band` x the viewport;
+    /// near and far have no band.
+    static std::int64_t distance(const Clip& c, int plane, int band) {
+        const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * band : c.m[3], v = c.m[plane >> 1];
         return (plane & 1) != 0 ? w - v : w + v;
     }
     /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
     static bool in_front(const Clip& c) { return c.m[3] > 0; }
 
     /// Where the edge from `inside` to `outside` meets a plane.
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
-        const numeric::Block a = numeric::make_block(distance(inside, plane), inside.e);
-        const numeric::Block b = numeric::make_block(distance(outside, plane), outside.e);
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
+        const numeric::Block a = numeric::make_block(distance(inside, plane, band), inside.e);
+        const numeric::Block b = numeric::make_block(distance(outside, plane, band), outside.e);
         const std::int32_t t = numeric::to_fixed(numeric::div(a, numeric::sub(a, b)), 30);
         return numeric::clamp<std::int32_t>(t, 0, 1 << 30);
     }

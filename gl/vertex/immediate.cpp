@@ -83,6 +83,18 @@ void Color(Context& context, Real red, Real green, Real blue, Real alpha) {
     color(context, {red, green, blue, alpha});
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+void Index(Context& context, Real index) {
+    context.current.index = index;
+}
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_MODE
+void EdgeFlag(Context& context, bool flag) {
+    context.current.edge_flag = flag;
+}
+#endif
+
 void Rect(Context& context, Real x1, Real y1, Real x2, Real y2) {
     Begin(context, GL_POLYGON);
     const Real corner[4][2] = {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}};

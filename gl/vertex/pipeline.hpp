@@ -25,6 +25,8 @@ template <class M, class L> class Pipeline {
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
+        if (outlined() && mode == GL_POLYGON)
+            full_ = 4; // the last triangle has an edge more than those before
         state_ = &draw_state(context);
     }
 
@@ -39,8 +41,8 @@ template <class M, class L> class Pipeline {
             v.normal[c] = current.normal[c];
         process(v);
         attributes(current, v);
-        if (lighting_.tracks_color())
-            color(v); // the material is the current colour: now or never
+        if (each_vertex_)
+            given(current, v);
         if (++held_ == full_)
             primitive();
     }
@@ -49,7 +51,7 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices) {
         const ElementReader reader(context.arrays);
         CurrentState& current = context.current;
-        if (lighting_.tracks_color() || !reader.vertex.on())
+        if (each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
             return elements_in_turn(context, reader, count, indices);
         arrays_begin(reader, current);
         const bool usual = is_usual(reader), normals = lit_ && reader.normal.on();
@@ -74,6 +76,8 @@ template <class M, class L> class Pipeline {
     void end() {
         if (mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
+        if (outlined() && mode_ == GL_POLYGON && held_ == 3)
+            outlined_fan(true);
     }
 
     /// A material is about to change: vertices given so far get their colours from the old one.
@@ -89,7 +93,9 @@ template <class M, class L> class Pipeline {
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
                               unprojected = 1 << 14, ///< has no window coordinates yet
         uncolored = 1 << 15,
-                              is_cut = 1 << 16; ///< it is a Cut
+                              is_cut = 1 << 16, ///< it is a Cut
+        edge_flag = 1 << 17,                    ///< as the vertex was given
+        boundary = 1 << 18; ///< of the polygon at hand: the edge that starts here is drawn in outlines
 
     struct Given {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one}, normal[3]{};
@@ -114,6 +120,10 @@ template <class M, class L> class Pipeline {
     int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false, textured_[texture_units] = {};
+    bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
+    bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
+    bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
+    GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
     bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
     Vertex* corner_[slot_count] = {}; ///< of the primitive being assembled
     unsigned layout_ = 0;             ///< of the arrays that the cached vertices came from
@@ -147,6 +157,11 @@ template <class M, class L> class Pipeline {
         front_is_ccw_ = polygon.front_face == GL_CCW;
         culls_ccw_ = culls(polygon, front_is_ccw_);
         culls_cw_ = culls(polygon, !front_is_ccw_);
+        for (int side = 0; side < 2; ++side)
+            face_mode_[side] = polygon.mode[side];
+        outlines_ = face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL;
+        each_vertex_ = lighting_.tracks_color() || outlined();
+        whole_polygons_ = two_sided_ || outlined();
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }
@@ -170,6 +185,8 @@ template <class M, class L> class Pipeline {
     static std::int32_t whole(Real size) {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
+
+    bool outlined() const { return SPANGLE_FEATURE_POLYGON_MODE && outlines_; }
 
     // --- one vertex
 
@@ -315,8 +332,9 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] static unsigned flags_of(const typename M::Clip& clip) {
         unsigned flags = unprojected;
         for (unsigned plane = 0; plane < 6; ++plane) {
-            flags |= M::volume_distance(clip, static_cast<int>(plane)) < 0 ? 1u << plane : 0u;
-            flags |= M::distance(clip, static_cast<int>(plane)) < 0 ? 1u << (plane + beyond_shift) : 0u;
+            const int p = static_cast<int>(plane);
+            flags |= M::distance(clip, p, 1) < 0 ? 1u << plane : 0u;
+            flags |= M::distance(clip, p, M::guard_band) < 0 ? 1u << (plane + beyond_shift) : 0u;
         }
         return flags;
     }
@@ -331,6 +349,14 @@ template <class M, class L> class Pipeline {
         if (lighting_.needs_eye())
             eye = M::to_eye(transforms_, v.position);
         lighting_.light(*context_, L::input(v.normal), eye, side, out);
+    }
+
+    /// What is known only now: the edge flag, and the colour where the material is the current colour.
+    [[gnu::noinline]] void given(const CurrentState& current, Vertex& v) {
+        if (current.edge_flag)
+            v.flags |= edge_flag;
+        if (lighting_.tracks_color())
+            color(v);
     }
 
     void color(Vertex& v) {
@@ -400,6 +426,8 @@ template <class M, class L> class Pipeline {
             swap(1, 2);
             return triangle(*c[0], *c[2], *c[1]);
         case GL_POLYGON: {
+            if (outlined())
+                return outlined_fan(false);
             held_ = 2;
             swap(1, 2);
             Vertex* const corners[3] = {c[0], c[2], c[1]};
@@ -413,6 +441,33 @@ template <class M, class L> class Pipeline {
             swap(0, 2);
             swap(1, 3);
             return quad(*c[2], *c[3], *c[1], *c[0], *c[1]);
+        }
+    }
+
+    /// The oldest triangle of a polygon that may be drawn as its outline: v0, vi, vi+1. Only the edges of the
+    /// polygon are drawn: v0 v1 is in the first triangle, vn v0 in the last.
+    [[gnu::noinline]] void outlined_fan(bool last) {
+        const auto flag = [](Vertex& v, bool is_edge) {
+            v.flags = is_edge && (v.flags & edge_flag) != 0 ? v.flags | boundary : v.flags & ~boundary;
+        };
+        flag(*corner_[0], !odd_);
+        flag(*corner_[1], true);
+        flag(*corner_[2], last);
+        odd_ = true;
+        polygon(corner_, 3, *corner_[0]);
+        swap(1, 2);
+        swap(2, 3);
+        held_ = 3;
+    }
+
+    /// Which edges of any other polygon are drawn: those of strips and fans all (GL 1.3, 2.6.2).
+    void flag_edges(Vertex* const* corners, int n) {
+        if (mode_ == GL_POLYGON)
+            return;
+        const bool by_flag = mode_ == GL_TRIANGLES || mode_ == GL_QUADS;
+        for (int i = 0; i < n; ++i) {
+            std::uint32_t& flags = corners[i]->flags;
+            flags = !by_flag || (flags & edge_flag) != 0 ? flags | boundary : flags & ~boundary;
         }
     }
 
@@ -467,7 +522,7 @@ template <class M, class L> class Pipeline {
         const unsigned any = a.flags | b.flags | c.flags;
         if ((a.flags & b.flags & c.flags & outside_mask) != 0)
             return;
-        if ((any & (beyond_mask | unprojected)) != 0 || two_sided_) {
+        if ((any & (beyond_mask | unprojected)) != 0 || whole_polygons_) {
             Vertex* const corners[3] = {&a, &b, &c};
             return polygon(corners, 3, c);
         }
@@ -497,12 +552,15 @@ template <class M, class L> class Pipeline {
         }
         if (all != 0)
             return;
-        if ((any & beyond_mask) == 0)
+        if (outlined())
+            flag_edges(corners, n);
+        const unsigned planes = outlined() ? any & outside_mask : (any & beyond_mask) >> beyond_shift;
+        if (planes == 0)
             return visible(corners, n, provoking);
         Vertex* work[2][clip_vertices];
         for (int i = 0; i < n; ++i)
             work[0][i] = &to_be_cut(*corners[i], i);
-        const int left = clip_polygon(work, n, any >> beyond_shift);
+        const int left = clip_polygon(work, n, planes);
         if (left >= 3)
             visible(work[0], left, provoking);
     }
@@ -526,10 +584,39 @@ template <class M, class L> class Pipeline {
         for (int i = 0; i < n && !flat_; ++i)
             color(*corners[i]);
         color(provoking);
+        draw([corners](int i) -> Window& { return corners[i]->window; }, corners, n, provoking.window,
+             ccw == front_is_ccw_ ? 0 : 1, part);
+    }
+
+    /// The polygon as the mode of its side says. at(i): the window vertex of corner i, coloured.
+    template <class At>
+    SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
+                             const std::int64_t* part) {
+        if (outlined() && face_mode_[side] != GL_FILL)
+            return outline(at, corners, n, provoking, face_mode_[side]);
         for (int i = 1; i + 1 < n; ++i)
             if (part[i] != 0)
-                raster::draw_triangle(*state_, context_->drawable.surface, corners[0]->window,
-                                      corners[i]->window, corners[i + 1]->window, provoking.window, part[i]);
+                raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
+                                      part[i]);
+    }
+
+    /// Boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
+    template <class At>
+    [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
+                                   GLenum mode) {
+        for (int i = 0; i < n; ++i) {
+            if ((corners[i]->flags & boundary) == 0)
+                continue;
+            if (mode == GL_LINE) {
+                raster::draw_line(*state_, context_->drawable.surface, at(i), at(i + 1 < n ? i + 1 : 0),
+                                  provoking, line_width_);
+                continue;
+            }
+            Window v = at(i);
+            if (flat_)
+                M::copy_color(provoking, v);
+            raster::draw_point(*state_, context_->drawable.surface, v, point_size_);
+        }
     }
 
     /// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
@@ -542,10 +629,7 @@ template <class M, class L> class Pipeline {
         }
         Window flat = provoking.window;
         light(provoking, 1, flat);
-        for (int i = 1; i + 1 < n; ++i)
-            if (part[i] != 0)
-                raster::draw_triangle(*state_, context_->drawable.surface, back[0], back[i], back[i + 1],
-                                      flat, part[i]);
+        draw([&back](int i) -> Window& { return back[i]; }, corners, n, flat, 1, part);
     }
 
     // --- clipping (GL 1.3, 2.11)
@@ -568,7 +652,7 @@ template <class M, class L> class Pipeline {
     /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
     void cut(const Vertex& from, const Vertex& to, int plane, Cut& out) {
         const Cut &inside = static_cast<const Cut&>(from), &outside = static_cast<const Cut&>(to);
-        const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane);
+        const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane, band());
         M::mix(inside.window, outside.window, t, out.window);
         if (fog_) {
             out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
@@ -583,8 +667,10 @@ template <class M, class L> class Pipeline {
         out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
     }
 
-    static auto distance(const Vertex& v, int plane) {
-        return M::distance(static_cast<const Cut&>(v).clip, plane);
+    /// Polygons that may be outlined are cut by the view volume itself: what cutting adds is drawn.
+    int band() const { return outlined() ? 1 : M::guard_band; }
+    auto distance(const Vertex& v, int plane) const {
+        return M::distance(static_cast<const Cut&>(v).clip, plane, band());
     }
 
     bool clip_line(Vertex* (&ends)[2]) {
@@ -625,6 +711,9 @@ template <class M, class L> class Pipeline {
                     continue;
                 Cut& fresh = cut_[used++];
                 cut(here_in ? here : next, here_in ? next : here, plane, fresh);
+                // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
+                // cut (GL 1.3, 2.11).
+                fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
                 work[1][m++] = &fresh;
             }
             n = m;

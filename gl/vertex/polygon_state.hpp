@@ -10,7 +10,8 @@ struct PolygonState {
     GLenum front_face = GL_CCW;
     GLenum cull_face_mode = GL_BACK;
     bool cull_face = false;
-    Real point_size = numeric::one; ///< as set; clamped and rounded only in use
+    GLenum mode[2] = {GL_FILL, GL_FILL}; ///< of front and back faces
+    Real point_size = numeric::one;      ///< as set; clamped and rounded only in use
     Real line_width = numeric::one;
 };
 

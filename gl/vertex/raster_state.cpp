@@ -23,6 +23,18 @@ void CullFace(Context& context, GLenum mode) {
     context.polygon.cull_face_mode = mode;
 }
 
+#if SPANGLE_FEATURE_POLYGON_MODE
+void PolygonMode(Context& context, GLenum face, GLenum mode) {
+    if ((face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) ||
+        (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL))
+        return error(context, GL_INVALID_ENUM);
+    if (face != GL_BACK)
+        context.polygon.mode[0] = mode;
+    if (face != GL_FRONT)
+        context.polygon.mode[1] = mode;
+}
+#endif
+
 void PointSize(Context& context, Real size) {
     if (size <= numeric::zero)
         return error(context, GL_INVALID_VALUE);

@@ -45,16 +45,16 @@ struct ShadowMath {
     }
 
     // What is decided, the integers decide.
-    static std::int64_t volume_distance(const Clip& c, int plane) {
-        return FixedMath::volume_distance(c.fixed, plane);
+    static constexpr int guard_band = FixedMath::guard_band;
+    static std::int64_t distance(const Clip& c, int plane, int band) {
+        return FixedMath::distance(c.fixed, plane, band);
     }
-    static std::int64_t distance(const Clip& c, int plane) { return FixedMath::distance(c.fixed, plane); }
     static bool in_front(const Clip& c) { return FixedMath::in_front(c.fixed); }
 
     /// Where the twin does not cross the plane, being another number, it takes the integers' place.
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane) {
-        const FixedMath::Parameter fixed = FixedMath::intersect(inside.fixed, outside.fixed, plane);
-        const double twin = DoubleMath::intersect(inside.twin, outside.twin, plane);
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
+        const FixedMath::Parameter fixed = FixedMath::intersect(inside.fixed, outside.fixed, plane, band);
+        const double twin = DoubleMath::intersect(inside.twin, outside.twin, plane, band);
         return {fixed, twin >= 0.0 && twin <= 1.0 ? twin : fixed * 0x1p-30};
     }
     static Clip mix(const Clip& a, const Clip& b, const Parameter& t) {

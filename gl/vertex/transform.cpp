@@ -88,6 +88,14 @@ void MultMatrix(Context& context, const Matrix16& matrix) {
     multiply_current(context, numeric::matrix_from_reals(matrix.m));
 }
 
+void LoadTransposeMatrix(Context& context, const Matrix16& matrix) {
+    current_matrix(context) = numeric::transpose(numeric::matrix_from_reals(matrix.m));
+}
+
+void MultTransposeMatrix(Context& context, const Matrix16& matrix) {
+    multiply_current(context, numeric::transpose(numeric::matrix_from_reals(matrix.m)));
+}
+
 void PushMatrix(Context& context) {
     const StackRef stack = current_stack(context);
     if (*stack.top + 1 >= stack.depth)

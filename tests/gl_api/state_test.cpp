@@ -156,6 +156,16 @@ std::vector<Expected> initial_state() {
         lighting.push_back({GL_LIGHT0 + i, {0}});
     const std::vector<Expected> lists = {
         {GL_LIST_BASE, {0}}, {GL_LIST_INDEX, {0}}, {GL_LIST_MODE, {0}}, {GL_MAX_LIST_NESTING, {64}}};
+    if (SPANGLE_FEATURE_POLYGON_MODE)
+        table.insert(table.end(), {{GL_POLYGON_MODE, {GL_FILL, GL_FILL}},
+                                   {GL_EDGE_FLAG, {1}},
+                                   {GL_EDGE_FLAG_ARRAY, {0}},
+                                   {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    if (SPANGLE_FEATURE_COLOR_INDEX)
+        table.insert(table.end(), {{GL_CURRENT_INDEX, {1}},
+                                   {GL_INDEX_ARRAY, {0}},
+                                   {GL_INDEX_ARRAY_TYPE, {GL_FLOAT}},
+                                   {GL_INDEX_ARRAY_STRIDE, {0}}});
     if (SPANGLE_FEATURE_FOG)
         table.insert(table.end(), fog.begin(), fog.end());
     if (SPANGLE_FEATURE_LIGHTING)
@@ -212,7 +222,8 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
             }
             const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
                               e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
-                              e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS;
+                              e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS ||
+                              e.name == GL_CURRENT_INDEX;
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
         }
     }
@@ -290,6 +301,13 @@ TEST_F(State, EveryCapabilityToggles) {
 TEST_F(State, AbsentSystemsAreNamed) {
     static std::string said;
     on_message([](unsigned, const char* text) { said = text; });
+    for (const auto& [array, present] : {std::pair{GLenum{GL_INDEX_ARRAY}, SPANGLE_FEATURE_COLOR_INDEX != 0},
+                                         {GLenum{GL_EDGE_FLAG_ARRAY}, SPANGLE_FEATURE_POLYGON_MODE != 0}}) {
+        glEnableClientState(array);
+        EXPECT_EQ(glGetError(), present ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION});
+        EXPECT_EQ(glIsEnabled(array), present);
+        glGetError();
+    }
     const std::pair<GLenum, bool> caps[] = {{GL_FOG, SPANGLE_FEATURE_FOG != 0},
                                             {GL_LIGHTING, SPANGLE_FEATURE_LIGHTING != 0},
                                             {GL_LIGHT7, SPANGLE_FEATURE_LIGHTING != 0},

@@ -1,5 +1,5 @@
-// Rows A02, B05 to B07, B12, B13, B19: every form of the attribute commands, rectangles, what arrays leave
-// behind.
+// Rows A02, B05 to B07, B09, B12, B13, B19: every form of the attribute commands, rectangles, what arrays
+// leave behind.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -163,6 +163,53 @@ TEST_F(Attributes, EveryFormOfRect) {
     EXPECT_TRUE(recorder.primitives.empty());
 }
 
+#define SPANGLE_INDEX(suffix, T)                                                                             \
+    SPANGLE_CASE(glIndex##suffix, T, as_is, GL_CURRENT_INDEX, 1, ({9})) {                                    \
+        const T a = values<T>(2);                                                                            \
+        glIndex##suffix(a);                                                                                  \
+        current_is("glIndex" #suffix, GL_CURRENT_INDEX, {as_is(a)});                                         \
+    }
+
+/// Row B09: indices are numbers as they are, in every form and from arrays of every type.
+TEST_F(Attributes, EveryFormOfIndex) {
+    current_is("initially", GL_CURRENT_INDEX, {1});
+    SPANGLE_INDEX(s, GLshort);
+    SPANGLE_INDEX(i, GLint);
+    SPANGLE_INDEX(f, GLfloat);
+    SPANGLE_INDEX(d, GLdouble);
+    SPANGLE_INDEX(ub, GLubyte);
+    const GLfixed x = -0x18000;
+    glIndexxOES(x);
+    current_is("glIndexxOES", GL_CURRENT_INDEX, {-1.5});
+    const GLubyte ub[2] = {3, 200};
+    const GLshort s[2] = {3, -200};
+    const GLint i[2] = {3, -70000};
+    const GLfloat f[2] = {3, 0.25f};
+    const GLdouble d[2] = {3, 1e3};
+    glEnableClientState(GL_INDEX_ARRAY);
+    const auto second_is = [](GLenum type, const void* array, double expected) {
+        glIndexPointer(type, 0, array);
+        glArrayElement(1);
+        current_is("glIndexPointer", GL_CURRENT_INDEX, {expected});
+        glIndexf(0);
+        glNewList(1, GL_COMPILE);
+        glArrayElement(1);
+        glEndList();
+        current_is("compiled", GL_CURRENT_INDEX, {0});
+        glCallList(1);
+        current_is("called", GL_CURRENT_INDEX, {expected});
+    };
+    second_is(GL_UNSIGNED_BYTE, ub, 200);
+    second_is(GL_SHORT, s, -200);
+    second_is(GL_INT, i, -70000);
+    second_is(GL_FLOAT, f, 0.25);
+    second_is(GL_DOUBLE, d, 1e3);
+    const GLfixed fixed[2] = {0, x};
+    second_is(GL_FIXED, fixed, -1.5);
+    glInterleavedArrays(GL_V2F, 0, nullptr); // disables it (GL 1.3, 2.8)
+    EXPECT_FALSE(glIsEnabled(GL_INDEX_ARRAY));
+}
+
 /// GL 1.3, 2.8: ArrayElement outside of Begin and End sets current values and draws nothing.
 TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     const GLubyte color[2][3] = {{1, 2, 3}, {51, 102, 204}};
@@ -322,6 +369,10 @@ TEST_F(Attributes, PointersOfOtherTypes) {
         refused("vertices");
         glTexCoordPointer(2, type, 0, nullptr);
         refused("texture coordinates");
+        if (type != GL_UNSIGNED_BYTE) {
+            glIndexPointer(type, 0, nullptr);
+            refused("indices");
+        }
         if (type == GL_BYTE)
             continue;
         glNormalPointer(type, 0, nullptr);

@@ -1,6 +1,7 @@
 // A context with a pbuffer to draw vertices into.
 #pragma once
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>

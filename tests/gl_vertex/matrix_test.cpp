@@ -1,4 +1,4 @@
-// Rows C01, C03: matrices, stacks, viewport and depth range against formulas in double.
+// Rows C01 to C03: matrices, stacks, viewport and depth range against formulas in double.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -140,6 +140,50 @@ TEST_F(Matrices, EveryCommandInEveryForm) {
         }
     }
     std::printf("matrices: worst error 2^%.1f of the sum of terms\n", std::log2(worst));
+}
+
+/// GL 1.3, 2.10.2: row-major matrices in every form, and their queries (6.1.2).
+TEST_F(Matrices, TransposedMatrices) {
+    GLdouble rows[16], expected[16], got[16];
+    GLfloat rows_f[16];
+    GLfixed rows_x[16];
+    for (int i = 0; i < 16; ++i) {
+        rows[i] = number(-3, 3);
+        rows_f[i] = f(rows[i]);
+        rows_x[i] = x(rows[i]);
+        expected[i % 4 * 4 + i / 4] = rows[i];
+    }
+    const struct {
+        GLenum mode, name, transposed;
+    } stacks[] = {{GL_MODELVIEW, GL_MODELVIEW_MATRIX, GL_TRANSPOSE_MODELVIEW_MATRIX},
+                  {GL_PROJECTION, GL_PROJECTION_MATRIX, GL_TRANSPOSE_PROJECTION_MATRIX},
+                  {GL_TEXTURE, GL_TEXTURE_MATRIX, GL_TRANSPOSE_TEXTURE_MATRIX}};
+    for (const auto& stack : stacks) {
+        glMatrixMode(stack.mode);
+        for (int form = 0; form < 6; ++form) {
+            glLoadIdentity();
+            form == 0   ? glLoadTransposeMatrixd(rows)
+            : form == 1 ? glLoadTransposeMatrixf(rows_f)
+            : form == 2 ? glLoadTransposeMatrixxOES(rows_x)
+            : form == 3 ? glMultTransposeMatrixd(rows)
+            : form == 4 ? glMultTransposeMatrixf(rows_f)
+                        : glMultTransposeMatrixxOES(rows_x);
+            glGetDoublev(stack.name, got);
+            for (int i = 0; i < 16; ++i)
+                EXPECT_EQ(got[i], expected[i]) << stack.mode << ' ' << form << ' ' << i;
+            glGetDoublev(stack.transposed, got);
+            for (int i = 0; i < 16; ++i)
+                EXPECT_EQ(got[i], rows[i]) << stack.mode << ' ' << form << ' ' << i;
+        }
+        glTranslatef(1, 2, 3);
+        glMultTransposeMatrixd(rows); // on the right of what was there
+        glGetDoublev(stack.name, got);
+        Mat4 product;
+        std::copy(expected, expected + 16, product.begin());
+        product = times(times(product, translation(1, 2, 3)), product);
+        for (std::size_t i = 0; i < 16; ++i)
+            EXPECT_NEAR(got[i], product[i], 1e-4);
+    }
 }
 
 /// Angles of any size are reduced without error (a float is so many whole degrees and a fraction).

@@ -31,11 +31,15 @@ void Vertex(Context& context, Real x, Real y, Real z, Real w);
 void TexCoord(Context& context, Real s, Real t, Real r, Real q);
 void Normal(Context& context, Real x, Real y, Real z);
 void Color(Context& context, Real red, Real green, Real blue, Real alpha);
+void Index(Context& context, Real index);
+void EdgeFlag(Context& context, bool flag);
 void Rect(Context& context, Real x1, Real y1, Real x2, Real y2);
 void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
+void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer);
 void EnableClientState(Context& context, GLenum array);
 void DisableClientState(Context& context, GLenum array);
 void ArrayElement(Context& context, GLint i);
@@ -49,6 +53,8 @@ void MatrixMode(Context& context, GLenum mode);
 void LoadIdentity(Context& context);
 void LoadMatrix(Context& context, const Matrix16& matrix);
 void MultMatrix(Context& context, const Matrix16& matrix);
+void LoadTransposeMatrix(Context& context, const Matrix16& matrix);
+void MultTransposeMatrix(Context& context, const Matrix16& matrix);
 void PushMatrix(Context& context);
 void PopMatrix(Context& context);
 void Rotate(Context& context, Real angle, Real x, Real y, Real z);
@@ -69,6 +75,7 @@ void ColorMaterial(Context& context, GLenum face, GLenum mode);
 void ShadeModel(Context& context, GLenum mode);
 void FrontFace(Context& context, GLenum mode);
 void CullFace(Context& context, GLenum mode);
+void PolygonMode(Context& context, GLenum face, GLenum mode);
 void PointSize(Context& context, Real size);
 void LineWidth(Context& context, Real width);
 
@@ -259,6 +266,20 @@ struct Color {
     static constexpr Listing listing = Listing::attribute;
     static constexpr const char* refusal = SPANGLE_TEXT("glColor between glBegin and glEnd");
 };
+struct Index {
+    static constexpr auto run = &cmd::Index;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIndex between glBegin and glEnd");
+};
+struct EdgeFlag {
+    static constexpr auto run = &cmd::EdgeFlag;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlag between glBegin and glEnd");
+};
 struct Rect {
     static constexpr auto run = &cmd::Rect;
     static constexpr auto encode = nullptr;
@@ -293,6 +314,20 @@ struct TexCoordPointer {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexCoordPointer between glBegin and glEnd");
+};
+struct IndexPointer {
+    static constexpr auto run = &cmd::IndexPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIndexPointer between glBegin and glEnd");
+};
+struct EdgeFlagPointer {
+    static constexpr auto run = &cmd::EdgeFlagPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlagPointer between glBegin and glEnd");
 };
 struct EnableClientState {
     static constexpr auto run = &cmd::EnableClientState;
@@ -370,6 +405,20 @@ struct MultMatrix {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glMultMatrix between glBegin and glEnd");
+};
+struct LoadTransposeMatrix {
+    static constexpr auto run = &cmd::LoadTransposeMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glLoadTransposeMatrix between glBegin and glEnd");
+};
+struct MultTransposeMatrix {
+    static constexpr auto run = &cmd::MultTransposeMatrix;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMultTransposeMatrix between glBegin and glEnd");
 };
 struct PushMatrix {
     static constexpr auto run = &cmd::PushMatrix;
@@ -496,6 +545,13 @@ struct CullFace {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCullFace between glBegin and glEnd");
+};
+struct PolygonMode {
+    static constexpr auto run = &cmd::PolygonMode;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPolygonMode between glBegin and glEnd");
 };
 struct PointSize {
     static constexpr auto run = &cmd::PointSize;

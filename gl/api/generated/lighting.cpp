@@ -168,6 +168,14 @@ void GLAPIENTRY glCullFace(GLenum mode) {
     issue<family::CullFace>(mode);
 }
 
+#if SPANGLE_FEATURE_POLYGON_MODE
+
+void GLAPIENTRY glPolygonMode(GLenum face, GLenum mode) {
+    issue<family::PolygonMode>(face, mode);
+}
+
+#endif
+
 void GLAPIENTRY glPointSize(GLfloat size) {
     issue<family::PointSize>(convert::cast_f(size));
 }
@@ -284,6 +292,14 @@ void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
 
 void GLAPIENTRY glColorMaterial(GLenum, GLenum) {
     refuse_feature(SPANGLE_TEXT("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POLYGON_MODE
+
+void GLAPIENTRY glPolygonMode(GLenum, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glPolygonMode: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
 }
 
 #endif

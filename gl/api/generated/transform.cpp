@@ -54,6 +54,42 @@ void GLAPIENTRY glMultMatrixxOES(const GLfixed* m) {
     issue<family::MultMatrix>(convert::matrix_x(m));
 }
 
+void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixf: null pointer"));
+    issue<family::LoadTransposeMatrix>(convert::matrix_f(m));
+}
+
+void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixd: null pointer"));
+    issue<family::LoadTransposeMatrix>(convert::matrix_d(m));
+}
+
+void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixxOES: null pointer"));
+    issue<family::LoadTransposeMatrix>(convert::matrix_x(m));
+}
+
+void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixf: null pointer"));
+    issue<family::MultTransposeMatrix>(convert::matrix_f(m));
+}
+
+void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixd: null pointer"));
+    issue<family::MultTransposeMatrix>(convert::matrix_d(m));
+}
+
+void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m) {
+    if (m == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixxOES: null pointer"));
+    issue<family::MultTransposeMatrix>(convert::matrix_x(m));
+}
+
 void GLAPIENTRY glPushMatrix() {
     issue<family::PushMatrix>();
 }

@@ -608,6 +608,84 @@ void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
     issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glIndexs(GLshort index) {
+    issue<family::Index>(convert::cast_s(index));
+}
+
+void GLAPIENTRY glIndexsv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexsv: null pointer"));
+    issue<family::Index>(convert::cast_s(v[0]));
+}
+
+void GLAPIENTRY glIndexi(GLint index) {
+    issue<family::Index>(convert::cast_i(index));
+}
+
+void GLAPIENTRY glIndexiv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexiv: null pointer"));
+    issue<family::Index>(convert::cast_i(v[0]));
+}
+
+void GLAPIENTRY glIndexf(GLfloat index) {
+    issue<family::Index>(convert::cast_f(index));
+}
+
+void GLAPIENTRY glIndexfv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexfv: null pointer"));
+    issue<family::Index>(convert::cast_f(v[0]));
+}
+
+void GLAPIENTRY glIndexd(GLdouble index) {
+    issue<family::Index>(convert::cast_d(index));
+}
+
+void GLAPIENTRY glIndexdv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexdv: null pointer"));
+    issue<family::Index>(convert::cast_d(v[0]));
+}
+
+void GLAPIENTRY glIndexub(GLubyte index) {
+    issue<family::Index>(convert::cast_ub(index));
+}
+
+void GLAPIENTRY glIndexubv(const GLubyte* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexubv: null pointer"));
+    issue<family::Index>(convert::cast_ub(v[0]));
+}
+
+void GLAPIENTRY glIndexxOES(GLfixed index) {
+    issue<family::Index>(convert::cast_x(index));
+}
+
+void GLAPIENTRY glIndexxvOES(const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glIndexxvOES: null pointer"));
+    issue<family::Index>(convert::cast_x(v[0]));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_MODE
+
+void GLAPIENTRY glEdgeFlag(GLboolean flag) {
+    issue<family::EdgeFlag>(flag != 0);
+}
+
+void GLAPIENTRY glEdgeFlagv(const GLboolean* flag) {
+    if (flag == nullptr)
+        return refuse_null(SPANGLE_TEXT("glEdgeFlagv: null pointer"));
+    issue<family::EdgeFlag>(*flag != 0);
+}
+
+#endif
+
 void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
     issue<family::Rect>(convert::cast_s(x1), convert::cast_s(y1), convert::cast_s(x2), convert::cast_s(y2));
 }
@@ -674,6 +752,22 @@ void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const
     issue<family::TexCoordPointer>(size, type, stride, pointer);
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer) {
+    issue<family::IndexPointer>(type, stride, pointer);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_MODE
+
+void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) {
+    issue<family::EdgeFlagPointer>(stride, pointer);
+}
+
+#endif
+
 void GLAPIENTRY glEnableClientState(GLenum array) {
     issue<family::EnableClientState>(array);
 }
@@ -701,5 +795,77 @@ void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsiz
 void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
     issue<family::InterleavedArrays>(format, stride, pointer);
 }
+
+#if !SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glIndexs(GLshort) {
+    refuse_feature(SPANGLE_TEXT("glIndexs: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexsv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glIndexsv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexi(GLint) {
+    refuse_feature(SPANGLE_TEXT("glIndexi: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexiv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glIndexiv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexf(GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glIndexf: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexfv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glIndexfv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexd(GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glIndexd: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexdv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glIndexdv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexub(GLubyte) {
+    refuse_feature(SPANGLE_TEXT("glIndexub: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexubv(const GLubyte*) {
+    refuse_feature(SPANGLE_TEXT("glIndexubv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexxOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexxvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glIndexxvOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexPointer(GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glIndexPointer: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POLYGON_MODE
+
+void GLAPIENTRY glEdgeFlag(GLboolean) {
+    refuse_feature(SPANGLE_TEXT("glEdgeFlag: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+}
+
+void GLAPIENTRY glEdgeFlagv(const GLboolean*) {
+    refuse_feature(SPANGLE_TEXT("glEdgeFlagv: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+}
+
+void GLAPIENTRY glEdgeFlagPointer(GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glEdgeFlagPointer: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+}
+
+#endif
 
 } // extern "C"

@@ -92,6 +92,13 @@ GLAPI const GLubyte* GLAPIENTRY glGetString(GLenum name);
 #define GL_NORMAL_ARRAY 0x8075
 #define GL_COLOR_ARRAY 0x8076
 #define GL_TEXTURE_COORD_ARRAY 0x8078
+#define GL_INDEX_ARRAY 0x8077
+#define GL_INDEX_ARRAY_TYPE 0x8085
+#define GL_INDEX_ARRAY_STRIDE 0x8086
+#define GL_INDEX_ARRAY_POINTER 0x8091
+#define GL_EDGE_FLAG_ARRAY 0x8079
+#define GL_EDGE_FLAG_ARRAY_STRIDE 0x808C
+#define GL_EDGE_FLAG_ARRAY_POINTER 0x8093
 #define GL_VERTEX_ARRAY_SIZE 0x807A
 #define GL_VERTEX_ARRAY_TYPE 0x807B
 #define GL_VERTEX_ARRAY_STRIDE 0x807C
@@ -122,6 +129,8 @@ GLAPI const GLubyte* GLAPIENTRY glGetString(GLenum name);
 #define GL_T2F_C4F_N3F_V3F 0x2A2C
 #define GL_T4F_C4F_N3F_V4F 0x2A2D
 #define GL_CURRENT_COLOR 0x0B00
+#define GL_CURRENT_INDEX 0x0B01
+#define GL_EDGE_FLAG 0x0B43
 #define GL_CURRENT_NORMAL 0x0B02
 #define GL_CURRENT_TEXTURE_COORDS 0x0B03
 #define GL_MAX_ELEMENTS_VERTICES 0x80E8
@@ -246,6 +255,20 @@ GLAPI void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint a
 GLAPI void GLAPIENTRY glColor4uiv(const GLuint* v);
 GLAPI void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
 GLAPI void GLAPIENTRY glColor4xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glIndexs(GLshort index);
+GLAPI void GLAPIENTRY glIndexsv(const GLshort* v);
+GLAPI void GLAPIENTRY glIndexi(GLint index);
+GLAPI void GLAPIENTRY glIndexiv(const GLint* v);
+GLAPI void GLAPIENTRY glIndexf(GLfloat index);
+GLAPI void GLAPIENTRY glIndexfv(const GLfloat* v);
+GLAPI void GLAPIENTRY glIndexd(GLdouble index);
+GLAPI void GLAPIENTRY glIndexdv(const GLdouble* v);
+GLAPI void GLAPIENTRY glIndexub(GLubyte index);
+GLAPI void GLAPIENTRY glIndexubv(const GLubyte* v);
+GLAPI void GLAPIENTRY glIndexxOES(GLfixed index);
+GLAPI void GLAPIENTRY glIndexxvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glEdgeFlag(GLboolean flag);
+GLAPI void GLAPIENTRY glEdgeFlagv(const GLboolean* flag);
 GLAPI void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2);
 GLAPI void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2);
 GLAPI void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2);
@@ -260,6 +283,8 @@ GLAPI void GLAPIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, c
 GLAPI void GLAPIENTRY glNormalPointer(GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
+GLAPI void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer);
+GLAPI void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glEnableClientState(GLenum array);
 GLAPI void GLAPIENTRY glDisableClientState(GLenum array);
 GLAPI void GLAPIENTRY glArrayElement(GLint i);
@@ -279,6 +304,9 @@ GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const v
 #define GL_MODELVIEW_MATRIX 0x0BA6
 #define GL_PROJECTION_MATRIX 0x0BA7
 #define GL_TEXTURE_MATRIX 0x0BA8
+#define GL_TRANSPOSE_MODELVIEW_MATRIX 0x84E3
+#define GL_TRANSPOSE_PROJECTION_MATRIX 0x84E4
+#define GL_TRANSPOSE_TEXTURE_MATRIX 0x84E5
 #define GL_MAX_MODELVIEW_STACK_DEPTH 0x0D36
 #define GL_MAX_PROJECTION_STACK_DEPTH 0x0D38
 #define GL_MAX_TEXTURE_STACK_DEPTH 0x0D39
@@ -296,6 +324,12 @@ GLAPI void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m);
 GLAPI void GLAPIENTRY glMultMatrixf(const GLfloat* m);
 GLAPI void GLAPIENTRY glMultMatrixd(const GLdouble* m);
 GLAPI void GLAPIENTRY glMultMatrixxOES(const GLfixed* m);
+GLAPI void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m);
+GLAPI void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m);
+GLAPI void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m);
+GLAPI void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m);
+GLAPI void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m);
+GLAPI void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m);
 GLAPI void GLAPIENTRY glPushMatrix(void);
 GLAPI void GLAPIENTRY glPopMatrix(void);
 GLAPI void GLAPIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z);
@@ -350,6 +384,10 @@ GLAPI void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val);
 #define GL_EMISSION 0x1600
 #define GL_SHININESS 0x1601
 #define GL_AMBIENT_AND_DIFFUSE 0x1602
+#define GL_POLYGON_MODE 0x0B40
+#define GL_POINT 0x1B00
+#define GL_LINE 0x1B01
+#define GL_FILL 0x1B02
 #define GL_FLAT 0x1D00
 #define GL_SMOOTH 0x1D01
 #define GL_LIGHT0 0x4000
@@ -396,6 +434,7 @@ GLAPI void GLAPIENTRY glColorMaterial(GLenum face, GLenum mode);
 GLAPI void GLAPIENTRY glShadeModel(GLenum mode);
 GLAPI void GLAPIENTRY glFrontFace(GLenum mode);
 GLAPI void GLAPIENTRY glCullFace(GLenum mode);
+GLAPI void GLAPIENTRY glPolygonMode(GLenum face, GLenum mode);
 GLAPI void GLAPIENTRY glPointSize(GLfloat size);
 GLAPI void GLAPIENTRY glPointSizexOES(GLfixed size);
 GLAPI void GLAPIENTRY glLineWidth(GLfloat width);
