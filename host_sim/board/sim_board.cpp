@@ -63,16 +63,16 @@ hal::Bus& SimBoard::bus() {
 }
 
 Image SimBoard::glass() const {
-    DcsController& c = parts_->controller;
+    Controller& c = parts_->controller;
     // Two refreshes later the glass shows what the memory holds.
-    parts_->bus.pass(2 * Time(c.chip().line_ns) * Time(c.chip().height + c.chip().porch_lines));
+    parts_->bus.pass(2 * c.refresh_time());
     const Image seen = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
     return upright(seen, parts_->board.display.orientation);
 }
 
 Image SimBoard::memory() const {
-    const DcsController& c = parts_->controller;
-    return picture_of(c.memory(), c.chip().width, c.chip().height);
+    const Controller& c = parts_->controller;
+    return picture_of(c.cells(), c.memory_size().width, c.memory_size().height);
 }
 
 BoardCounters SimBoard::counters() const {
@@ -85,11 +85,7 @@ const Violations& SimBoard::violations() const {
 }
 
 std::string SimBoard::violations_text() const {
-    std::string text;
-    for (const Violation& v : violations())
-        text += "rule " + std::to_string(static_cast<int>(v.rule)) + " at " + std::to_string(v.at / 1000) +
-                " us: " + v.text + "\n";
-    return text;
+    return parts_->controller.violations_text();
 }
 
 Time SimBoard::now() const {

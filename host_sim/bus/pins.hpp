@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "host_sim/controller/dcs_controller.hpp"
+#include "host_sim/controller/controller.hpp"
 
 namespace spangle::sim {
 
@@ -35,7 +35,7 @@ class SerialPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, clock, mosi };
 
-    explicit SerialPins(DcsController& controller, bool three_wire = false)
+    explicit SerialPins(Controller& controller, bool three_wire = false)
         : controller_(controller), three_wire_(three_wire) {}
     /// Times never go back. Reset and select are low when active; both start high, the others low.
     void set(Pin pin, bool level, Time now);
@@ -43,7 +43,7 @@ class SerialPins {
     bool miso() const { return miso_; }
 
   private:
-    DcsController& controller_;
+    Controller& controller_;
     bool three_wire_;
     bool levels_[5] = {true, true, false, false, false};
     bool miso_ = false, answering_ = false;
@@ -63,7 +63,7 @@ class ParallelPins {
   public:
     enum class Pin : std::uint8_t { reset, select, data, write, read };
 
-    explicit ParallelPins(DcsController& controller, unsigned lines = 8)
+    explicit ParallelPins(Controller& controller, unsigned lines = 8)
         : controller_(controller), wide_(lines == 16) {}
     void set(Pin pin, bool level, Time now);
     /// What the host drives onto the data lines.
@@ -72,7 +72,7 @@ class ParallelPins {
     unsigned answer() const { return answer_; }
 
   private:
-    DcsController& controller_;
+    Controller& controller_;
     bool levels_[5] = {true, true, false, true, true};
     bool wide_;
     unsigned lines_ = 0, answer_ = 0;

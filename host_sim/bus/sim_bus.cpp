@@ -5,7 +5,7 @@
 
 namespace spangle::sim {
 
-SimBus::SimBus(DcsController& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
+SimBus::SimBus(Controller& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
 
 hal::Result<hal::Buffer> SimBus::acquire(std::size_t size) {
     buffers_.push_back(std::make_unique<std::uint8_t[]>(size));
@@ -160,10 +160,9 @@ void SimBus::read(const hal::Op& op) {
 }
 
 void SimBus::wait_te(const hal::Op& op) {
-    const Time step = controller_.chip().line_ns, deadline = wire_ + static_cast<Time>(op.micros) * 1000;
+    const Time step = controller_.line_time(), deadline = wire_ + static_cast<Time>(op.micros) * 1000;
     // No command comes while the bus waits: an edge that two refreshes do not bring never comes.
-    const Time refresh = step * Time(controller_.chip().height + controller_.chip().porch_lines);
-    const Time last_look = std::min(deadline, wire_ + 2 * refresh);
+    const Time last_look = std::min(deadline, wire_ + 2 * controller_.refresh_time());
     while (wire_ < last_look && controller_.te(wire_))
         wire_ += step; // an edge, not a level
     while (wire_ < last_look && !controller_.te(wire_))

@@ -8,7 +8,7 @@
 #include <spangle/hal/bus.hpp>
 
 #include "host_sim/bus/trace.hpp"
-#include "host_sim/controller/dcs_controller.hpp"
+#include "host_sim/controller/controller.hpp"
 
 namespace spangle::sim {
 
@@ -22,7 +22,7 @@ struct BusCounters {
 
 class SimBus final : public hal::Bus {
   public:
-    SimBus(DcsController& controller, const hal::BusCaps& caps);
+    SimBus(Controller& controller, const hal::BusCaps& caps);
 
     hal::BusCaps caps() const override { return caps_; }
     hal::Result<hal::Buffer> acquire(std::size_t size) override;
@@ -49,7 +49,7 @@ class SimBus final : public hal::Bus {
         std::uint64_t checksum;
     };
 
-    DcsController& controller_;
+    Controller& controller_;
     hal::BusCaps caps_;
     std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
     BusCounters counters_;

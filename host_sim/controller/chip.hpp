@@ -1,15 +1,13 @@
-// The controllers that are modelled, as data from their datasheets.
+// The DCS controllers that are modelled, as data from their datasheets.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <initializer_list>
 
-namespace spangle::sim {
+#include "host_sim/controller/controller.hpp"
 
-struct MemorySize {
-    int width = 0, height = 0;
-};
+namespace spangle::sim {
 
 /// A command with these parameters opens the maker's registers, or, where several are named, the next of
 /// them does. The same command with other parameters locks them again.

@@ -6,56 +6,37 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <vector>
 
-#include <spangle/sim/violations.hpp>
-
 #include "host_sim/controller/chip.hpp"
+#include "host_sim/controller/controller.hpp"
 
 namespace spangle::sim {
 
-/// The part of the frame memory that glass covers, as the module's maker glued it. Offsets count in memory
-/// columns and rows.
-struct GlassMount {
-    int x = 0, y = 0, width = 0, height = 0;
-    bool mirror_columns = false, mirror_rows = false; ///< seen from the front
-    bool bgr_filter = false;                          ///< the colour filter's stripes are blue, green, red
-    bool normally_inverted = false;                   ///< IPS: the glass shows the complement unless INVON
-};
-
-/// 18-bit colour, six bits each.
-struct Rgb666 {
-    std::uint8_t r = 0, g = 0, b = 0;
-    friend bool operator==(const Rgb666&, const Rgb666&) = default;
-};
-
-class DcsController {
+class DcsController final : public Controller {
   public:
     DcsController(const Chip& chip, const GlassMount& glass, bool parallel);
 
     // --- the pins
-    void reset(bool low, Time now);
-    void select(bool chip_select, Time now);
-    /// One byte clocked in, `data`: D/C as sampled with its last bit; `period_ns`: of the clock that carried
-    /// it.
-    void write(std::uint8_t byte, bool data, Time now, unsigned period_ns);
-    /// A read command is being answered: the controller drives its data line.
-    bool answers() const { return answering_ && (read_at_ < read_bits_.size() || reads_memory()); }
-    /// The next bit onto the line; the host then takes it with a clock of that period.
-    bool drive_bit();
-    void read_clock(Time now, unsigned period_ns);
-    /// Both at once; a byte is eight clocks of a serial bus, one of a parallel one.
-    bool read_bit(Time now, unsigned period_ns);
-    std::uint8_t read_byte(Time now, unsigned period_ns);
-    bool te(Time now);
+    void reset(bool low, Time now) override;
+    void select(bool chip_select, Time now) override;
+    void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
+    bool answers() const override { return answering_ && (read_at_ < read_bits_.size() || reads_memory()); }
+    bool drive_bit() override;
+    void read_clock(Time now, unsigned period_ns) override;
+    bool te(Time now) override;
 
     // --- views
-    /// What a person in front of the glass sees, top row first, after scanning up to `now`.
-    std::vector<Rgb666> glass(Time now);
+    /// After scanning up to `now`.
+    std::vector<Rgb666> glass(Time now) override;
+    std::vector<Rgb666> cells() const override { return memory_; }
+    MemorySize memory_size() const override { return {chip_.width, chip_.height}; }
+    Time line_time() const override { return chip_.line_ns; }
+    Time refresh_time() const override {
+        return Time(chip_.line_ns) * Time(chip_.height + chip_.porch_lines);
+    }
     /// The frame memory as MADCTL 00h addresses it.
     const std::vector<Rgb666>& memory() const { return memory_; }
-    const GlassMount& mount() const { return glass_; }
     const Chip& chip() const { return chip_; }
     int scan_line(Time now) const;
     std::uint64_t frames_scanned(Time now) const;
@@ -65,17 +46,12 @@ class DcsController {
     /// What was last written to one of the maker's registers; empty after reset.
     std::vector<std::uint8_t> maker_register(std::uint8_t command) const;
 
-    const Violations& violations() const { return violations_; }
-    void report(Rule rule, const std::string& text, Time at);
-    void forget_violations() { violations_.clear(); }
     std::uint64_t pixels_written() const { return pixels_written_; }
 
   private:
     Chip chip_;
-    GlassMount glass_;
     bool parallel_;
     std::vector<Rgb666> memory_, shown_; ///< frame memory; what the last scan put on the glass
-    Violations violations_;
 
     // registers
     bool awake_ = false, on_ = false, inverted_ = false, idle_ = false, partial_ = false, scrolling_ = false,
@@ -131,6 +107,7 @@ class DcsController {
     void push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits);
     void push_bytes(const std::uint8_t* bytes, std::size_t count);
     void push_pixels();
+    bool writes_memory() const { return command_ == 0x2C || command_ == 0x3C; }
     bool reads_memory() const { return command_ == 0x2E || command_ == 0x3E; }
     bool locate(int x, int y, int& column, int& row) const;
     enum class Format : std::uint8_t { rgb444 = 3, rgb565 = 5, rgb666 = 6 };
@@ -141,7 +118,6 @@ class DcsController {
     std::uint64_t window_pixels() const;
     void scan_until(Time now);
     void scan_row(int row);
-    Time frame_ns() const { return Time(chip_.line_ns) * Time(chip_.height + chip_.porch_lines); }
 };
 
 } // namespace spangle::sim

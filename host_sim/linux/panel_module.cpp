@@ -89,17 +89,13 @@ bool PanelModule::input(unsigned line, Time now) {
 }
 
 Image PanelModule::glass(hal::Orientation orientation) {
-    DcsController& c = *controller_;
-    kernel_.advance(2 * Time(c.chip().line_ns) * Time(c.chip().height + c.chip().porch_lines));
+    Controller& c = *controller_;
+    kernel_.advance(2 * c.refresh_time());
     return upright(picture_of(c.glass(kernel_.now()), c.mount().width, c.mount().height), orientation);
 }
 
 std::string PanelModule::violations_text() const {
-    std::string text;
-    for (const Violation& v : controller_->violations())
-        text += "rule " + std::to_string(static_cast<int>(v.rule)) + " at " + std::to_string(v.at / 1000) +
-                " us: " + v.text + "\n";
-    return text;
+    return controller_->violations_text();
 }
 
 } // namespace spangle::sim

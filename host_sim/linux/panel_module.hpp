@@ -8,6 +8,7 @@
 #include <spangle/sim/image.hpp>
 
 #include "host_sim/bus/pins.hpp"
+#include "host_sim/controller/dcs_controller.hpp"
 #include "host_sim/linux/gpio_chip.hpp"
 
 namespace spangle::sim {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "host_sim/bus/pins.hpp"
+#include "host_sim/controller/dcs_controller.hpp"
 
 namespace sim_test {
 namespace {

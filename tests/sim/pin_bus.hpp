@@ -17,7 +17,7 @@ using sim::Time;
 /// Carries lists out while they are submitted; what lies below a byte is left to the kind of bus.
 class PinBus : public hal::Bus {
   public:
-    PinBus(sim::DcsController& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
+    PinBus(sim::Controller& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
     virtual ~PinBus() = default;
 
     hal::BusCaps caps() const override { return caps_; }
@@ -41,7 +41,7 @@ class PinBus : public hal::Bus {
     bool data_pin_early = false;
 
   protected:
-    sim::DcsController& controller_;
+    sim::Controller& controller_;
 
     Time write_period() const { return 1'000'000'000u / caps_.write_hz; }
     Time read_period() const { return 1'000'000'000u / caps_.read_hz; }

@@ -13,6 +13,7 @@
 #include <spangle/hal/panel_display.hpp>
 
 #include "host_sim/bus/sim_bus.hpp"
+#include "host_sim/controller/dcs_controller.hpp"
 #include "tests/sim/pin_bus.hpp"
 
 namespace {

@@ -25,7 +25,9 @@ enum class Rule : std::uint8_t {
     buffer_changed = 11,  ///< the source changed between submit and the wire
     color_format = 12,    ///< pixels of another size than COLMOD says, or a format this bus has not
     tear = 13,            ///< the write crossed the scan line while TE is used
+    control_byte = 14,    ///< I2C: a message, or its next part, without a control byte
     locked_register = 15, ///< a maker's register written without the key that opens it
+    busy = 16,            ///< memory written while the controller itself moves or draws in it
 };
 
 struct Violation {

@@ -1,0 +1,143 @@
+// Which cell does a pixel go to, and which colour do its bytes hold?
+#include "host_sim/controller/dcs_controller.hpp"
+
+#include <algorithm>
+
+namespace spangle::sim {
+
+/// COLMOD values that name no format have been reported; the model goes on with 16 bits, or with 18 where
+/// this bus has no other.
+DcsController::Format DcsController::format() const {
+    const unsigned takes = parallel_ ? chip_.parallel_depths : chip_.serial_depths, asked = colmod_ & 7u;
+    if ((takes >> asked & 1u) != 0)
+        return static_cast<Format>(asked);
+    return (takes & depths({5})) != 0 ? Format::rgb565 : Format::rgb666;
+}
+
+std::uint64_t DcsController::bytes_of(std::uint64_t pixels) const {
+    switch (format()) {
+    case Format::rgb444:
+        return (pixels * 3 + 1) / 2;
+    case Format::rgb565:
+        return pixels * 2;
+    default:
+        return pixels * 3;
+    }
+}
+
+std::uint64_t DcsController::window_pixels() const {
+    return xs_ > xe_ || ys_ > ye_
+               ? 1
+               : static_cast<std::uint64_t>(xe_ - xs_ + 1) * static_cast<std::uint64_t>(ye_ - ys_ + 1);
+}
+
+/// Host address to memory cell (ST7735R datasheet 9.11; the others alike).
+bool DcsController::locate(int x, int y, int& column, int& row) const {
+    const int c = (madctl_ & 0x20) != 0 ? y : x, r = (madctl_ & 0x20) != 0 ? x : y;
+    column = (madctl_ & 0x40) != 0 ? chip_.width - 1 - c : c;
+    row = (madctl_ & 0x80) != 0 ? chip_.height - 1 - r : r;
+    return column >= 0 && column < chip_.width && row >= 0 && row < chip_.height;
+}
+
+void DcsController::begin_write(bool restart, Time now) {
+    scan_until(now);
+    if (!awake_)
+        report(Rule::write_in_sleep, "RAMWR while asleep", now);
+    if (restart) {
+        x_ = xs_;
+        y_ = ys_;
+    }
+    int c0, r0, c1, r1;
+    const bool inside = locate(xs_, ys_, c0, r0) && locate(xe_, ye_, c1, r1);
+    if (!inside)
+        return; // CASET or RASET has been reported
+    const auto [left, right] = std::minmax(c0, c1);
+    const auto [top, bottom] = std::minmax(r0, r1);
+    if (left < glass_.x || right >= glass_.x + glass_.width || top < glass_.y ||
+        bottom >= glass_.y + glass_.height)
+        report(Rule::window,
+               "the window reaches memory that no glass shows: columns " + std::to_string(left) + ".." +
+                   std::to_string(right) + ", rows " + std::to_string(top) + ".." + std::to_string(bottom),
+               now);
+}
+
+void DcsController::pixel_byte(std::uint8_t byte, Time now) {
+    ++stream_bytes_;
+    pixel_bytes_[static_cast<std::size_t>(pixel_fill_++)] = byte;
+    const Format f = format();
+    const int whole = f == Format::rgb565 ? 2 : 3;
+    if (f == Format::rgb444 && pixel_fill_ == 2) // RRRRGGGG BBBBRRRR GGGGBBBB
+        put_pixel(decode(0), now);
+    if (pixel_fill_ < whole)
+        return;
+    pixel_fill_ = 0;
+    put_pixel(decode(3), now);
+}
+
+/// `nibble`: where the red of a 12-bit pixel stands.
+Rgb666 DcsController::decode(int nibble) const {
+    const auto six = [](int v) { return static_cast<std::uint8_t>(v & 63); };
+    if (format() == Format::rgb666)
+        return {six(pixel_bytes_[0] >> 2), six(pixel_bytes_[1] >> 2), six(pixel_bytes_[2] >> 2)};
+    if (format() == Format::rgb444) {
+        const auto four = [this, six](int n) {
+            const int v = pixel_bytes_[static_cast<std::size_t>(n / 2)] >> (n % 2 == 0 ? 4 : 0) & 15;
+            return six(v << 2 | v >> 2);
+        };
+        return {four(nibble), four(nibble + 1), four(nibble + 2)};
+    }
+    const int word = pixel_bytes_[0] << 8 | pixel_bytes_[1];
+    const int green = word >> 5 & 63, low = chip_.low_bit_from_green ? green & 1 : 0;
+    return {six(word >> 11 << 1 | low), six(green), six((word & 31) << 1 | low)};
+}
+
+void DcsController::put_pixel(Rgb666 color, Time now) {
+    int column, row;
+    if (locate(x_, y_, column, row)) {
+        if (te_on_ && !stream_tore_ && on_ && stream_pixels_ != 0) {
+            // The beam stands in this row: above it is new, below it old.
+            const int line = scan_line(now);
+            if (line == row && line > 0 && x_ == xs_) {
+                stream_tore_ = true;
+                report(Rule::tear,
+                       "the write crossed the scan line at row " + std::to_string(row) + ", frame " +
+                           std::to_string(frames_scanned(now)),
+                       now);
+            }
+        }
+        if (stream_pixels_ % 64 == 0)
+            scan_until(now);
+        memory_[static_cast<std::size_t>(row * chip_.width + column)] = color;
+        ++pixels_written_;
+    }
+    ++stream_pixels_;
+    if (++x_ <= xe_)
+        return;
+    x_ = xs_;
+    if (++y_ > ye_)
+        y_ = ys_;
+}
+
+void DcsController::end_write(Time now) {
+    if (!writes_memory() || stream_bytes_ == 0)
+        return;
+    const std::uint64_t window = window_pixels();
+    for (const unsigned other : {2u, 3u})
+        if (bytes_of(window) != window * other && stream_bytes_ == window * other) {
+            report(Rule::color_format,
+                   "the window was filled with " + std::to_string(other) + " bytes a pixel, COLMOD is " +
+                       hex(colmod_),
+                   now);
+            return;
+        }
+    // Two bytes of 12-bit pixels are one pixel and the latched half of a pair: the end of an odd count.
+    const bool half = format() == Format::rgb444 ? pixel_fill_ == 1 : pixel_fill_ != 0;
+    if (half)
+        report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
+    if (stream_pixels_ % window != 0 || stream_pixels_ > window)
+        report(Rule::pixel_count,
+               std::to_string(stream_pixels_) + " pixels were sent to a window of " + std::to_string(window),
+               now);
+}
+
+} // namespace spangle::sim

@@ -1,0 +1,150 @@
+// What does a DCS controller answer?
+#include "host_sim/controller/dcs_controller.hpp"
+
+namespace spangle::sim {
+
+void DcsController::push_read(std::initializer_list<std::uint8_t> bytes, int dummy_bits) {
+    // On a parallel bus one dummy byte, on a serial one as many clocks as the chip takes to turn the line
+    // round.
+    const int dummies = parallel_ ? 8 : dummy_bits;
+    answering_ = true;
+    read_dummies_ = static_cast<std::size_t>(dummies);
+    read_bits_.assign(read_dummies_, false);
+    push_bytes(bytes.begin(), bytes.size());
+    read_at_ = 0;
+}
+
+void DcsController::push_bytes(const std::uint8_t* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (int bit = 7; bit >= 0; --bit)
+            read_bits_.push_back((bytes[i] >> bit & 1) != 0);
+}
+
+void DcsController::forget_read() {
+    read_bits_.clear();
+    read_at_ = read_dummies_ = 0;
+    read_clocks_ = 0;
+    answering_ = read_too_fast_ = false;
+}
+
+void DcsController::prepare_read(Time now) {
+    forget_read();
+    const auto bit = [](bool on, int position) { return static_cast<unsigned>(on ? 1 : 0) << position; };
+    const auto byte = [](unsigned v) { return static_cast<std::uint8_t>(v); };
+    switch (command_) {
+    case 0x04:
+        push_read({chip_.id[0], chip_.id[1], chip_.id[2]}, chip_.register_dummy_bits);
+        break;
+    case 0x09: {
+        const unsigned format = (colmod_ & 7u) << 20;
+        const unsigned s = bit(awake_, 31) | bit(madctl_ & 0x80, 30) | bit(madctl_ & 0x40, 29) |
+                           bit(madctl_ & 0x20, 28) | bit(madctl_ & 0x10, 27) | bit(madctl_ & 8, 26) |
+                           bit(madctl_ & 4, 25) | format | bit(idle_, 19) | bit(partial_, 18) |
+                           bit(awake_, 17) | bit(!partial_, 16) | bit(scrolling_, 15) | bit(inverted_, 13) |
+                           bit(on_, 10) | bit(te_on_, 9) | bit(te_with_hblank_, 5);
+        push_read({byte(s >> 24), byte(s >> 16), byte(s >> 8), byte(s)}, chip_.register_dummy_bits);
+        break;
+    }
+    case 0x0A:
+        push_read({byte(bit(awake_, 7) | bit(idle_, 6) | bit(partial_, 5) | bit(awake_, 4) |
+                        bit(!partial_, 3) | bit(on_, 2))},
+                  0);
+        break;
+    case 0x0B:
+        push_read({madctl_}, 0);
+        break;
+    case 0x0C:
+        push_read({byte(colmod_ & 0x77u)}, 0);
+        break;
+    case 0x0D:
+        push_read({byte(bit(scrolling_, 7) | bit(inverted_, 5))}, 0);
+        break;
+    case 0x0E:
+        push_read({byte(bit(te_on_, 7) | bit(te_with_hblank_, 6))}, 0);
+        break;
+    case 0x0F:
+        push_read({byte(awake_ ? 0xC0 : 0x00)}, 0);
+        break;
+    case 0x45: {
+        const int line = scan_line(now);
+        push_read({byte(static_cast<unsigned>(line) >> 8), byte(static_cast<unsigned>(line))},
+                  chip_.register_dummy_bits);
+        break;
+    }
+    case 0x2E:
+        read_x_ = xs_;
+        read_y_ = ys_;
+        [[fallthrough]];
+    case 0x3E:
+        push_read({}, chip_.pixel_dummy_bits);
+        break;
+    case 0xDA:
+    case 0xDB:
+    case 0xDC:
+        push_read({chip_.id[command_ - 0xDAu]}, 0);
+        break;
+    default:
+        if (const MakerId& own = chip_.maker_id; own.command != 0 && command_ == own.command) {
+            push_read({}, own.dummy_bits);
+            push_bytes(own.bytes.data(), own.count);
+        }
+        break;
+    }
+}
+
+/// Three bytes a pixel, six bits left aligned, whatever COLMOD says; some answer as they were written.
+void DcsController::push_pixels() {
+    int column, row;
+    Rgb666 p;
+    if (locate(read_x_, read_y_, column, row))
+        p = memory_[static_cast<std::size_t>(row * chip_.width + column)];
+    const int word = p.r >> 1 << 11 | p.g << 5 | p.b >> 1;
+    const std::array<int, 3> six_each{p.r << 2, p.g << 2, p.b << 2}, as_written{word >> 8, word & 255, 0};
+    std::array<std::uint8_t, 3> bytes{};
+    for (std::size_t i = 0; i < 3; ++i)
+        bytes[i] = static_cast<std::uint8_t>(reads_565() ? as_written[i] : six_each[i]);
+    push_bytes(bytes.data(), reads_565() ? 2 : 3);
+    if (++read_x_ <= xe_)
+        return;
+    read_x_ = xs_;
+    if (++read_y_ > ye_)
+        read_y_ = ys_;
+}
+
+bool DcsController::drive_bit() {
+    if (!answers())
+        return false;
+    if (read_at_ >= read_bits_.size()) {
+        read_bits_.clear();
+        read_at_ = 0;
+        push_pixels();
+    }
+    return read_bits_[read_at_++];
+}
+
+void DcsController::read_clock(Time now, unsigned period_ns) {
+    ++read_clocks_;
+    const unsigned shortest = parallel_ ? chip_.parallel_read_ns : chip_.serial_read_ns;
+    if (period_ns >= shortest || read_too_fast_)
+        return;
+    read_too_fast_ = true;
+    report(Rule::read,
+           "read with a cycle of " + std::to_string(period_ns) + " ns; this controller answers in " +
+               std::to_string(shortest) + " ns",
+           now);
+}
+
+/// Exactly the dummy clocks are missing: the host took the first of them for data. (More clocks than an
+/// answer has are no fault: some hosts read whole bytes and shift.)
+void DcsController::end_read(Time now) {
+    if (!answering_ || read_dummies_ == 0 || read_clocks_ == 0)
+        return;
+    const std::uint64_t pixel = reads_565() ? 16 : 24;
+    const bool slipped = reads_memory()
+                             ? read_clocks_ % pixel == 0 && (read_clocks_ - read_dummies_) % pixel != 0
+                             : read_clocks_ + read_dummies_ == read_bits_.size();
+    if (slipped)
+        report(Rule::read, "command " + hex(command_) + " was read without its dummy clocks", now);
+}
+
+} // namespace spangle::sim

@@ -1,0 +1,88 @@
+// What is on the glass, and where is the beam?
+#include "host_sim/controller/dcs_controller.hpp"
+
+#include <algorithm>
+
+namespace spangle::sim {
+
+/// The native row being scanned; rows from chip height on are blanking.
+int DcsController::scan_line(Time now) const {
+    return static_cast<int>(now % refresh_time() / chip_.line_ns);
+}
+
+std::uint64_t DcsController::frames_scanned(Time now) const {
+    return now / refresh_time();
+}
+
+bool DcsController::te(Time now) {
+    scan_until(now);
+    if (!te_on_ || !awake_)
+        return false;
+    const int line = scan_line(now);
+    if (te_line_ != 0)
+        return line == te_line_;
+    const bool hblank = te_with_hblank_ && now % chip_.line_ns > chip_.line_ns * 9 / 10;
+    return line >= chip_.height || hblank;
+}
+
+void DcsController::scan_row(int row) {
+    if (row == 0)
+        modes_ = {awake_ && on_, partial_, scrolling_, idle_, partial_start_, partial_end_, scroll_start_};
+    const auto cell = [this](int r) { return &memory_[static_cast<std::size_t>(r * chip_.width)]; };
+    Rgb666* const out = &shown_[static_cast<std::size_t>(row * chip_.width)];
+    const bool outside_wraps = modes_.partial_start > modes_.partial_end;
+    const bool in_partial = outside_wraps ? row >= modes_.partial_start || row <= modes_.partial_end
+                                          : row >= modes_.partial_start && row <= modes_.partial_end;
+    if (!modes_.visible || (modes_.partial && !in_partial)) {
+        std::fill(out, out + chip_.width, Rgb666{});
+        return;
+    }
+    int source = row;
+    if (modes_.scrolling && row >= scroll_top_ && row < scroll_top_ + scroll_height_ && scroll_height_ > 0) {
+        const int moved = (row - scroll_top_ + modes_.scroll_start - scroll_top_) % scroll_height_;
+        source = scroll_top_ + (moved < 0 ? moved + scroll_height_ : moved);
+    }
+    std::copy(cell(source), cell(source) + chip_.width, out);
+    if (modes_.idle)
+        for (int c = 0; c < chip_.width; ++c) {
+            const auto one = [](int v) { return static_cast<std::uint8_t>(v >= 32 ? 63 : 0); };
+            out[c] = {one(out[c].r), one(out[c].g), one(out[c].b)};
+        }
+}
+
+void DcsController::scan_until(Time now) {
+    if (now <= scanned_to_)
+        return;
+    const Time line = chip_.line_ns;
+    Time at = scanned_to_ / line, end = now / line;
+    const Time lines = refresh_time() / line;
+    if (end - at > 2 * lines)
+        at = end - 2 * lines; // older frames have been overwritten
+    for (; at < end; ++at)
+        if (const auto row = static_cast<int>((at + 1) % lines); row < chip_.height)
+            scan_row(row);
+    scanned_to_ = now;
+}
+
+std::vector<Rgb666> DcsController::glass(Time now) {
+    scan_until(now);
+    std::vector<Rgb666> picture;
+    picture.reserve(static_cast<std::size_t>(glass_.width * glass_.height));
+    const bool complement = inverted_ != glass_.normally_inverted;
+    const bool exchange = ((madctl_ & 0x08) != 0) != glass_.bgr_filter;
+    for (int y = 0; y < glass_.height; ++y)
+        for (int x = 0; x < glass_.width; ++x) {
+            const int column = glass_.x + (glass_.mirror_columns ? glass_.width - 1 - x : x);
+            const int row = glass_.y + (glass_.mirror_rows ? glass_.height - 1 - y : y);
+            Rgb666 p = shown_[static_cast<std::size_t>(row * chip_.width + column)];
+            if (modes_.visible && complement)
+                p = {static_cast<std::uint8_t>(63 - p.r), static_cast<std::uint8_t>(63 - p.g),
+                     static_cast<std::uint8_t>(63 - p.b)};
+            if (exchange)
+                std::swap(p.r, p.b);
+            picture.push_back(p);
+        }
+    return picture;
+}
+
+} // namespace spangle::sim

@@ -1,0 +1,56 @@
+// Controllers of one-bit OLED glass: SSD1306, SH1106, SSD0303. A byte is eight pixels one above the other,
+// the uppermost in bit 0; eight rows are a page. Written from the datasheets' facts alone.
+#pragma once
+
+#include "host_sim/controller/oled.hpp"
+
+namespace spangle::sim {
+
+struct MonoChip {
+    OledChip chip;
+    bool page_mode_only = false; ///< no 20h, 21h, 22h
+    /// What lights the glass up: a converter of its own, switched by this bit of this register; 0: none
+    /// needed.
+    std::uint8_t pump_command = 0, pump_bit = 0;
+    bool pump_at_reset = false;
+};
+
+extern const MonoChip ssd1306, sh1106, ssd0303;
+
+class MonoController final : public OledController {
+  public:
+    MonoController(const MonoChip& chip, const GlassMount& glass, OledBus bus);
+
+    bool display_on() const { return on_; }
+    bool bit(int column, int row) const;
+
+  private:
+    const MonoChip mono_;
+    std::vector<std::uint8_t> memory_; ///< by page, then column
+
+    enum class Mode : std::uint8_t { horizontal, vertical, page };
+    Mode mode_ = Mode::page;
+    int column_ = 0, page_ = 0;
+    int first_column_ = 0, last_column_ = 0, first_page_ = 0, last_page_ = 0;
+    int kept_column_ = 0; ///< of read-modify-write (E0h)
+    bool modifying_ = false;
+    int start_line_ = 0, offset_ = 0, multiplex_ = 64;
+    bool remap_ = false, com_reversed_ = false, com_alternating_ = true, all_on_ = false, inverted_ = false,
+         on_ = false, pump_ = false, scrolling_ = false;
+    std::uint64_t stream_ = 0; ///< bytes of data since the last command
+
+    void power_on() override;
+    void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) override;
+    void execute_with(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now);
+    void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> parameters, int bound,
+                   Time now);
+    void data(std::uint8_t byte, Time now) override;
+    void end_data(Time now) override;
+    void advance();
+    int pages() const { return chip_.height / 8; }
+    std::uint64_t window() const;
+    Lit lit(int column, int line) const override;
+    Rgb666 cell(int column, int row) const override;
+};
+
+} // namespace spangle::sim

@@ -1,0 +1,311 @@
+#include "host_sim/controller/windowed_controller.hpp"
+
+#include <algorithm>
+
+namespace spangle::sim {
+namespace {
+
+constexpr OledCommand ssd1327_commands[] = {
+    {0x15, 1, 2}, {0x75, 1, 2},                // columns, rows
+    {0x2E, 2, 0}, {0x81, 1, 1},  {0xA0, 3, 1}, // scrolling off, on; contrast; remap, start line, offset
+    {0xA4, 4, 0}, {0xA8, 1, 1},  {0xAB, 1, 1}, // normal, all on, all off, inverse; multiplex; regulator
+    {0xAE, 2, 0}, {0xB1, 1, 1},  {0xB3, 1, 1}, // off, on; phases, clock
+    {0xB6, 1, 1}, {0xB8, 1, 15}, {0xB9, 1, 0}, // second precharge; grey table, the linear one
+    {0xBC, 1, 1}, {0xBE, 1, 1},  {0xD5, 1, 1}, {0xFD, 1, 1},
+};
+constexpr OledCommand ssd0323_commands[] = {
+    {0x15, 1, 2}, {0x75, 1, 2}, {0x81, 1, 1}, {0x84, 3, 0}, // current ranges
+    {0xA0, 3, 1}, {0xA4, 4, 0}, {0xA8, 1, 1}, {0xAD, 1, 1}, //
+    {0xAE, 2, 0}, {0xB0, 4, 1}, {0xB8, 1, 8}, {0xBC, 1, 1}, //
+    {0xBE, 2, 1}, {0xE3, 1, 0}, {0xF0, 1, 1},
+};
+constexpr OledCommand ssd1351_commands[] = {
+    {0x15, 1, 2}, {0x75, 1, 2}, {0x5C, 1, 0},  {0x96, 1, 5}, // columns, rows, write; scrolling
+    {0x9E, 2, 0}, {0xA0, 3, 1}, {0xA4, 4, 0},  {0xAB, 1, 1}, //
+    {0xAE, 2, 0}, {0xB1, 1, 1}, {0xB2, 1, 3},  {0xB3, 1, 1}, //
+    {0xB4, 1, 3}, {0xB5, 2, 1}, {0xB8, 1, 63}, {0xB9, 1, 0}, //
+    {0xBB, 1, 1}, {0xBE, 1, 1}, {0xC1, 1, 3},  {0xC7, 1, 1}, //
+    {0xCA, 1, 1}, {0xFD, 1, 1},
+};
+constexpr OledCommand ssd1331_commands[] = {
+    {0x15, 1, 2}, {0x75, 1, 2}, {0x21, 1, 7},  {0x22, 1, 10}, {0x23, 1, 6}, // columns, rows; line, box, copy
+    {0x24, 2, 4}, {0x26, 1, 1}, {0x27, 1, 5},  {0x2E, 2, 0},                // dim, clear, fill; scrolling
+    {0x81, 3, 1}, {0x87, 1, 1}, {0x8A, 3, 1},  {0xA0, 3, 1},                //
+    {0xA4, 4, 0}, {0xA8, 1, 1}, {0xAB, 1, 5},  {0xAC, 1, 0},                // dim mode
+    {0xAD, 1, 1}, {0xAE, 2, 0}, {0xB0, 1, 1},                               // supply, off, on, power save
+    {0xB1, 1, 1}, {0xB3, 1, 1}, {0xB8, 1, 32}, {0xB9, 1, 0},                //
+    {0xBB, 1, 1}, {0xBE, 1, 1}, {0xE3, 1, 0},  {0xFD, 1, 1},
+};
+constexpr std::uint8_t ssd1351_locked[] = {0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1};
+
+} // namespace
+
+const WindowedChip ssd1327 = {.chip = {.name = "SSD1327",
+                                       .width = 128,
+                                       .height = 128,
+                                       .commands = ssd1327_commands,
+                                       .serial_write_ns = 100,
+                                       .serial_write_got_ns = 100,
+                                       .i2c_ns = 2500},
+                              .remap = {.vertical = 0x04,
+                                        .columns = 0x01,
+                                        .nibbles = 0x02,
+                                        .order = 0,
+                                        .com_reversed = 0x10,
+                                        .com_split = 0x40},
+                              .grey = true};
+const WindowedChip ssd0323 = {.chip = {.name = "SSD0323",
+                                       .width = 128,
+                                       .height = 80,
+                                       .commands = ssd0323_commands,
+                                       .serial_write_ns = 250,
+                                       .serial_write_got_ns = 250,
+                                       .i2c_ns = 2500},
+                              .remap = {.vertical = 0x04,
+                                        .columns = 0x01,
+                                        .nibbles = 0x02,
+                                        .order = 0,
+                                        .com_reversed = 0x10,
+                                        .com_split = 0x40},
+                              .grey = true,
+                              .first_com = 4};
+const WindowedChip ssd1351 = {.chip = {.name = "SSD1351",
+                                       .width = 128,
+                                       .height = 128,
+                                       .commands = ssd1351_commands,
+                                       .parameters_are_data = true,
+                                       .serial_write_ns = 50,
+                                       .serial_write_got_ns = 50},
+                              .remap = {.vertical = 0x01,
+                                        .columns = 0x02,
+                                        .nibbles = 0,
+                                        .order = 0x04,
+                                        .com_reversed = 0x10,
+                                        .com_split = 0x20},
+                              .order_set_is_rgb = true,
+                              .stream_command = 0x5C,
+                              .multiplex_command = 0xCA,
+                              .shown = {Shown::all_off, Shown::all_on, Shown::memory, Shown::inverse},
+                              .offset_at_reset = 0x60,
+                              .lock_command = 0xFD,
+                              .unlock_all = 0xB1,
+                              .locked = ssd1351_locked};
+const WindowedChip ssd1331 = {.chip = {.name = "SSD1331",
+                                       .width = 96,
+                                       .height = 64,
+                                       .commands = ssd1331_commands,
+                                       .serial_write_ns = 150,
+                                       .serial_write_got_ns = 150},
+                              .remap = {.vertical = 0x01,
+                                        .columns = 0x02,
+                                        .nibbles = 0,
+                                        .order = 0x04,
+                                        .com_reversed = 0x10,
+                                        .com_split = 0x20},
+                              .clear_command = 0x25};
+
+WindowedController::WindowedController(const WindowedChip& chip, const GlassMount& glass, OledBus bus)
+    : OledController(chip.chip, glass, bus), windowed_(chip),
+      memory_(static_cast<std::size_t>(chip.chip.width * chip.chip.height)) {
+    PowerOnNoise noise;
+    for (std::uint16_t& cell : memory_)
+        cell = static_cast<std::uint16_t>(noise.next() >> (chip.grey ? 28 : 16));
+    power_on();
+}
+
+void WindowedController::power_on() {
+    remap_ = windowed_.grey ? 0 : 0x40;
+    first_column_ = first_row_ = column_ = row_ = start_line_ = 0;
+    last_column_ = addresses() - 1;
+    last_row_ = chip_.height - 1;
+    offset_ = windowed_.offset_at_reset;
+    multiplex_ = chip_.height;
+    shown_ = Shown::memory;
+    on_ = streaming_ = scrolling_ = unlocked_ = false;
+    pixel_fill_ = 0;
+    stream_ = 0;
+}
+
+bool WindowedController::locks(std::uint8_t command) const {
+    return std::find(windowed_.locked.begin(), windowed_.locked.end(), command) != windowed_.locked.end();
+}
+
+void WindowedController::execute(std::uint8_t command, std::span<const std::uint8_t> p, Time now) {
+    if (now < busy_until_)
+        report(Rule::busy, "command " + hex(command) + " while the controller draws", now);
+    streaming_ = command == windowed_.stream_command && command != 0;
+    if (locks(command) && !unlocked_) {
+        report(Rule::locked_register,
+               "register " + hex(command) + " was written without the key that opens it", now);
+        return;
+    }
+    if (command == windowed_.lock_command && command != 0)
+        unlocked_ = p[0] == windowed_.unlock_all;
+    if (command == windowed_.multiplex_command)
+        multiplex_ = std::min((p[0] & 127) + 1, chip_.height);
+    if (command == windowed_.clear_command && command != 0)
+        clear(p, now);
+    switch (command) {
+    case 0x15:
+        set_range(first_column_, last_column_, column_, p, addresses(), now);
+        break;
+    case 0x75:
+        set_range(first_row_, last_row_, row_, p, chip_.height, now);
+        break;
+    case 0x2E:
+    case 0x2F:
+    case 0x9E:
+    case 0x9F:
+        scrolling_ = (command & 1) != 0;
+        break;
+    case 0xA0:
+        remap_ = p[0];
+        if (!windowed_.grey && (remap_ & 0x80) != 0)
+            report(Rule::color_format, "A0h " + hex(remap_) + ": three bytes a pixel are not modelled", now);
+        break;
+    case 0xA1:
+        start_line_ = p[0] % chip_.height;
+        break;
+    case 0xA2:
+        offset_ = p[0] % chip_.height;
+        break;
+    case 0xA4:
+    case 0xA5:
+    case 0xA6:
+    case 0xA7:
+        shown_ = windowed_.shown[command - 0xA4u];
+        break;
+    case 0xAE:
+    case 0xAF:
+        on_ = command == 0xAF;
+        break;
+    default:
+        break;
+    }
+}
+
+/// Sets the range and puts the pointer at its start.
+void WindowedController::set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound,
+                                   Time now) {
+    if (p[0] > p[1] || p[1] >= bound) {
+        report(Rule::window,
+               "range " + std::to_string(p[0]) + ".." + std::to_string(p[1]) + " of " + std::to_string(bound),
+               now);
+        return;
+    }
+    first = at = p[0];
+    last = p[1];
+}
+
+std::uint64_t WindowedController::window() const {
+    return static_cast<std::uint64_t>(last_column_ - first_column_ + 1) *
+           static_cast<std::uint64_t>(last_row_ - first_row_ + 1);
+}
+
+void WindowedController::clear(std::span<const std::uint8_t> p, Time now) {
+    constexpr Time engine_ns = 1'000'000; // what drivers wait; the datasheet names none
+    busy_until_ = now + engine_ns;
+    for (int row = p[1]; row <= p[3] && row < chip_.height; ++row)
+        for (int column = p[0]; column <= p[2] && column < chip_.width; ++column)
+            memory_[index(column, row)] = 0;
+}
+
+void WindowedController::data(std::uint8_t byte, Time now) {
+    if (windowed_.stream_command != 0 && !streaming_) {
+        report_once(Rule::parameter_count, "data " + hex(byte) + " without the command that takes pixels",
+                    now);
+        return;
+    }
+    if (scrolling_ || now < busy_until_)
+        report_once(Rule::busy, "the memory is written while the controller moves or draws in it", now);
+    if (!two_bytes())
+        return put(byte, now);
+    pixel_[static_cast<std::size_t>(pixel_fill_++)] = byte;
+    if (pixel_fill_ < 2)
+        return;
+    pixel_fill_ = 0;
+    put(static_cast<unsigned>(pixel_[0] << 8 | pixel_[1]), now);
+}
+
+/// What a column address takes: two greys, or one colour.
+void WindowedController::put(unsigned value, Time now) {
+    if (++stream_ > window())
+        report_once(Rule::pixel_count,
+                    "more data than the window's " + std::to_string(window()) + " addresses hold", now);
+    const int address = bit(windowed_.remap.columns) ? addresses() - 1 - column_ : column_;
+    const int left = windowed_.grey ? 2 * address : address;
+    if (left < glass_.x || left >= glass_.x + glass_.width || row_ < glass_.y ||
+        row_ >= glass_.y + glass_.height)
+        report_once(Rule::window,
+                    "no glass at column " + std::to_string(left) + " of row " + std::to_string(row_), now);
+    if (windowed_.grey) {
+        const bool swapped = bit(windowed_.remap.nibbles); // else the low nibble is the lower segment's
+        memory_[index(left, row_)] = static_cast<std::uint16_t>(swapped ? value >> 4 : value & 15);
+        memory_[index(left + 1, row_)] = static_cast<std::uint16_t>(swapped ? value & 15 : value >> 4);
+    } else {
+        // RRRGGGBB keeps the upper bits; what fills the lower ones is the upper again.
+        const unsigned r = value >> 5 & 7, g = value >> 2 & 7, b = value & 3;
+        const unsigned wide = (r << 2 | r >> 1) << 11 | (g << 3 | g) << 5 | (b << 3 | b << 1 | b >> 1);
+        memory_[index(left, row_)] = static_cast<std::uint16_t>(two_bytes() ? value : wide);
+    }
+    advance();
+}
+
+void WindowedController::advance() {
+    const auto step = [](int& at, int first, int last) {
+        at = at == last ? first : at + 1;
+        return at == first;
+    };
+    if (bit(windowed_.remap.vertical)) {
+        if (step(row_, first_row_, last_row_))
+            step(column_, first_column_, last_column_);
+    } else if (step(column_, first_column_, last_column_)) {
+        step(row_, first_row_, last_row_);
+    }
+}
+
+/// A stream that filled a part of its window, or of a pixel, leaves the pointer in its middle: a byte was
+/// lost.
+void WindowedController::end_data(Time now) {
+    if (pixel_fill_ != 0)
+        report(Rule::half_pixel, "the pixel stream ended inside a pixel: one byte slipped", now);
+    if (stream_ != 0 && stream_ % window() != 0)
+        report_once(Rule::pixel_count,
+                    std::to_string(stream_) + " addresses were written of a window of " +
+                        std::to_string(window()),
+                    now);
+    pixel_fill_ = 0;
+    stream_ = 0;
+}
+
+Rgb666 WindowedController::cell(int column, int row) const {
+    const unsigned v = value(column, row);
+    const auto six = [](unsigned bits) { return static_cast<std::uint8_t>(bits); };
+    if (windowed_.grey) {
+        const std::uint8_t grey = six(v << 2 | v >> 2);
+        return {grey, grey, grey};
+    }
+    return {six(v >> 11 << 1 | v >> 15), six(v >> 5 & 63), six((v & 31) << 1 | (v >> 4 & 1))};
+}
+
+/// The glass has its even lines on one side's COM pins and its odd ones on the other's.
+OledController::Lit WindowedController::lit(int column, int line) const {
+    if (!bit(windowed_.remap.com_split))
+        line = line / 2 + line % 2 * (glass_.height / 2);
+    if (!on_ || line >= multiplex_)
+        return {true, {}};
+    const int driven = bit(windowed_.remap.com_reversed) ? multiplex_ - 1 - line : line;
+    Rgb666 p = cell(column, (driven + offset_ + start_line_ + windowed_.first_com) % chip_.height);
+    if (shown_ == Shown::all_on || shown_ == Shown::all_off) {
+        const auto all = static_cast<std::uint8_t>(shown_ == Shown::all_on ? 63 : 0);
+        p = {all, all, all};
+    }
+    if (shown_ == Shown::inverse)
+        p = {static_cast<std::uint8_t>(63 - p.r), static_cast<std::uint8_t>(63 - p.g),
+             static_cast<std::uint8_t>(63 - p.b)};
+    if (!windowed_.grey && bit(windowed_.remap.order) != windowed_.order_set_is_rgb)
+        std::swap(p.r, p.b);
+    return {false, p};
+}
+
+} // namespace spangle::sim

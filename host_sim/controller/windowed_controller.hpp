@@ -1,0 +1,78 @@
+// Controllers of grey and colour OLED glass whose memory is written through a window of columns (15h) and
+// rows (75h): SSD1327, SSD0323; SSD1351, SSD1331. Written from the datasheets' facts alone.
+#pragma once
+
+#include <array>
+
+#include "host_sim/controller/oled.hpp"
+
+namespace spangle::sim {
+
+/// Bits of A0h; 0: the chip has none.
+struct RemapBits {
+    std::uint8_t vertical, columns, nibbles, order, com_reversed, com_split;
+};
+
+enum class Shown : std::uint8_t { memory, all_on, all_off, inverse };
+
+struct WindowedChip {
+    OledChip chip;
+    RemapBits remap;
+    bool grey = false; ///< two pixels a byte and a column address; else A0h bits 7..6 name the depth
+    bool order_set_is_rgb = false;   ///< else a set order bit stands for blue, green, red
+    std::uint8_t stream_command = 0; ///< pixels follow this one only; 0: data are pixels at any time
+    std::uint8_t multiplex_command = 0xA8;
+    std::array<Shown, 4> shown{Shown::memory, Shown::all_on, Shown::all_off, Shown::inverse}; ///< A4h to A7h
+    std::uint8_t offset_at_reset = 0;
+    int first_com = 0;                             ///< where the glass begins: A2h makes up for it
+    std::uint8_t lock_command = 0, unlock_all = 0; ///< what opens the registers below
+    std::span<const std::uint8_t> locked{};
+    std::uint8_t clear_command = 0; ///< the drawing engine's, four corners
+};
+
+extern const WindowedChip ssd1327, ssd0323, ssd1351, ssd1331;
+
+class WindowedController final : public OledController {
+  public:
+    WindowedController(const WindowedChip& chip, const GlassMount& glass, OledBus bus);
+
+    bool display_on() const { return on_; }
+    std::uint8_t remap() const { return remap_; }
+    /// Row by row: 0..15 of grey chips, else 16 bits as RGB565.
+    unsigned value(int column, int row) const { return memory_[index(column, row)]; }
+
+  private:
+    const WindowedChip windowed_;
+    std::vector<std::uint16_t> memory_;
+    std::uint8_t remap_ = 0;
+    int first_column_ = 0, last_column_ = 0, first_row_ = 0, last_row_ = 0, column_ = 0, row_ = 0;
+    int start_line_ = 0, offset_ = 0, multiplex_ = 0;
+    Shown shown_ = Shown::memory;
+    bool on_ = false, streaming_ = false, scrolling_ = false, unlocked_ = false;
+    std::array<std::uint8_t, 2> pixel_{};
+    int pixel_fill_ = 0;
+    std::uint64_t stream_ = 0; ///< addresses written since the last command
+    Time busy_until_ = 0;
+
+    void power_on() override;
+    void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) override;
+    void data(std::uint8_t byte, Time now) override;
+    void end_data(Time now) override;
+    void put(unsigned value, Time now);
+    void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> parameters, int bound,
+                   Time now);
+    void clear(std::span<const std::uint8_t> corners, Time now);
+    bool locks(std::uint8_t command) const;
+    bool bit(std::uint8_t mask) const { return (remap_ & mask) != 0; }
+    bool two_bytes() const { return !windowed_.grey && (remap_ & 0xC0) != 0; }
+    int addresses() const { return windowed_.grey ? chip_.width / 2 : chip_.width; } ///< of columns
+    std::uint64_t window() const;
+    std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row * chip_.width + column);
+    }
+    void advance();
+    Lit lit(int column, int line) const override;
+    Rgb666 cell(int column, int row) const override;
+};
+
+} // namespace spangle::sim
