@@ -21,7 +21,7 @@ function(spangle_reference target)
 endfunction()
 
 function(spangle_features target)
-    foreach(feature LISTS LIGHTING FOG POLYGON_MODE COLOR_INDEX GET_PROC_ADDRESS)
+    foreach(feature ${SPANGLE_FEATURES})
         target_compile_definitions(${target} PUBLIC SPANGLE_FEATURE_${feature}=$<BOOL:${SPANGLE_FEATURE_${feature}}>)
     endforeach()
 endfunction()

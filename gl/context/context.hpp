@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "gl/context/attrib_state.hpp"
 #include "gl/context/error.hpp"
 #include "gl/context/types.hpp"
 #include "gl/list/list_state.hpp"
@@ -65,6 +66,7 @@ struct Context {
     PixelStoreState pixel_store;
     HintState hint;
     ListState list;
+    AttribState attrib;
 
     FragmentCache fragments;
     Drawable drawable;

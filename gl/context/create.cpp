@@ -65,6 +65,7 @@ void destroy_context(Context* context) {
 #if SPANGLE_FEATURE_LISTS
     list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
 #endif
+    release_attributes(*context);
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);

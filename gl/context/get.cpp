@@ -1,4 +1,6 @@
 // Get{Boolean,Integer,Float,Double,Fixed}v, GetPointerv, GetString, GetError (GL 1.3, 2.5, 6.1.2, 6.1.11).
+#include <cstring>
+
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
@@ -11,7 +13,7 @@ namespace {
 
 template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
     const StateRow* const row = find_state(pname);
-    if (row == nullptr)
+    if (row == nullptr || row->source == Source::pointer)
         return error(context, GL_INVALID_ENUM);
     if (row->left_out)
         return error(context, GL_INVALID_OPERATION, row->missing);
@@ -44,33 +46,14 @@ void GetFixedvOES(Context& context, GLenum pname, GLfixed* params) {
 }
 
 void GetPointerv(Context& context, GLenum pname, void** params) {
-    const ArraysState& arrays = context.arrays;
-    const void* pointer = nullptr;
-    switch (pname) {
-    case GL_VERTEX_ARRAY_POINTER:
-        pointer = arrays.vertex.pointer;
-        break;
-    case GL_NORMAL_ARRAY_POINTER:
-        pointer = arrays.normal.pointer;
-        break;
-    case GL_COLOR_ARRAY_POINTER:
-        pointer = arrays.color.pointer;
-        break;
-    case GL_INDEX_ARRAY_POINTER:
-        pointer = arrays.index.pointer;
-        break;
-    case GL_EDGE_FLAG_ARRAY_POINTER:
-        pointer = arrays.edge_flag.pointer;
-        break;
-    case GL_TEXTURE_COORD_ARRAY_POINTER:
-        pointer = arrays.tex_coord[0].pointer;
-        break;
-    default:
+    const StateRow* const row = find_state(pname);
+    if (row == nullptr || row->source != Source::pointer)
         return error(context, GL_INVALID_ENUM);
-    }
+    if (row->left_out)
+        return error(context, GL_INVALID_OPERATION, row->missing);
     if (params == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetPointerv: null pointer"));
-    *params = const_cast<void*>(pointer);
+    std::memcpy(params, reinterpret_cast<const unsigned char*>(&context) + row->where, sizeof *params);
 }
 
 GLenum GetError(Context& context) {

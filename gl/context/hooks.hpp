@@ -2,6 +2,8 @@
 // is returned.
 #pragma once
 
+#include <cstddef>
+
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
@@ -17,7 +19,18 @@ GLint stack_depth(const Context& context, GLenum pname);
 /// Enable(GL_COLOR_MATERIAL): the tracked properties become the current colour at once (GL 1.3, 2.13.3).
 void color_material_enabled(Context& context);
 
+// gl/context
+/// Entries on the attribute stack of the server or of the client.
+GLint saved_attributes(const Context& context, bool client);
+/// Frees what is still on the attribute stacks.
+void release_attributes(Context& context);
+
 // gl/texture
+/// What the texture group saves beside rows of the state table: bindings, environments, and parameters of the
+/// bound objects (GL 1.3, 6.1.12).
+std::size_t saved_texture_bytes();
+void save_textures(const Context& context, void* to);
+void restore_textures(Context& context, const void* from);
 /// Name bound to GL_TEXTURE_2D of the active unit.
 GLuint texture_binding_2d(const Context& context);
 /// Undoes what this context keeps in the arena (the default textures).

@@ -9,6 +9,6 @@ inline constexpr std::int32_t max_viewport_dim = 2048; ///< 4 x it is raster::gu
 inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels, 1 and up
 inline constexpr std::int32_t max_line_width = 64;
 inline constexpr std::int32_t modelview_stack_entries = 32, projection_stack_entries = 2,
-                              texture_stack_entries = 2;
+                              texture_stack_entries = 2, attrib_stack_entries = 16;
 
 } // namespace spangle::gl

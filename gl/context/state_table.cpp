@@ -16,9 +16,10 @@ namespace {
 
 template <class T> constexpr Source source_of_type() {
     using Element = std::remove_all_extents_t<T>;
-    return std::is_same_v<Element, bool>   ? Source::boolean
-           : std::is_same_v<Element, Real> ? Source::real
-                                           : Source::integer;
+    return std::is_same_v<Element, bool>          ? Source::boolean
+           : std::is_same_v<Element, Real>        ? Source::real
+           : std::is_same_v<Element, const void*> ? Source::pointer
+                                                  : Source::integer;
 }
 
 template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
@@ -52,6 +53,24 @@ constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
     return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
 }
 
+/// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
+constexpr StateRow held(std::size_t offset, std::size_t bytes) {
+    return {0,
+            Kind::integer,
+            Source::held,
+            Switch::none,
+            0,
+            static_cast<std::uint32_t>(offset | bytes << 16),
+            nullptr,
+            nullptr,
+            false};
+}
+
+/// The rows up to the next one of these belong to `group`.
+constexpr StateRow in(Group group) {
+    return {0, Kind::integer, Source::section, Switch::none, 0, 0, nullptr, nullptr, false, group};
+}
+
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.
 constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
     row.left_out = !present;
@@ -72,6 +91,10 @@ constexpr StateRow of_polygon_mode(StateRow row) {
 constexpr StateRow of_color_index(StateRow row) {
     return of_feature(SPANGLE_FEATURE_COLOR_INDEX != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"), row);
+}
+constexpr StateRow of_attrib_stacks(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_ATTRIB_STACKS != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_ATTRIB_STACKS"), row);
 }
 constexpr StateRow of_lists(StateRow row) {
     return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"),
@@ -103,6 +126,10 @@ void viewport_limits(const Context&, GLenum, Param* out) {
     out[0] = out[1] = integer(max_viewport_dim);
 }
 
+void saved_depth(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(saved_attributes(context, name == GL_CLIENT_ATTRIB_STACK_DEPTH));
+}
+
 void size_range(const Context&, GLenum name, Param* out) {
     const bool point = name == GL_POINT_SIZE_RANGE || name == GL_ALIASED_POINT_SIZE_RANGE;
     out[0] = integer(1);
@@ -132,38 +159,45 @@ void bits(const Context& context, GLenum name, Param* out) {
                                                                                offsetof(Context, MEMBER))
 #define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
 #define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
+#define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
 #define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
 
-// In the order of GL 1.3, 6.2.
+// By attribute group (GL 1.3, 6.2).
 constexpr auto unsorted = std::to_array<StateRow>({
-    // Current values
+    in(Group::current),
     linear(STORED(GL_CURRENT_COLOR, current.color)),
     linear(STORED(GL_CURRENT_NORMAL, current.normal)),
     of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
     of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
     STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0]),
-    // Vertex arrays
+    in(Group::client_vertex_array),
     CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
     STORED(GL_VERTEX_ARRAY_SIZE, arrays.vertex.size),
     STORED(GL_VERTEX_ARRAY_TYPE, arrays.vertex.type),
     STORED(GL_VERTEX_ARRAY_STRIDE, arrays.vertex.stride),
+    STORED(GL_VERTEX_ARRAY_POINTER, arrays.vertex.pointer),
     CLIENT_SWITCH(GL_NORMAL_ARRAY, arrays.normal.enabled),
     STORED(GL_NORMAL_ARRAY_TYPE, arrays.normal.type),
     STORED(GL_NORMAL_ARRAY_STRIDE, arrays.normal.stride),
+    STORED(GL_NORMAL_ARRAY_POINTER, arrays.normal.pointer),
     CLIENT_SWITCH(GL_COLOR_ARRAY, arrays.color.enabled),
     STORED(GL_COLOR_ARRAY_SIZE, arrays.color.size),
     STORED(GL_COLOR_ARRAY_TYPE, arrays.color.type),
     STORED(GL_COLOR_ARRAY_STRIDE, arrays.color.stride),
+    STORED(GL_COLOR_ARRAY_POINTER, arrays.color.pointer),
     of_color_index(CLIENT_SWITCH(GL_INDEX_ARRAY, arrays.index.enabled)),
     of_color_index(STORED(GL_INDEX_ARRAY_TYPE, arrays.index.type)),
     of_color_index(STORED(GL_INDEX_ARRAY_STRIDE, arrays.index.stride)),
+    of_color_index(STORED(GL_INDEX_ARRAY_POINTER, arrays.index.pointer)),
     of_polygon_mode(CLIENT_SWITCH(GL_EDGE_FLAG_ARRAY, arrays.edge_flag.enabled)),
     of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_STRIDE, arrays.edge_flag.stride)),
+    of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_POINTER, arrays.edge_flag.pointer)),
     CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled),
     STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size),
     STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type),
     STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride),
-    // Transformation
+    STORED(GL_TEXTURE_COORD_ARRAY_POINTER, arrays.tex_coord[0].pointer),
+    in(Group::none),
     computed(GL_MODELVIEW_MATRIX, Kind::real, 16, matrix),
     computed(GL_PROJECTION_MATRIX, Kind::real, 16, matrix),
     computed(GL_TEXTURE_MATRIX, Kind::real, 16, matrix),
@@ -173,20 +207,22 @@ constexpr auto unsorted = std::to_array<StateRow>({
     computed(GL_MODELVIEW_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
     computed(GL_PROJECTION_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
     computed(GL_TEXTURE_STACK_DEPTH, Kind::integer, 1, depth_of_stack),
+    in(Group::transform),
     STORED(GL_MATRIX_MODE, transform.matrix_mode),
-    STORED(GL_VIEWPORT, transform.viewport),
-    linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
     SWITCH(GL_NORMALIZE, transform.normalize),
     SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
-    // Colouring
+    in(Group::viewport),
+    STORED(GL_VIEWPORT, transform.viewport),
+    linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
+    in(Group::fog),
     of_fog(linear(STORED(GL_FOG_COLOR, fog.color))),
     of_fog(STORED(GL_FOG_DENSITY, fog.density)),
     of_fog(STORED(GL_FOG_START, fog.start)),
     of_fog(STORED(GL_FOG_END, fog.end)),
     of_fog(STORED(GL_FOG_MODE, fog.mode)),
     of_fog(SWITCH(GL_FOG, fog.fog)),
+    in(Group::lighting),
     STORED(GL_SHADE_MODEL, polygon.shade_model),
-    // Lighting
     of_lighting(SWITCH(GL_LIGHTING, lighting.lighting)),
     of_lighting(SWITCH(GL_COLOR_MATERIAL, lighting.color_material)),
     of_lighting(STORED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_parameter)),
@@ -203,22 +239,28 @@ constexpr auto unsorted = std::to_array<StateRow>({
     LIGHT(5),
     LIGHT(6),
     LIGHT(7),
-    // Rasterization
+    of_lighting(HELD(lighting.light)),
+    of_lighting(HELD(lighting.material)),
+    in(Group::point),
     STORED(GL_POINT_SIZE, polygon.point_size),
+    in(Group::line),
     STORED(GL_LINE_WIDTH, polygon.line_width),
+    in(Group::polygon),
     SWITCH(GL_CULL_FACE, polygon.cull_face),
     STORED(GL_CULL_FACE_MODE, polygon.cull_face_mode),
     of_polygon_mode(STORED(GL_POLYGON_MODE, polygon.mode)),
     STORED(GL_FRONT_FACE, polygon.front_face),
-    // Textures
+    in(Group::texture),
     SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d),
     computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, binding),
-    // Pixel operations
+    in(Group::scissor),
     SWITCH(GL_SCISSOR_TEST, fragment_ops.scissor_test),
     STORED(GL_SCISSOR_BOX, fragment_ops.scissor_box),
+    in(Group::color_buffer),
     SWITCH(GL_ALPHA_TEST, fragment_ops.alpha_test),
     STORED(GL_ALPHA_TEST_FUNC, fragment_ops.alpha_func),
     linear(STORED(GL_ALPHA_TEST_REF, fragment_ops.alpha_ref)),
+    in(Group::stencil_buffer),
     SWITCH(GL_STENCIL_TEST, fragment_ops.stencil_test),
     STORED(GL_STENCIL_FUNC, fragment_ops.stencil_func),
     STORED(GL_STENCIL_VALUE_MASK, fragment_ops.stencil_value_mask),
@@ -226,21 +268,22 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_STENCIL_FAIL, fragment_ops.stencil_fail),
     STORED(GL_STENCIL_PASS_DEPTH_FAIL, fragment_ops.stencil_pass_depth_fail),
     STORED(GL_STENCIL_PASS_DEPTH_PASS, fragment_ops.stencil_pass_depth_pass),
+    STORED(GL_STENCIL_WRITEMASK, fragment_ops.stencil_write_mask),
+    STORED(GL_STENCIL_CLEAR_VALUE, fragment_ops.stencil_clear),
+    in(Group::depth_buffer),
     SWITCH(GL_DEPTH_TEST, fragment_ops.depth_test),
     STORED(GL_DEPTH_FUNC, fragment_ops.depth_func),
+    STORED(GL_DEPTH_WRITEMASK, fragment_ops.depth_mask),
+    linear(STORED(GL_DEPTH_CLEAR_VALUE, fragment_ops.depth_clear)),
+    in(Group::color_buffer),
     SWITCH(GL_BLEND, fragment_ops.blend),
     STORED(GL_BLEND_SRC, fragment_ops.blend_src),
     STORED(GL_BLEND_DST, fragment_ops.blend_dst),
     SWITCH(GL_DITHER, fragment_ops.dither),
-    // Framebuffer control
     STORED(GL_DRAW_BUFFER, fragment_ops.draw_buffer),
     STORED(GL_COLOR_WRITEMASK, fragment_ops.color_mask),
-    STORED(GL_DEPTH_WRITEMASK, fragment_ops.depth_mask),
-    STORED(GL_STENCIL_WRITEMASK, fragment_ops.stencil_write_mask),
     linear(STORED(GL_COLOR_CLEAR_VALUE, fragment_ops.color_clear)),
-    linear(STORED(GL_DEPTH_CLEAR_VALUE, fragment_ops.depth_clear)),
-    STORED(GL_STENCIL_CLEAR_VALUE, fragment_ops.stencil_clear),
-    // Pixels
+    in(Group::client_pixel_store),
     STORED(GL_UNPACK_SWAP_BYTES, pixel_store.unpack.swap_bytes),
     STORED(GL_UNPACK_LSB_FIRST, pixel_store.unpack.lsb_first),
     STORED(GL_UNPACK_IMAGE_HEIGHT, pixel_store.unpack.image_height),
@@ -257,19 +300,26 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_PACK_SKIP_ROWS, pixel_store.pack.skip_rows),
     STORED(GL_PACK_SKIP_PIXELS, pixel_store.pack.skip_pixels),
     STORED(GL_PACK_ALIGNMENT, pixel_store.pack.alignment),
+    in(Group::pixel_mode),
     STORED(GL_READ_BUFFER, fragment_ops.read_buffer),
-    // Display lists
+    in(Group::list),
     of_lists(STORED(GL_LIST_BASE, list.base)),
+    in(Group::none),
     of_lists(STORED(GL_LIST_INDEX, list.index)),
     of_lists(STORED(GL_LIST_MODE, list.mode)),
     of_lists(constant(GL_MAX_LIST_NESTING, max_list_nesting)),
-    // Hints
+    in(Group::hint),
     STORED(GL_PERSPECTIVE_CORRECTION_HINT, hint.perspective_correction),
     STORED(GL_POINT_SMOOTH_HINT, hint.point_smooth),
     STORED(GL_LINE_SMOOTH_HINT, hint.line_smooth),
     STORED(GL_POLYGON_SMOOTH_HINT, hint.polygon_smooth),
     STORED(GL_FOG_HINT, hint.fog),
-    // Limits
+    STORED(GL_TEXTURE_COMPRESSION_HINT, hint.texture_compression),
+    in(Group::none), // the attribute stacks themselves, and limits
+    of_attrib_stacks(computed(GL_ATTRIB_STACK_DEPTH, Kind::integer, 1, saved_depth)),
+    of_attrib_stacks(computed(GL_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, 1, saved_depth)),
+    of_attrib_stacks(constant(GL_MAX_ATTRIB_STACK_DEPTH, attrib_stack_entries)),
+    of_attrib_stacks(constant(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, attrib_stack_entries)),
     of_lighting(constant(GL_MAX_LIGHTS, max_lights)),
     constant(GL_MAX_MODELVIEW_STACK_DEPTH, modelview_stack_entries),
     constant(GL_MAX_PROJECTION_STACK_DEPTH, projection_stack_entries),
@@ -306,10 +356,28 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef STORED
 #undef SWITCH
 #undef CLIENT_SWITCH
+#undef HELD
 #undef LIGHT
 
+constexpr std::size_t count_sections() {
+    std::size_t n = 0;
+    for (const StateRow& row : unsorted)
+        n += row.source == Source::section ? 1 : 0;
+    return n;
+}
+
 constexpr auto sorted_by_name() {
-    auto rows = unsorted;
+    std::array<StateRow, unsorted.size() - count_sections()> rows{};
+    Group group = Group::none;
+    std::size_t used = 0;
+    for (const StateRow& row : unsorted) {
+        if (row.source == Source::section) {
+            group = row.group;
+            continue;
+        }
+        rows[used] = row;
+        rows[used++].group = group;
+    }
     for (std::size_t i = 1; i < rows.size(); ++i)
         for (std::size_t k = i; k > 0 && rows[k].name < rows[k - 1].name; --k)
             std::swap(rows[k], rows[k - 1]);
@@ -320,11 +388,12 @@ constexpr auto table = sorted_by_name();
 
 constexpr bool names_differ() {
     for (std::size_t i = 1; i < table.size(); ++i)
-        if (table[i].name == table[i - 1].name)
+        if (table[i].name == table[i - 1].name && table[i].name != 0)
             return false;
     return true;
 }
 static_assert(names_differ());
+static_assert(sizeof(Context) <= 0x10000, "offsets of held bytes have 16 bits");
 
 } // namespace
 
@@ -337,6 +406,26 @@ const StateRow* find_state(GLenum name) {
         (table[middle].name < name ? low : high) = table[middle].name < name ? middle + 1 : middle;
     }
     return nullptr;
+}
+
+std::span<const StateRow> all_state() {
+    return table;
+}
+
+Kept kept_by(const StateRow& row) {
+    switch (row.source) {
+    case Source::boolean:
+        return {row.where, row.count};
+    case Source::integer:
+    case Source::real:
+        return {row.where, row.count * std::uint32_t{4}};
+    case Source::pointer:
+        return {row.where, sizeof(void*)};
+    case Source::held:
+        return {row.where & 0xFFFF, row.where >> 16};
+    default:
+        return {0, 0};
+    }
 }
 
 void load_state(const Context& context, const StateRow& row, Param* out) {
@@ -360,6 +449,8 @@ void load_state(const Context& context, const StateRow& row, Param* out) {
         break;
     case Source::computed:
         row.compute(context, row.name, out);
+        break;
+    default: // pointers and held bytes are no Params
         break;
     }
 }

@@ -1,5 +1,7 @@
-// The one table of queryable state: where each value lies and how queries convert it.
+// The one table of state: where each value lies, how queries convert it, and which attribute group saves it.
 #pragma once
+
+#include <span>
 
 #include "gl/api/family.hpp"
 #include "gl/context/types.hpp"
@@ -13,8 +15,11 @@ enum class Source : std::uint8_t {
     boolean,  ///< bool in the context
     integer,  ///< GLint, GLuint or GLenum in the context
     real,     ///< Real in the context
+    pointer,  ///< of client memory: GetPointerv only
     constant, ///< `where` itself
     computed, ///< asked of a function
+    held,     ///< no query of its own: bytes that the attribute stack saves as they are
+    section,  ///< not a row: the group of those that follow, while the table is written
 };
 
 enum class Switch : std::uint8_t {
@@ -23,22 +28,60 @@ enum class Switch : std::uint8_t {
     client, ///< IsEnabled only: EnableClientState sets it
 };
 
+/// Attribute groups by the number of their bit (GL 1.3, table 6.4), those of the client behind the others.
+enum class Group : std::uint8_t {
+    current,
+    point,
+    line,
+    polygon,
+    polygon_stipple,
+    pixel_mode,
+    lighting,
+    fog,
+    depth_buffer,
+    accum_buffer,
+    stencil_buffer,
+    viewport,
+    transform,
+    enable,
+    color_buffer,
+    hint,
+    eval,
+    list,
+    texture,
+    scissor,
+    multisample = 29,
+    client_pixel_store,
+    client_vertex_array,
+    none,
+};
+
 struct StateRow {
-    GLenum name;
-    Kind kind; ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    GLenum name; ///< 0: no query
+    Kind kind;   ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
     Source source;
     Switch toggle;
     std::uint8_t count;
-    std::uint32_t where; ///< offset in Context, or the constant
+    std::uint32_t where; ///< offset in Context, or the constant; of held bytes also their number, from bit 16
     void (*compute)(const Context& context, GLenum name, Param* out);
     const char* missing; ///< the system this build left out, or null: then the row is there
     bool left_out;
+    Group group = Group::none; ///< every Switch::server is in Group::enable, too
 };
 
 inline constexpr int most_values = 16;
 
 /// The row called `name`, or null.
 const StateRow* find_state(GLenum name);
+
+/// Every row, in any order.
+std::span<const StateRow> all_state();
+
+/// The bytes that a row keeps in the context; 0 where it keeps none.
+struct Kept {
+    std::uint32_t offset, bytes;
+};
+Kept kept_by(const StateRow& row);
 
 /// Writes row.count values.
 void load_state(const Context& context, const StateRow& row, Param* out);

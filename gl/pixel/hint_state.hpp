@@ -11,6 +11,7 @@ struct HintState {
     GLenum line_smooth = GL_DONT_CARE;
     GLenum polygon_smooth = GL_DONT_CARE;
     GLenum fog = GL_DONT_CARE;
+    GLenum texture_compression = GL_DONT_CARE;
 };
 
 } // namespace spangle::gl

@@ -60,6 +60,9 @@ void Hint(Context& context, GLenum target, GLenum mode) {
     case GL_FOG_HINT:
         context.hint.fog = mode;
         break;
+    case GL_TEXTURE_COMPRESSION_HINT:
+        context.hint.texture_compression = mode;
+        break;
     default:
         return error(context, GL_INVALID_ENUM);
     }

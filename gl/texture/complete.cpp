@@ -27,22 +27,23 @@ bool follows(const LevelShape& shape, const LevelShape& base, int step) {
 
 /// Levels to sample, the base level first; 0: incomplete.
 int usable_levels(const TextureObject& texture) {
-    if (texture.base_level >= texture_levels || texture.level[texture.base_level] == nullptr)
+    if (texture.parameters.base_level >= texture_levels ||
+        texture.level[texture.parameters.base_level] == nullptr)
         return 0;
-    const LevelShape& base = texture.level[texture.base_level]->shape;
+    const LevelShape& base = texture.level[texture.parameters.base_level]->shape;
     if (base.width == 0 || base.height == 0)
         return 0;
-    if (!has_mipmaps(texture.min_filter))
+    if (!has_mipmaps(texture.parameters.min_filter))
         return 1;
-    if (texture.base_level > texture.max_level)
+    if (texture.parameters.base_level > texture.parameters.max_level)
         return 0;
     // p = max(n, m) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
     const int chain =
         static_cast<int>(std::bit_width(inner(base.width, base) | inner(base.height, base))); // max(n, m) + 1
-    const int wanted = texture.max_level - texture.base_level;
+    const int wanted = texture.parameters.max_level - texture.parameters.base_level;
     const int count = wanted < chain - 1 ? wanted + 1 : chain;
     for (int step = 1; step < count; ++step) {
-        const LevelImage* image = texture.level[texture.base_level + step];
+        const LevelImage* image = texture.level[texture.parameters.base_level + step];
         if (image == nullptr || !follows(image->shape, base, step))
             return 0;
     }
@@ -70,8 +71,8 @@ raster::Wrap wrap_of(GLenum mode) {
 }
 
 void set_filters(const TextureObject& texture, raster::Texture& view) {
-    view.mag = texture.mag_filter == GL_LINEAR ? raster::Filter::linear : raster::Filter::nearest;
-    const GLenum min = texture.min_filter;
+    view.mag = texture.parameters.mag_filter == GL_LINEAR ? raster::Filter::linear : raster::Filter::nearest;
+    const GLenum min = texture.parameters.min_filter;
     const bool linear = min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_LINEAR;
     view.min = linear ? raster::Filter::linear : raster::Filter::nearest;
     view.mip = !has_mipmaps(min) ? raster::MipFilter::none
@@ -87,20 +88,21 @@ void build(const TextureObject& texture) {
     if (!texture.complete)
         return;
     raster::Texture& view = texture.view;
-    const LevelShape& base = texture.level[texture.base_level]->shape;
+    const LevelShape& base = texture.level[texture.parameters.base_level]->shape;
     view.level_count = static_cast<std::uint8_t>(count);
     for (int l = 0; l < count; ++l)
-        view.level[l] = view_of(*texture.level[texture.base_level + l]);
+        view.level[l] = view_of(*texture.level[texture.parameters.base_level + l]);
     view.format = base.format;
     view.base = base_format_of(base.format);
-    view.wrap_s = wrap_of(texture.wrap_s);
-    view.wrap_t = wrap_of(texture.wrap_t);
+    view.wrap_s = wrap_of(texture.parameters.wrap_s);
+    view.wrap_t = wrap_of(texture.parameters.wrap_t);
     set_filters(texture, view);
     view.border_texels = base.border;
-    view.min_lod = numeric::to_fixed(texture.min_lod, 8);
-    view.max_lod = numeric::to_fixed(texture.max_lod, 8);
+    view.min_lod = numeric::to_fixed(texture.parameters.min_lod, 8);
+    view.max_lod = numeric::to_fixed(texture.parameters.max_lod, 8);
     for (int c = 0; c < 4; ++c)
-        view.border_color[c] = static_cast<std::uint8_t>(numeric::to_unit(texture.border_color[c], 8));
+        view.border_color[c] =
+            static_cast<std::uint8_t>(numeric::to_unit(texture.parameters.border_color[c], 8));
 }
 
 } // namespace

@@ -38,29 +38,29 @@ GLenum set_parameter(TextureObject& texture, GLenum pname, const Params& params)
     const Param value = params.v[0];
     switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
-        return set_token(texture.min_filter, value.token(), is_min_filter);
+        return set_token(texture.parameters.min_filter, value.token(), is_min_filter);
     case GL_TEXTURE_MAG_FILTER:
-        return set_token(texture.mag_filter, value.token(), is_mag_filter);
+        return set_token(texture.parameters.mag_filter, value.token(), is_mag_filter);
     case GL_TEXTURE_WRAP_S:
-        return set_token(texture.wrap_s, value.token(), is_wrap);
+        return set_token(texture.parameters.wrap_s, value.token(), is_wrap);
     case GL_TEXTURE_WRAP_T:
-        return set_token(texture.wrap_t, value.token(), is_wrap);
+        return set_token(texture.parameters.wrap_t, value.token(), is_wrap);
     case GL_TEXTURE_BASE_LEVEL:
-        return set_level(texture.base_level, value.integer());
+        return set_level(texture.parameters.base_level, value.integer());
     case GL_TEXTURE_MAX_LEVEL:
-        return set_level(texture.max_level, value.integer());
+        return set_level(texture.parameters.max_level, value.integer());
     case GL_TEXTURE_MIN_LOD:
-        texture.min_lod = value.real();
+        texture.parameters.min_lod = value.real();
         return GL_NO_ERROR;
     case GL_TEXTURE_MAX_LOD:
-        texture.max_lod = value.real();
+        texture.parameters.max_lod = value.real();
         return GL_NO_ERROR;
     case GL_TEXTURE_PRIORITY:
-        texture.priority = numeric::clamp01(value.real());
+        texture.parameters.priority = numeric::clamp01(value.real());
         return GL_NO_ERROR;
     case GL_TEXTURE_BORDER_COLOR:
         for (int c = 0; c < 4; ++c)
-            texture.border_color[c] = numeric::clamp01(params.v[c].real());
+            texture.parameters.border_color[c] = numeric::clamp01(params.v[c].real());
         return GL_NO_ERROR;
     default:
         return GL_INVALID_ENUM;
@@ -123,28 +123,28 @@ void GetTexParameter(Context& context, GLenum target, GLenum pname, Params& para
     const TextureObject& texture = context.texture.bound(context.texture.active);
     switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
-        return answer(params, texture.min_filter);
+        return answer(params, texture.parameters.min_filter);
     case GL_TEXTURE_MAG_FILTER:
-        return answer(params, texture.mag_filter);
+        return answer(params, texture.parameters.mag_filter);
     case GL_TEXTURE_WRAP_S:
-        return answer(params, texture.wrap_s);
+        return answer(params, texture.parameters.wrap_s);
     case GL_TEXTURE_WRAP_T:
-        return answer(params, texture.wrap_t);
+        return answer(params, texture.parameters.wrap_t);
     case GL_TEXTURE_BASE_LEVEL:
-        return answer(params, texture.base_level);
+        return answer(params, texture.parameters.base_level);
     case GL_TEXTURE_MAX_LEVEL:
-        return answer(params, texture.max_level);
+        return answer(params, texture.parameters.max_level);
     case GL_TEXTURE_MIN_LOD:
-        return answer(params, Param::from(texture.min_lod));
+        return answer(params, Param::from(texture.parameters.min_lod));
     case GL_TEXTURE_MAX_LOD:
-        return answer(params, Param::from(texture.max_lod));
+        return answer(params, Param::from(texture.parameters.max_lod));
     case GL_TEXTURE_PRIORITY:
-        return answer(params, Param::from(texture.priority));
+        return answer(params, Param::from(texture.parameters.priority));
     case GL_TEXTURE_RESIDENT: // there is one kind of memory
         return answer(params, GLuint{GL_TRUE});
     case GL_TEXTURE_BORDER_COLOR:
         for (int c = 0; c < 4; ++c)
-            params.v[c] = Param::from(texture.border_color[c]);
+            params.v[c] = Param::from(texture.parameters.border_color[c]);
         params.count = 4;
         return;
     default:

@@ -27,18 +27,22 @@ struct LevelImage {
     const std::uint8_t* texels() const { return reinterpret_cast<const std::uint8_t*>(this + 1); }
 };
 
-struct TextureObject {
-    GLuint name = 0;
-    std::uint32_t bindings = 0; ///< units, of all contexts of the share group, that hold it
-    bool deleted = false;       ///< its name is free again; the last binding keeps it
-    LevelImage* level[texture_levels] = {};
-
+/// What TexParameter sets.
+struct TextureParameters {
     GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
     GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT;
     Real border_color[4] = {};
     Real priority = numeric::one;
     Real min_lod{0xC47A0000}, max_lod{0x447A0000}; ///< -1000, 1000
     GLint base_level = 0, max_level = 1000;
+};
+
+struct TextureObject {
+    GLuint name = 0;
+    std::uint32_t bindings = 0; ///< units, of all contexts of the share group, that hold it
+    bool deleted = false;       ///< its name is free again; the last binding keeps it
+    LevelImage* level[texture_levels] = {};
+    TextureParameters parameters;
 
     // Derived from the above by complete_texture when a primitive needs it.
     mutable bool view_valid = false, complete = false;

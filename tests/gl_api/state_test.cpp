@@ -1,10 +1,12 @@
 // Initial state against GL 1.3's tables (6.5 to 6.29), and the conversions of the queries (6.1.2).
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <spangle/message.hpp>
 
 #include "gl/context/features.hpp"
+#include "gl/context/state_table.hpp"
 #include "tests/gl_api/recording_context.hpp"
 
 namespace spangle::test {
@@ -109,6 +111,7 @@ std::vector<Expected> initial_state() {
         {GL_LINE_SMOOTH_HINT, {GL_DONT_CARE}},
         {GL_POLYGON_SMOOTH_HINT, {GL_DONT_CARE}},
         {GL_FOG_HINT, {GL_DONT_CARE}},
+        {GL_TEXTURE_COMPRESSION_HINT, {GL_DONT_CARE}},
         {GL_MAX_MODELVIEW_STACK_DEPTH, {32}},
         {GL_MAX_PROJECTION_STACK_DEPTH, {2}},
         {GL_MAX_TEXTURE_STACK_DEPTH, {2}},
@@ -166,6 +169,12 @@ std::vector<Expected> initial_state() {
                                    {GL_INDEX_ARRAY, {0}},
                                    {GL_INDEX_ARRAY_TYPE, {GL_FLOAT}},
                                    {GL_INDEX_ARRAY_STRIDE, {0}}});
+    const std::vector<Expected> stacks = {{GL_ATTRIB_STACK_DEPTH, {0}},
+                                          {GL_CLIENT_ATTRIB_STACK_DEPTH, {0}},
+                                          {GL_MAX_ATTRIB_STACK_DEPTH, {16}},
+                                          {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, {16}}};
+    if (SPANGLE_FEATURE_ATTRIB_STACKS)
+        table.insert(table.end(), stacks.begin(), stacks.end());
     if (SPANGLE_FEATURE_FOG)
         table.insert(table.end(), fog.begin(), fog.end());
     if (SPANGLE_FEATURE_LIGHTING)
@@ -190,6 +199,17 @@ TEST_F(State, InitialValues) {
             EXPECT_EQ(d[i], as_signed(e.values[i])) << std::hex << e.name << " [" << i << "]";
         EXPECT_EQ(d[e.values.size()], -77) << std::hex << e.name << " wrote too much";
     }
+}
+
+/// No value that can be queried is left out above.
+TEST_F(State, InitialValuesAreOfTheWholeTable) {
+    std::set<GLenum> known = {GL_MAX_ELEMENTS_INDICES, GL_MAX_ELEMENTS_VERTICES}; // any value may do
+    for (const Expected& e : initial_state())
+        known.insert(e.name);
+    for (const gl::StateRow& row : gl::all_state())
+        if (row.name != 0 && row.source != gl::Source::pointer && !row.left_out) {
+            EXPECT_TRUE(known.contains(row.name)) << std::hex << row.name;
+        }
 }
 
 TEST_F(State, EveryQueryAgreesAcrossTypes) {
@@ -355,7 +375,13 @@ TEST_F(State, ArrayPointers) {
         glGetPointerv(names[i], &pointer);
         EXPECT_EQ(pointer, data + i);
     }
-    GLint n;
+    GLint n = -1;
+    glGetIntegerv(GL_VERTEX_ARRAY_POINTER, &n); // a pointer is no number
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
+    EXPECT_EQ(n, -1);
+    void* pointer = nullptr;
+    glGetPointerv(GL_VERTEX_ARRAY_STRIDE, &pointer);
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
     glGetIntegerv(GL_VERTEX_ARRAY_STRIDE, &n);
     EXPECT_EQ(n, 12);
 }

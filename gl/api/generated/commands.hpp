@@ -23,6 +23,10 @@ void GetDoublev(Context& context, GLenum pname, GLdouble* params);
 void GetFixedvOES(Context& context, GLenum pname, GLfixed* params);
 void GetPointerv(Context& context, GLenum pname, void** params);
 const GLubyte* GetString(Context& context, GLenum name);
+void PushAttrib(Context& context, GLbitfield mask);
+void PopAttrib(Context& context);
+void PushClientAttrib(Context& context, GLbitfield mask);
+void PopClientAttrib(Context& context);
 
 // Vertices, attributes, arrays (GL 1.3, 2.6 to 2.9).
 void Begin(Context& context, GLenum mode);
@@ -223,6 +227,34 @@ struct GetString {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetString between glBegin and glEnd");
+};
+struct PushAttrib {
+    static constexpr auto run = &cmd::PushAttrib;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPushAttrib between glBegin and glEnd");
+};
+struct PopAttrib {
+    static constexpr auto run = &cmd::PopAttrib;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPopAttrib between glBegin and glEnd");
+};
+struct PushClientAttrib {
+    static constexpr auto run = &cmd::PushClientAttrib;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPushClientAttrib between glBegin and glEnd");
+};
+struct PopClientAttrib {
+    static constexpr auto run = &cmd::PopClientAttrib;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPopClientAttrib between glBegin and glEnd");
 };
 struct Begin {
     static constexpr auto run = &cmd::Begin;

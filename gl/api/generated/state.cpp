@@ -54,4 +54,44 @@ const GLubyte* GLAPIENTRY glGetString(GLenum name) {
     return ask<family::GetString>(name);
 }
 
+#if SPANGLE_FEATURE_ATTRIB_STACKS
+
+void GLAPIENTRY glPushAttrib(GLbitfield mask) {
+    issue<family::PushAttrib>(mask);
+}
+
+void GLAPIENTRY glPopAttrib() {
+    issue<family::PopAttrib>();
+}
+
+void GLAPIENTRY glPushClientAttrib(GLbitfield mask) {
+    issue<family::PushClientAttrib>(mask);
+}
+
+void GLAPIENTRY glPopClientAttrib() {
+    issue<family::PopClientAttrib>();
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_ATTRIB_STACKS
+
+void GLAPIENTRY glPushAttrib(GLbitfield) {
+    refuse_feature(SPANGLE_TEXT("glPushAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
+}
+
+void GLAPIENTRY glPopAttrib() {
+    refuse_feature(SPANGLE_TEXT("glPopAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
+}
+
+void GLAPIENTRY glPushClientAttrib(GLbitfield) {
+    refuse_feature(SPANGLE_TEXT("glPushClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
+}
+
+void GLAPIENTRY glPopClientAttrib() {
+    refuse_feature(SPANGLE_TEXT("glPopClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
+}
+
+#endif
+
 } // extern "C"

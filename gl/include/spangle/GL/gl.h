@@ -48,6 +48,31 @@ typedef int GLclampx; /* S15.16, clamped to [0, 1] */
 #define GL_STACK_OVERFLOW 0x0503
 #define GL_STACK_UNDERFLOW 0x0504
 #define GL_OUT_OF_MEMORY 0x0505
+#define GL_CURRENT_BIT 1
+#define GL_POINT_BIT 0x0002
+#define GL_LINE_BIT 0x0004
+#define GL_POLYGON_BIT 0x0008
+#define GL_POLYGON_STIPPLE_BIT 0x0010
+#define GL_PIXEL_MODE_BIT 0x0020
+#define GL_LIGHTING_BIT 0x0040
+#define GL_FOG_BIT 0x0080
+#define GL_VIEWPORT_BIT 0x0800
+#define GL_TRANSFORM_BIT 0x1000
+#define GL_ENABLE_BIT 0x2000
+#define GL_HINT_BIT 0x8000
+#define GL_EVAL_BIT 0x10000
+#define GL_LIST_BIT 0x20000
+#define GL_TEXTURE_BIT 0x40000
+#define GL_SCISSOR_BIT 0x80000
+#define GL_MULTISAMPLE_BIT 0x20000000
+#define GL_ALL_ATTRIB_BITS 0xFFFFFFFF
+#define GL_CLIENT_PIXEL_STORE_BIT 1
+#define GL_CLIENT_VERTEX_ARRAY_BIT 0x0002
+#define GL_CLIENT_ALL_ATTRIB_BITS 0xFFFFFFFF
+#define GL_ATTRIB_STACK_DEPTH 0x0BB0
+#define GL_CLIENT_ATTRIB_STACK_DEPTH 0x0BB1
+#define GL_MAX_ATTRIB_STACK_DEPTH 0x0D35
+#define GL_MAX_CLIENT_ATTRIB_STACK_DEPTH 0x0D3B
 #define GL_VENDOR 0x1F00
 #define GL_RENDERER 0x1F01
 #define GL_VERSION 0x1F02
@@ -63,6 +88,10 @@ GLAPI void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params);
 GLAPI void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed* params);
 GLAPI void GLAPIENTRY glGetPointerv(GLenum pname, void** params);
 GLAPI const GLubyte* GLAPIENTRY glGetString(GLenum name);
+GLAPI void GLAPIENTRY glPushAttrib(GLbitfield mask);
+GLAPI void GLAPIENTRY glPopAttrib(void);
+GLAPI void GLAPIENTRY glPushClientAttrib(GLbitfield mask);
+GLAPI void GLAPIENTRY glPopClientAttrib(void);
 
 /* Vertices, attributes, arrays (GL 1.3, 2.6 to 2.9) */
 #define GL_POINTS 0
@@ -554,6 +583,7 @@ GLAPI void GLAPIENTRY glLineWidthxOES(GLfixed width);
 #define GL_LINE_SMOOTH_HINT 0x0C52
 #define GL_POLYGON_SMOOTH_HINT 0x0C53
 #define GL_FOG_HINT 0x0C54
+#define GL_TEXTURE_COMPRESSION_HINT 0x84EF
 #define GL_DONT_CARE 0x1100
 #define GL_FASTEST 0x1101
 #define GL_NICEST 0x1102

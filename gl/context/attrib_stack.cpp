@@ -1,0 +1,144 @@
+// PushAttrib, PopAttrib and their like for the client (GL 1.3, 6.1.12). What a group holds stands in the
+// state table; an entry has the bytes of the groups that were asked for and nothing else.
+#include <cstring>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/context/limits.hpp"
+#include "gl/context/state_table.hpp"
+
+namespace spangle::gl {
+
+#if SPANGLE_FEATURE_ATTRIB_STACKS
+
+/// Header of an entry; saved bytes follow, in the order of the table, then what the texture group adds.
+struct SavedAttributes {
+    SavedAttributes* below;
+    GLbitfield groups;
+};
+
+namespace {
+
+constexpr GLbitfield bit(Group group) {
+    return 1u << static_cast<unsigned>(group);
+}
+
+constexpr GLbitfield server_groups = 0x200FFFFF; // the 21 of GL 1.3, table 6.4; other bits mean nothing
+static_assert(bit(Group::scissor) == GL_SCISSOR_BIT && bit(Group::multisample) == GL_MULTISAMPLE_BIT);
+
+GLbitfield client_groups(GLbitfield mask) {
+    return ((mask & GL_CLIENT_PIXEL_STORE_BIT) != 0 ? bit(Group::client_pixel_store) : 0) |
+           ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
+}
+
+bool belongs(const StateRow& row, GLbitfield groups) {
+    return (row.group != Group::none && (groups & bit(row.group)) != 0) ||
+           (row.toggle == Switch::server && (groups & bit(Group::enable)) != 0);
+}
+
+/// Calls f(offset in the context, bytes) for everything that the groups keep there.
+template <class F> void for_each_kept(GLbitfield groups, F f) {
+    for (const StateRow& row : all_state())
+        if (belongs(row, groups))
+            if (const Kept kept = kept_by(row); kept.bytes != 0)
+                f(kept.offset, kept.bytes);
+}
+
+void push(Context& context, AttribStack& stack, GLbitfield groups) {
+    if (stack.depth == attrib_stack_entries)
+        return error(context, GL_STACK_OVERFLOW);
+    std::size_t bytes = sizeof(SavedAttributes);
+    for_each_kept(groups, [&bytes](std::uint32_t, std::uint32_t size) { bytes += size; });
+    const bool textures = (groups & bit(Group::texture)) != 0;
+    auto* const entry = static_cast<SavedAttributes*>(
+        context.arena->allocate(bytes + (textures ? saved_texture_bytes() : 0)));
+    if (entry == nullptr)
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for an attribute group"));
+    entry->below = stack.top;
+    entry->groups = groups;
+    auto* to = reinterpret_cast<unsigned char*>(entry + 1);
+    const auto* const from = reinterpret_cast<const unsigned char*>(&context);
+    for_each_kept(groups, [&to, from](std::uint32_t offset, std::uint32_t size) {
+        std::memcpy(to, from + offset, size);
+        to += size;
+    });
+    if (textures)
+        save_textures(context, to);
+    stack.top = entry;
+    ++stack.depth;
+}
+
+void pop(Context& context, AttribStack& stack) {
+    SavedAttributes* const entry = stack.top;
+    if (entry == nullptr)
+        return error(context, GL_STACK_UNDERFLOW);
+    stack.top = entry->below;
+    --stack.depth;
+    const auto* from = reinterpret_cast<const unsigned char*>(entry + 1);
+    auto* const to = reinterpret_cast<unsigned char*>(&context);
+    for_each_kept(entry->groups, [&from, to](std::uint32_t offset, std::uint32_t size) {
+        std::memcpy(to + offset, from, size);
+        from += size;
+    });
+    if ((entry->groups & bit(Group::texture)) != 0)
+        restore_textures(context, from);
+    context.arena->free(entry);
+    context.changed(dirty_all);
+#if SPANGLE_FEATURE_LIGHTING
+    if (context.lighting.color_material) // a tracked material is the current colour, whichever was popped
+        color_material_enabled(context);
+#endif
+}
+
+void release(Context& context, AttribStack& stack) {
+    while (stack.top != nullptr) {
+        SavedAttributes* const entry = stack.top;
+        stack.top = entry->below;
+        context.arena->free(entry);
+    }
+}
+
+} // namespace
+
+GLint saved_attributes(const Context& context, bool client) {
+    return (client ? context.attrib.client : context.attrib.server).depth;
+}
+
+void release_attributes(Context& context) {
+    release(context, context.attrib.server);
+    release(context, context.attrib.client);
+}
+
+namespace cmd {
+
+void PushAttrib(Context& context, GLbitfield mask) {
+    push(context, context.attrib.server, mask & server_groups);
+}
+
+void PopAttrib(Context& context) {
+    pop(context, context.attrib.server);
+}
+
+void PushClientAttrib(Context& context, GLbitfield mask) {
+    push(context, context.attrib.client, client_groups(mask));
+}
+
+void PopClientAttrib(Context& context) {
+    pop(context, context.attrib.client);
+}
+
+} // namespace cmd
+
+#else
+
+GLint saved_attributes(const Context&, bool) {
+    return 0;
+}
+
+void release_attributes(Context&) {}
+
+#endif
+
+} // namespace spangle::gl

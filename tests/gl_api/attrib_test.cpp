@@ -1,0 +1,468 @@
+// The attribute stacks: each bit saves exactly its group (GL 1.3, 6.1.12 and the tables of 6.2).
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "gl/context/features.hpp"
+#include "gl/context/state_table.hpp"
+#include "tests/gl_api/recording_context.hpp"
+
+namespace spangle::test {
+namespace {
+
+#if SPANGLE_FEATURE_ATTRIB_STACKS
+
+constexpr GLbitfield client_pixel_store = 1, client_vertex_array = 2;
+
+/// By attribute group, as the tables of GL 1.3, 6.2 have it. What can be enabled is in ENABLE_BIT, too.
+std::map<GLenum, GLbitfield> server_state() {
+    std::map<GLenum, GLbitfield> groups = {{GL_CURRENT_COLOR, GL_CURRENT_BIT},
+                                           {GL_CURRENT_NORMAL, GL_CURRENT_BIT},
+                                           {GL_CURRENT_TEXTURE_COORDS, GL_CURRENT_BIT},
+                                           {GL_POINT_SIZE, GL_POINT_BIT},
+                                           {GL_LINE_WIDTH, GL_LINE_BIT},
+                                           {GL_CULL_FACE, GL_POLYGON_BIT | GL_ENABLE_BIT},
+                                           {GL_CULL_FACE_MODE, GL_POLYGON_BIT},
+                                           {GL_FRONT_FACE, GL_POLYGON_BIT},
+                                           {GL_READ_BUFFER, GL_PIXEL_MODE_BIT},
+                                           {GL_SHADE_MODEL, GL_LIGHTING_BIT},
+                                           {GL_DEPTH_TEST, GL_DEPTH_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_DEPTH_FUNC, GL_DEPTH_BUFFER_BIT},
+                                           {GL_DEPTH_WRITEMASK, GL_DEPTH_BUFFER_BIT},
+                                           {GL_DEPTH_CLEAR_VALUE, GL_DEPTH_BUFFER_BIT},
+                                           {GL_STENCIL_TEST, GL_STENCIL_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_STENCIL_FUNC, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_VALUE_MASK, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_REF, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_FAIL, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_PASS_DEPTH_PASS, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_WRITEMASK, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_CLEAR_VALUE, GL_STENCIL_BUFFER_BIT},
+                                           {GL_VIEWPORT, GL_VIEWPORT_BIT},
+                                           {GL_DEPTH_RANGE, GL_VIEWPORT_BIT},
+                                           {GL_MATRIX_MODE, GL_TRANSFORM_BIT},
+                                           {GL_NORMALIZE, GL_TRANSFORM_BIT | GL_ENABLE_BIT},
+                                           {GL_RESCALE_NORMAL, GL_TRANSFORM_BIT | GL_ENABLE_BIT},
+                                           {GL_ALPHA_TEST, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_ALPHA_TEST_FUNC, GL_COLOR_BUFFER_BIT},
+                                           {GL_ALPHA_TEST_REF, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_BLEND_SRC, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_DST, GL_COLOR_BUFFER_BIT},
+                                           {GL_DITHER, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_DRAW_BUFFER, GL_COLOR_BUFFER_BIT},
+                                           {GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT},
+                                           {GL_COLOR_CLEAR_VALUE, GL_COLOR_BUFFER_BIT},
+                                           {GL_PERSPECTIVE_CORRECTION_HINT, GL_HINT_BIT},
+                                           {GL_POINT_SMOOTH_HINT, GL_HINT_BIT},
+                                           {GL_LINE_SMOOTH_HINT, GL_HINT_BIT},
+                                           {GL_POLYGON_SMOOTH_HINT, GL_HINT_BIT},
+                                           {GL_FOG_HINT, GL_HINT_BIT},
+                                           {GL_TEXTURE_COMPRESSION_HINT, GL_HINT_BIT},
+                                           {GL_TEXTURE_2D, GL_TEXTURE_BIT | GL_ENABLE_BIT},
+                                           {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BIT},
+                                           {GL_SCISSOR_TEST, GL_SCISSOR_BIT | GL_ENABLE_BIT},
+                                           {GL_SCISSOR_BOX, GL_SCISSOR_BIT}};
+    if (SPANGLE_FEATURE_LIGHTING) {
+        for (GLenum cap = GL_LIGHT0; cap <= GL_LIGHT7; ++cap)
+            groups[cap] = GL_LIGHTING_BIT | GL_ENABLE_BIT;
+        groups[GL_LIGHTING] = groups[GL_COLOR_MATERIAL] = GL_LIGHTING_BIT | GL_ENABLE_BIT;
+        for (GLenum name :
+             {GL_COLOR_MATERIAL_PARAMETER, GL_COLOR_MATERIAL_FACE, GL_LIGHT_MODEL_AMBIENT,
+              GL_LIGHT_MODEL_LOCAL_VIEWER, GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_COLOR_CONTROL})
+            groups[name] = GL_LIGHTING_BIT;
+    }
+    if (SPANGLE_FEATURE_FOG) {
+        groups[GL_FOG] = GL_FOG_BIT | GL_ENABLE_BIT;
+        for (GLenum name : {GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE})
+            groups[name] = GL_FOG_BIT;
+    }
+    if (SPANGLE_FEATURE_LISTS)
+        groups[GL_LIST_BASE] = GL_LIST_BIT;
+    if (SPANGLE_FEATURE_POLYGON_MODE) {
+        groups[GL_EDGE_FLAG] = GL_CURRENT_BIT;
+        groups[GL_POLYGON_MODE] = GL_POLYGON_BIT;
+    }
+    if (SPANGLE_FEATURE_COLOR_INDEX)
+        groups[GL_CURRENT_INDEX] = GL_CURRENT_BIT;
+    return groups;
+}
+
+std::map<GLenum, GLbitfield> client_state() {
+    std::map<GLenum, GLbitfield> groups;
+    for (GLenum name :
+         {GL_VERTEX_ARRAY, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE,
+          GL_NORMAL_ARRAY, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE, GL_COLOR_ARRAY, GL_COLOR_ARRAY_SIZE,
+          GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE, GL_TEXTURE_COORD_ARRAY, GL_TEXTURE_COORD_ARRAY_SIZE,
+          GL_TEXTURE_COORD_ARRAY_TYPE, GL_TEXTURE_COORD_ARRAY_STRIDE, GL_VERTEX_ARRAY_POINTER,
+          GL_NORMAL_ARRAY_POINTER, GL_COLOR_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_POINTER})
+        groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_POLYGON_MODE)
+        for (GLenum name : {GL_EDGE_FLAG_ARRAY, GL_EDGE_FLAG_ARRAY_STRIDE, GL_EDGE_FLAG_ARRAY_POINTER})
+            groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_COLOR_INDEX)
+        for (GLenum name :
+             {GL_INDEX_ARRAY, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_POINTER})
+            groups[name] = client_vertex_array;
+    for (GLenum name :
+         {GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES,
+          GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_ALIGNMENT,
+          GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES,
+          GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_ALIGNMENT})
+        groups[name] = client_pixel_store;
+    return groups;
+}
+
+class Attrib : public RecordingContext {
+  protected:
+    /// All that is known of a name: of a pointer its address.
+    std::vector<double> value(GLenum name) {
+        GLdouble d[16] = {};
+        glGetDoublev(name, d);
+        if (glGetError() == GL_NO_ERROR)
+            return {d, d + 16};
+        void* pointer = nullptr;
+        glGetPointerv(name, &pointer);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << std::hex << name;
+        return {static_cast<double>(reinterpret_cast<std::uintptr_t>(pointer))};
+    }
+
+    /// What has queries of its own, by group.
+    std::map<GLbitfield, std::vector<float>> asked_otherwise() {
+        std::map<GLbitfield, std::vector<float>> found;
+        const auto note = [&found](GLbitfield group, auto get, std::initializer_list<GLenum> names) {
+            for (const GLenum name : names) {
+                GLfloat f[4] = {};
+                get(name, f);
+                found[group].insert(found[group].end(), f, f + 4);
+            }
+        };
+#if SPANGLE_FEATURE_LIGHTING
+        for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light)
+            note(GL_LIGHTING_BIT, [light](GLenum n, GLfloat* f) { glGetLightfv(light, n, f); },
+                 {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_EXPONENT,
+                  GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION, GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION});
+        for (GLenum face : {GL_FRONT, GL_BACK})
+            note(GL_LIGHTING_BIT, [face](GLenum n, GLfloat* f) { glGetMaterialfv(face, n, f); },
+                 {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS});
+#endif
+        note(GL_TEXTURE_BIT, [](GLenum n, GLfloat* f) { glGetTexEnvfv(GL_TEXTURE_ENV, n, f); },
+             {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR});
+        note(GL_TEXTURE_BIT, [](GLenum n, GLfloat* f) { glGetTexParameterfv(GL_TEXTURE_2D, n, f); },
+             {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+              GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_PRIORITY, GL_TEXTURE_MIN_LOD, GL_TEXTURE_MAX_LOD,
+              GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL});
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return found;
+    }
+
+    /// Every value that can be set gets one of its own for each k, 0 or 1.
+    void set_server(int k) {
+        const auto f = [k](float v) { return v + static_cast<float>(k) * 0.25f; };
+        const auto either = [k](GLenum a, GLenum b) { return k != 0 ? a : b; };
+        for (const auto& [name, groups] : server_state())
+            if ((groups & GL_ENABLE_BIT) != 0)
+                (k != 0 ? glEnable : glDisable)(name);
+        glColor4f(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
+        glNormal3f(f(0.5f), f(0.6f), f(0.7f));
+        glTexCoord4f(f(1), f(2), f(3), f(4));
+        glPointSize(f(2));
+        glLineWidth(f(3));
+        glCullFace(either(GL_FRONT, GL_BACK));
+        glFrontFace(either(GL_CW, GL_CCW));
+        context->fragment_ops.read_buffer = either(GL_FRONT, GL_BACK); // this drawable has no second one
+        glDrawBuffer(either(GL_NONE, GL_BACK));
+        glShadeModel(either(GL_FLAT, GL_SMOOTH));
+        glDepthFunc(either(GL_LEQUAL, GL_GREATER));
+        glDepthMask(k != 0);
+        glClearDepth(double(f(0.5f)));
+        glStencilFunc(either(GL_LESS, GL_EQUAL), k + 1, k != 0 ? 3 : 7);
+        k != 0 ? glStencilOp(GL_ZERO, GL_REPLACE, GL_INCR) : glStencilOp(GL_INVERT, GL_DECR, GL_ZERO);
+        glStencilMask(k != 0 ? 0x55 : 0xAA);
+        glClearStencil(k + 5);
+        glViewport(k + 1, k + 2, k + 3, k + 4);
+        glDepthRange(double(f(0.25f)), double(f(0.5f)));
+        glAlphaFunc(either(GL_LESS, GL_GREATER), f(0.5f));
+        k != 0 ? glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA) : glBlendFunc(GL_DST_COLOR, GL_ONE);
+        k != 0 ? glColorMask(1, 0, 1, 0) : glColorMask(0, 1, 0, 1);
+        glClearColor(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
+        for (GLenum hint : {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,
+                            GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT, GL_TEXTURE_COMPRESSION_HINT})
+            glHint(hint, either(GL_NICEST, GL_FASTEST));
+        glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(k) + 8);
+        const GLfloat four[4] = {f(0.1f), f(0.2f), f(0.3f), f(0.4f)};
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, k != 0 ? GL_DECAL : GL_REPLACE);
+        glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, four);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, k != 0 ? GL_NEAREST : GL_LINEAR);
+        glScissor(k + 1, k + 2, k + 3, k + 4);
+#if SPANGLE_FEATURE_LIGHTING
+        glDisable(GL_COLOR_MATERIAL); // else materials could not be set
+        for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light) {
+            for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION})
+                glLightfv(light, name, four);
+            for (GLenum name : {GL_SPOT_EXPONENT, GL_SPOT_CUTOFF, GL_CONSTANT_ATTENUATION,
+                                GL_LINEAR_ATTENUATION, GL_QUADRATIC_ATTENUATION})
+                glLightf(light, name, f(2));
+        }
+        for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
+            glMaterialfv(GL_FRONT_AND_BACK, name, four);
+        glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, f(20));
+        k != 0 ? glColorMaterial(GL_FRONT, GL_EMISSION) : glColorMaterial(GL_BACK, GL_SPECULAR);
+        (k != 0 ? glEnable : glDisable)(GL_COLOR_MATERIAL);
+        glLightModelfv(GL_LIGHT_MODEL_AMBIENT, four);
+        glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, k);
+        glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, k);
+        glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, k != 0 ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+#endif
+#if SPANGLE_FEATURE_FOG
+        glFogfv(GL_FOG_COLOR, four);
+        for (GLenum name : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
+            glFogf(name, f(2));
+        glFogi(GL_FOG_MODE, k != 0 ? GL_LINEAR : GL_EXP2);
+#endif
+#if SPANGLE_FEATURE_POLYGON_MODE
+        glEdgeFlag(k != 0);
+        glPolygonMode(GL_FRONT, either(GL_LINE, GL_POINT));
+#endif
+#if SPANGLE_FEATURE_COLOR_INDEX
+        glIndexf(f(7));
+#endif
+#if SPANGLE_FEATURE_LISTS
+        glListBase(static_cast<GLuint>(k) + 3);
+#endif
+        glMatrixMode(either(GL_PROJECTION, GL_MODELVIEW));
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+
+    void set_client(int k) {
+        for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+            (k != 0 ? glEnableClientState : glDisableClientState)(array);
+        const GLenum type = k != 0 ? GL_SHORT : GL_DOUBLE;
+        glVertexPointer(k + 2, type, k + 8, memory_ + k);
+        glNormalPointer(type, k + 8, memory_ + 2 + k);
+        glColorPointer(k + 3, type, k + 8, memory_ + 4 + k);
+        glTexCoordPointer(k + 2, type, k + 8, memory_ + 6 + k);
+#if SPANGLE_FEATURE_POLYGON_MODE
+        (k != 0 ? glEnableClientState : glDisableClientState)(GL_EDGE_FLAG_ARRAY);
+        glEdgeFlagPointer(k + 8, memory_ + 8 + k);
+#endif
+#if SPANGLE_FEATURE_COLOR_INDEX
+        (k != 0 ? glEnableClientState : glDisableClientState)(GL_INDEX_ARRAY);
+        glIndexPointer(type, k + 8, memory_ + 10 + k);
+#endif
+        for (GLenum name : {GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,
+                            GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ROW_LENGTH,
+                            GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_PACK_IMAGE_HEIGHT,
+                            GL_PACK_SKIP_IMAGES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
+            glPixelStorei(name, k);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, k + 1);
+        glPixelStorei(GL_PACK_ALIGNMENT, k + 1);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+
+    char memory_[16] = {};
+};
+
+TEST_F(Attrib, TheTestKnowsAllStateThatIsSaved) {
+    const auto server = server_state(), client = client_state();
+    for (const gl::StateRow& row : gl::all_state())
+        if (row.name != 0 && !row.left_out && row.group != gl::Group::none) {
+            EXPECT_TRUE(server.contains(row.name) || client.contains(row.name)) << std::hex << row.name;
+        }
+}
+
+TEST_F(Attrib, EachBitSavesExactlyItsGroup) {
+    for (unsigned bit = 0; bit < 32; ++bit) {
+        const GLbitfield mask = 1u << bit;
+        set_server(0);
+        std::map<GLenum, std::vector<double>> saved, changed;
+        for (const auto& [name, groups] : server_state())
+            saved[name] = value(name);
+        const auto saved_otherwise = asked_otherwise();
+        glPushAttrib(mask);
+        set_server(1);
+        for (const auto& [name, groups] : server_state()) {
+            changed[name] = value(name);
+            ASSERT_NE(changed[name], saved[name]) << std::hex << name << ": the test changes nothing";
+        }
+        const auto changed_otherwise = asked_otherwise();
+        glPopAttrib();
+        for (const auto& [name, groups] : server_state())
+            EXPECT_EQ(value(name), (groups & mask) != 0 ? saved[name] : changed[name])
+                << "bit " << bit << ", state " << std::hex << name;
+        const auto now = asked_otherwise();
+        for (const auto& [group, values] : now) {
+            if (mask == GL_CURRENT_BIT && group == GL_LIGHTING_BIT)
+                continue; // the tracked material follows the colour, tested below
+            EXPECT_EQ(values, (group & mask) != 0 ? saved_otherwise.at(group) : changed_otherwise.at(group))
+                << "bit " << bit << ", group " << std::hex << group;
+        }
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+}
+
+TEST_F(Attrib, ClientBitsSaveExactlyTheirGroups) {
+    for (unsigned bit = 0; bit < 32; ++bit) {
+        const GLbitfield mask = 1u << bit;
+        set_client(0);
+        std::map<GLenum, std::vector<double>> saved, changed;
+        for (const auto& [name, groups] : client_state())
+            saved[name] = value(name);
+        glPushClientAttrib(mask);
+        set_client(1);
+        for (const auto& [name, groups] : client_state()) {
+            changed[name] = value(name);
+            ASSERT_NE(changed[name], saved[name]) << std::hex << name << ": the test changes nothing";
+        }
+        glPopClientAttrib();
+        for (const auto& [name, groups] : client_state())
+            EXPECT_EQ(value(name), (groups & mask) != 0 ? saved[name] : changed[name])
+                << "bit " << bit << ", state " << std::hex << name;
+    }
+}
+
+TEST_F(Attrib, AllBitsSaveAll) {
+    set_server(0);
+    set_client(0);
+    const auto before = snapshot();
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    set_server(1);
+    set_client(1);
+    glPopAttrib();
+    glPopClientAttrib();
+    EXPECT_EQ(snapshot(), before);
+}
+
+TEST_F(Attrib, StacksAre16DeepAndSayWhenTheyAreFullOrEmpty) {
+    const auto check = [this](auto push, auto pop, GLenum depth, GLenum most) {
+        GLint n = 0;
+        glGetIntegerv(most, &n);
+        EXPECT_EQ(n, 16);
+        const auto empty = snapshot();
+        pop();
+        EXPECT_EQ(glGetError(), GLenum{GL_STACK_UNDERFLOW});
+        EXPECT_EQ(snapshot(), empty);
+        for (int i = 0; i < 16; ++i) {
+            glGetIntegerv(depth, &n);
+            EXPECT_EQ(n, i);
+            push();
+            EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        }
+        const auto full = snapshot();
+        push();
+        EXPECT_EQ(glGetError(), GLenum{GL_STACK_OVERFLOW});
+        EXPECT_EQ(snapshot(), full);
+        for (int i = 0; i < 16; ++i)
+            pop();
+        EXPECT_EQ(snapshot(), empty);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    };
+    check([] { glPushAttrib(GL_POINT_BIT); }, [] { glPopAttrib(); }, GL_ATTRIB_STACK_DEPTH,
+          GL_MAX_ATTRIB_STACK_DEPTH);
+    check([] { glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT); }, [] { glPopClientAttrib(); },
+          GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH);
+}
+
+TEST_F(Attrib, EntriesNest) {
+    glPointSize(2);
+    glPushAttrib(GL_POINT_BIT);
+    glPointSize(3);
+    glLineWidth(7);
+    glPushAttrib(GL_LINE_BIT);
+    glPointSize(4);
+    glLineWidth(9);
+    glPopAttrib();
+    EXPECT_EQ(value(GL_POINT_SIZE)[0], 4);
+    EXPECT_EQ(value(GL_LINE_WIDTH)[0], 7);
+    glPopAttrib();
+    EXPECT_EQ(value(GL_POINT_SIZE)[0], 2);
+    EXPECT_EQ(value(GL_LINE_WIDTH)[0], 7);
+}
+
+TEST_F(Attrib, NoMemoryLeavesTheStackAsItWas) {
+    std::vector<void*> taken;
+    for (std::size_t bytes = arena_bytes; bytes >= 8; bytes /= 2)
+        for (void* block = arena.allocate(bytes); block != nullptr; block = arena.allocate(bytes))
+            taken.push_back(block);
+    const auto before = snapshot();
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
+    EXPECT_EQ(snapshot(), before);
+    for (void* block : taken)
+        arena.free(block);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_F(Attrib, AContextMayGoWithEntriesLeft) {
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS); // the fixture finds what is left behind
+}
+
+TEST_F(Attrib, ATextureDeletedMeanwhileIsMadeAnew) {
+    glBindTexture(GL_TEXTURE_2D, 5);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
+    glPushAttrib(GL_TEXTURE_BIT);
+    const GLuint name = 5;
+    glDeleteTextures(1, &name);
+    EXPECT_FALSE(glIsTexture(5));
+    glPopAttrib();
+    EXPECT_TRUE(glIsTexture(5));
+    EXPECT_EQ(value(GL_TEXTURE_BINDING_2D)[0], 5);
+    GLint wrap = 0;
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, &wrap);
+    EXPECT_EQ(wrap, GL_CLAMP);
+}
+
+TEST_F(Attrib, ParametersOfTexturesNotBoundStay) {
+    glBindTexture(GL_TEXTURE_2D, 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 2);
+    glPushAttrib(GL_TEXTURE_BIT);
+    glBindTexture(GL_TEXTURE_2D, 1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glPopAttrib();
+    glBindTexture(GL_TEXTURE_2D, 1);
+    GLint filter = 0;
+    glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, &filter);
+    EXPECT_EQ(filter, GL_LINEAR);
+}
+
+#if SPANGLE_FEATURE_LIGHTING
+TEST_F(Attrib, ATrackedMaterialFollowsThePoppedColor) {
+    glColorMaterial(GL_FRONT, GL_DIFFUSE);
+    glEnable(GL_COLOR_MATERIAL);
+    glColor3f(0.25f, 0.5f, 0.75f);
+    glPushAttrib(GL_CURRENT_BIT);
+    glColor3f(1, 0, 0);
+    glPopAttrib();
+    GLfloat diffuse[4];
+    glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
+    EXPECT_EQ(diffuse[0], 0.25f);
+    EXPECT_EQ(diffuse[2], 0.75f);
+}
+#endif
+
+#if SPANGLE_FEATURE_LISTS
+TEST_F(Attrib, ServerStacksAreCompiledClientStacksAreNot) {
+    glPointSize(2);
+    glNewList(1, GL_COMPILE);
+    glPushAttrib(GL_POINT_BIT);
+    glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
+    glPointSize(5);
+    glPopAttrib();
+    glEndList();
+    EXPECT_EQ(value(GL_ATTRIB_STACK_DEPTH)[0], 0);
+    EXPECT_EQ(value(GL_CLIENT_ATTRIB_STACK_DEPTH)[0], 1);
+    glCallList(1);
+    EXPECT_EQ(value(GL_POINT_SIZE)[0], 2);
+    EXPECT_EQ(value(GL_CLIENT_ATTRIB_STACK_DEPTH)[0], 1);
+}
+#endif
+
+#endif
+
+} // namespace
+} // namespace spangle::test
