@@ -1,6 +1,6 @@
 #include <spangle/hal/panel_display.hpp>
 
-#include "hal/display/window_plan.hpp"
+#include "hal/display/frame_plan.hpp"
 
 namespace spangle::hal {
 namespace {
@@ -47,10 +47,14 @@ Result<void> PanelDisplay::check_config() const {
                      "display: the panel has no COLMOD (3Ah) for this pixel format on this bus"};
     if (config_.wait_te && !caps_.has_te)
         return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
+    const Extent size = place(panel, config_.orientation).size;
+    if (config_.row_hash && size.width > RowHash::widest)
+        return Error{Fault::unsupported, "display: the row hash serves pictures up to 512 columns"};
+    if (config_.row_hash && memory_.hash.cells < RowHash::cells_of(size.width) * size.height)
+        return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
     if (config_.buffers < 1 || config_.buffers > 2)
         return Error{Fault::bad_argument, "display: a panel display has one or two buffers"};
-    if (memory_.buffers < config_.buffers || memory_.height < place(panel, config_.orientation).size.height ||
-        memory_.op_count < 8)
+    if (memory_.buffers < config_.buffers || memory_.height < size.height || memory_.op_count < 8)
         return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
     return {};
 }
@@ -91,6 +95,9 @@ Result<void> PanelDisplay::init() {
     pixel_bytes_ = format_info(config_.format).bytes_per_pixel;
     windows_ = Windows(placement_, config_.panel->quirks);
     ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
+    if (config_.row_hash)
+        hash_ = RowHash(memory_.hash, placement_.size.width, placement_.size.height,
+                        static_cast<std::int32_t>(pixel_bytes_));
     if (const auto r = take_buffers(); !r)
         return r;
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this
@@ -264,6 +271,8 @@ Result<void> PanelDisplay::present() {
     if (const auto r = finish(); !r)
         return r;
     collect_damage();
+    if (hash_.enabled())
+        hash_.reduce(memory_.damage, buffers_[back_].bytes, static_cast<std::int32_t>(stride()), suspect_);
     if (const auto r = send(); !r)
         return r;
     if (config_.buffers == 1) {
@@ -288,7 +297,10 @@ void PanelDisplay::accept() {
 
 Result<void> PanelDisplay::send() {
     const WindowCost cost = window_cost(caps_, pixel_bytes_);
-    WindowPlan plan(memory_.damage, placement_.size.height, cost, memory_.plan);
+    const Extent size = placement_.size;
+    const SpanPlan spans =
+        hash_.enabled() ? SpanPlan(hash_.changed(), size.width, size.height, cost) : SpanPlan();
+    FramePlan plan(WindowPlan(memory_.damage, size.height, cost, memory_.plan), spans);
     Rect window;
     if (!plan.next(window))
         return {};

@@ -17,19 +17,31 @@ struct Bookkeeping {
     std::vector<std::uint16_t> plan;
     std::vector<hal::Op> ops = std::vector<hal::Op>(64);
     std::vector<hal::OpParams> params = std::vector<hal::OpParams>(64);
+    std::vector<std::uint32_t> hashes, changed;
     std::int32_t height;
     std::uint8_t buffers;
 
-    Bookkeeping(std::int32_t rows, std::uint8_t buffer_count) : height(rows), buffers(buffer_count) {
-        const auto n = static_cast<std::size_t>(rows);
+    Bookkeeping(const hal::PanelConfig& config, hal::Extent size)
+        : height(size.height), buffers(config.buffers) {
+        const auto n = static_cast<std::size_t>(size.height);
+        if (config.row_hash) {
+            hashes.resize(n * static_cast<std::size_t>(hal::RowHash::cells_of(size.width)));
+            changed.resize(n);
+        }
         for (std::vector<RowSpan>* v : {&touched, &damage, &content[0], &content[1]})
             v->resize(n);
         plan.resize(n);
     }
+    hal::RowHashMemory hash_memory() {
+        if (hashes.empty())
+            return {};
+        return {hashes.data(), changed.data(), static_cast<std::int32_t>(hashes.size())};
+    }
     hal::PanelMemory memory() {
         return {touched.data(), damage.data(), {content[0].data(), content[buffers - 1].data()},
                 plan.data(),    height,        buffers,
-                ops.data(),     params.data(), ops.size()};
+                ops.data(),     params.data(), ops.size(),
+                hash_memory()};
     }
 };
 
@@ -47,7 +59,7 @@ struct SimBoard::Parts {
         : board(b),
           controller(chip_of(*b.display.panel), mount_of(*b.display.panel), b.bus == hal::BusKind::i8080),
           bus(controller, hal::bus_caps(b)),
-          books(hal::place(*b.display.panel, b.display.orientation).size.height, b.display.buffers),
+          books(b.display, hal::place(*b.display.panel, b.display.orientation).size),
           display(bus, board.display, books.memory()) {}
 };
 

@@ -71,18 +71,24 @@ void new_clear_color(std::mt19937& random, int frame) {
     draw(random);
 }
 
+/// One of few, so that partial clears to a colour follow full clears to it.
+float shade(std::mt19937& random) {
+    return once_in(random, 3) ? part(random) : once_in(random, 2) ? 0.0f : 0.5f;
+}
+
 void scissored_clear(std::mt19937& random, int frame) {
     if (frame % 3 == 0)
         clear_to(0.5f);
+    draw(random);
     scissor(random);
-    clear_to(part(random));
+    clear_to(shade(random));
     glDisable(GL_SCISSOR_TEST);
     draw(random);
 }
 
 void color_mask(std::mt19937& random, int frame) {
     glColorMask(once_in(random, 2), once_in(random, 2), once_in(random, 2), GL_TRUE);
-    clear_to(frame % 2 == 0 ? 0.5f : part(random));
+    clear_to(shade(random));
     draw(random);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (frame % 4 == 0)
@@ -144,8 +150,9 @@ class Window {
 /// Frames of one habit; dithered ones, so that a clear has no single colour.
 void hold(const hal::Board& board, const Habit& habit, bool single) {
     SCOPED_TRACE(std::string(habit.name) + (single ? ", single-buffered" : "") + ", " +
-                 std::to_string(board.display.buffers) + " buffers");
-    constexpr int frames = 14;
+                 std::to_string(board.display.buffers) + " buffers" +
+                 (board.display.row_hash ? ", row hash" : ""));
+    constexpr int frames = 30;
     sim::SimBoard sim(board);
     test::WatchedDisplay watched(sim, board);
     std::mt19937 random(board.display.buffers * 97u + (single ? 7u : 0u));
@@ -166,9 +173,10 @@ void hold(const hal::Board& board, const Habit& habit, bool single) {
 
 TEST(DamageOracle, PanelMemoryEqualsSurfaceAfterEveryPresent) {
     for (const Habit& habit : habits)
-        for (const std::uint8_t buffers : {1, 2}) {
+        for (const unsigned variant : {0u, 1u, 2u, 3u}) {
             hal::Board board = boards::st7735_128x160;
-            board.display.buffers = buffers;
+            board.display.buffers = static_cast<std::uint8_t>(1 + variant % 2);
+            board.display.row_hash = variant >= 2;
             hold(board, habit, false);
         }
 }

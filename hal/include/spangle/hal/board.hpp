@@ -65,8 +65,9 @@ constexpr BusCaps bus_caps(const Board& board) {
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
 template <const Board& board>
 class BoardDisplay final
-    : private PanelStorage<place(*board.display.panel, board.display.orientation).size.height,
-                           board.display.buffers>,
+    : private PanelStorage<
+          place(*board.display.panel, board.display.orientation).size.height, board.display.buffers, 64,
+          board.display.row_hash ? place(*board.display.panel, board.display.orientation).size.width : 0>,
       public PanelDisplay {
   public:
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}

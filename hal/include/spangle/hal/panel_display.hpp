@@ -10,6 +10,7 @@
 #include <spangle/hal/op_list.hpp>
 #include <spangle/hal/orientation.hpp>
 #include <spangle/hal/readback.hpp>
+#include <spangle/hal/row_hash.hpp>
 #include <spangle/hal/window.hpp>
 
 namespace spangle::hal {
@@ -23,6 +24,7 @@ struct PanelConfig {
     bool reset_line = true; ///< false: SWRESET instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
     bool wait_te = false;   ///< present starts at the tearing-effect edge, or follows the beam
+    bool row_hash = false;  ///< cells of 16x1 pixels that were drawn again as they were are not sent
 };
 
 /// What is in one frame buffer: outside these rows, the clear value.
@@ -42,19 +44,24 @@ struct PanelMemory {
     Op* ops = nullptr;
     OpParams* params = nullptr;
     std::size_t op_count = 0;
+    RowHashMemory hash = {};
 };
 
-/// That memory for pictures up to `Height` rows. A list longer than `Ops` goes out in several transfers.
-template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64> struct PanelStorage {
+/// That memory for pictures up to `Height` rows, and `HashedWidth` columns if they are to be hashed. A list
+/// longer than `Ops` goes out in several transfers.
+template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0>
+struct PanelStorage {
     static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
 
     RowSpan touched[Height], damage[Height], content[Buffers][Height];
     std::uint16_t plan[Height];
     Op ops[Ops];
     OpParams params[Ops];
+    RowHashStorage<Height, HashedWidth> hash;
 
     PanelMemory memory() {
-        return {touched, damage, {content[0], content[Buffers - 1]}, plan, Height, Buffers, ops, params, Ops};
+        return {touched, damage,       {content[0], content[Buffers - 1]}, plan, Height, Buffers, ops, params,
+                Ops,     hash.memory()};
     }
 };
 
@@ -108,6 +115,7 @@ class PanelDisplay : public Display {
     Placement placement_;
     std::uint32_t pixel_bytes_ = 0;
     Windows windows_;
+    RowHash hash_;
     OpList ops_;
     ReadScratch scratch_{};
 

@@ -1,0 +1,109 @@
+#include "hal/display/span_plan.hpp"
+
+#include <bit>
+
+namespace spangle::hal {
+namespace {
+
+constexpr std::int32_t cell = RowHash::cell_width;
+
+} // namespace
+
+SpanPlan::SpanPlan(const std::uint32_t* changed, std::int32_t width, std::int32_t height, WindowCost cost)
+    : changed_(changed), width_(width), height_(height), cost_(cost), total_(0) {
+    for (Rect w; next(w);)
+        total_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.bytes_per_pixel;
+    rewind();
+}
+
+bool SpanPlan::next(Rect& out) {
+    while (row_ < height_ && (count_ == 0 || !settled()))
+        plan_row();
+    if (count_ == 0)
+        return false;
+    const Window& w = window(0);
+    out = {w.begin, w.top, w.end - w.begin, w.bottom - w.top};
+    first_ = (first_ + 1) % room;
+    --count_;
+    return true;
+}
+
+void SpanPlan::plan_row() {
+    std::uint32_t cells = changed_[row_];
+    for (std::int32_t i = 0; i < count_ && cells != 0; ++i)
+        if (window(i).bottom == row_)
+            cells = absorb(window(i), cells);
+    open_windows(cells);
+    ++row_;
+}
+
+SpanPlan::Run SpanPlan::first_run(std::uint32_t cells) const {
+    const std::int32_t first = std::countr_zero(cells), length = std::countr_one(cells >> first);
+    const std::int32_t end = (first + length) * cell;
+    return {first * cell, end < width_ ? end : width_};
+}
+
+std::uint32_t SpanPlan::without(std::uint32_t cells, Run run) {
+    const std::int32_t after = (run.end + cell - 1) / cell;
+    return after >= 32 ? 0 : cells >> after << after;
+}
+
+/// What the plain way pays for a window that begins with this run: nothing where the row above has the same.
+std::int32_t SpanPlan::saved(Run run) const {
+    if (row_ != 0) {
+        const std::int32_t first = run.begin / cell, last = (run.end - 1) / cell;
+        const std::uint32_t inside = 0xFFFFFFFFu >> (31 - (last - first)) << first;
+        const std::uint32_t around = inside | inside << 1 | inside >> 1;
+        if ((changed_[row_ - 1] & around) == inside)
+            return 0;
+    }
+    return static_cast<std::int32_t>(cost_.window);
+}
+
+/// The cells that the window above did not take.
+std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
+    std::int32_t begin = above.begin, end = above.end, pixels = 0, spare = above.spare;
+    std::uint32_t taken = 0;
+    for (std::uint32_t rest = cells; rest != 0;) {
+        const Run run = first_run(rest);
+        const std::uint32_t after = without(rest, run);
+        if (run.begin < above.end && run.end > above.begin) {
+            begin = run.begin < begin ? run.begin : begin;
+            end = run.end > end ? run.end : end;
+            pixels += run.end - run.begin;
+            spare += saved(run);
+            taken |= rest ^ after;
+        }
+        rest = after;
+    }
+    const std::int32_t height = above.bottom - above.top;
+    const std::int32_t wasted = (end - begin) * (height + 1) - (above.end - above.begin) * height - pixels;
+    spare -= wasted * static_cast<std::int32_t>(cost_.bytes_per_pixel);
+    if (taken == 0 || spare < 0)
+        return cells;
+    above = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end), above.top,
+             static_cast<std::int16_t>(row_ + 1), spare};
+    return cells & ~taken;
+}
+
+void SpanPlan::open_windows(std::uint32_t cells) {
+    while (cells != 0) {
+        Run run = first_run(cells);
+        std::int32_t spare = 0;
+        cells = without(cells, run);
+        while (cells != 0) {
+            const Run next = first_run(cells);
+            const std::int32_t gap =
+                (next.begin - run.end) * static_cast<std::int32_t>(cost_.bytes_per_pixel);
+            if (spare + saved(next) < gap)
+                break;
+            spare += saved(next) - gap;
+            run.end = next.end;
+            cells = without(cells, next);
+        }
+        window(count_++) = {static_cast<std::int16_t>(run.begin), static_cast<std::int16_t>(run.end),
+                            static_cast<std::int16_t>(row_), static_cast<std::int16_t>(row_ + 1), spare};
+    }
+}
+
+} // namespace spangle::hal

@@ -1,0 +1,61 @@
+// Windows around changed cells: several in a row, where that is less than one around all of them.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/row_hash.hpp>
+
+#include "hal/display/window_plan.hpp"
+
+namespace spangle::hal {
+
+/// The cells of a row form runs. The plain way is a window around each block of equal runs below each other;
+/// with windows as cheap as a bus without overhead makes them, that is what comes out. A window that takes
+/// another run in, from the row below or beside it, wastes pixels and saves the window of that run: it may
+/// waste what it saved so far. Thus a frame costs at most twice the plain way, and mostly less.
+///
+/// Windows are kept until nothing can make them longer, and handed out from the top. There is room for
+/// `room`; a long window that others wait behind is handed out early, and goes on as another.
+class SpanPlan {
+  public:
+    SpanPlan() = default;
+    /// `changed`: RowHash::changed(); it must stay.
+    SpanPlan(const std::uint32_t* changed, std::int32_t width, std::int32_t height, WindowCost cost);
+
+    /// The next window from the top, or false after the last.
+    bool next(Rect& window);
+    void rewind() { row_ = first_ = count_ = 0; }
+    /// Bytes of all windows; UINT32_MAX without a plan.
+    std::uint32_t total() const { return total_; }
+
+  private:
+    static constexpr std::int32_t room = 64, most_runs = 16;
+
+    /// A window in the making.
+    struct Window {
+        std::int16_t begin, end, top, bottom; ///< half-open
+        std::int32_t spare;                   ///< bytes saved and not yet wasted
+    };
+    struct Run {
+        std::int32_t begin, end; ///< columns
+    };
+
+    Window& window(std::int32_t i) { return windows_[(first_ + i) % room]; }
+    bool settled() { return row_ == height_ || count_ > room - most_runs || window(0).bottom < row_; }
+    void plan_row();
+    std::int32_t saved(Run run) const;
+    std::uint32_t absorb(Window& above, std::uint32_t cells) const;
+    void open_windows(std::uint32_t cells);
+    Run first_run(std::uint32_t cells) const;
+    static std::uint32_t without(std::uint32_t cells, Run run);
+
+    const std::uint32_t* changed_ = nullptr;
+    std::int32_t width_ = 0, height_ = 0;
+    WindowCost cost_;
+    std::uint32_t total_ = UINT32_MAX;
+    std::int32_t row_ = 0;      ///< the next to be planned
+    Window windows_[room] = {}; ///< a ring of `count_` from `first_` on, by their top
+    std::int32_t first_ = 0, count_ = 0;
+};
+
+} // namespace spangle::hal

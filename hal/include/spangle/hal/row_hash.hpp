@@ -1,0 +1,72 @@
+// The row hash: for each cell of 16 x 1 pixels a hash of what the panel's memory holds. Drawn again with the
+// same pixels, a cell is not sent again.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+
+namespace spangle::hal {
+
+/// The memory of a row hash, handed over by its owner: four bytes a cell and four a row. Null: none.
+struct RowHashMemory {
+    std::uint32_t* hashes = nullptr; ///< height * cells_of(width)
+    std::uint32_t* changed = nullptr;
+    std::int32_t cells = 0;
+};
+
+class RowHash {
+  public:
+    static constexpr std::int32_t cell_width = 16;
+    static constexpr std::int32_t widest = 32 * cell_width; ///< a row's cells are the bits of one word
+    static constexpr std::int32_t cells_of(std::int32_t width) {
+        return (width + cell_width - 1) / cell_width;
+    }
+
+    RowHash() = default;
+    RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height,
+            std::int32_t bytes_per_pixel)
+        : memory_(memory), width_(width), height_(height), bytes_per_pixel_(bytes_per_pixel) {}
+
+    bool enabled() const { return memory_.hashes != nullptr; }
+    /// After reduce(): bits of the cells that changed, by row.
+    const std::uint32_t* changed() const { return memory_.changed; }
+
+    /// Cuts `damage`, row by row, to the cells whose hash differs from the panel's; `all` takes the panel's
+    /// for unknown. From then on the panel is expected to hold what `pixels` holds. The picture's cells are
+    /// looked through once in as many frames as it has cells, one a frame that sends anything: a cell that
+    /// was wrongly taken for unchanged does not stay for ever.
+    void reduce(RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);
+
+    /// Hash of `count` bytes of a cell, at most 64.
+    ///
+    /// Two multilinear hashes of 16-bit characters in 32-bit arithmetic, sum of key[i] * c[i], of which the
+    /// upper halves are kept (Lemire and Kaser, "Strongly universal string hashing is fast", 2014): over the
+    /// choice of keys two different cells collide with a probability of 2^-16 each, 2^-32 together, whatever
+    /// their pixels. The keys are constants, chosen before any picture was.
+    static std::uint32_t hash(const std::uint8_t* bytes, std::int32_t count);
+
+  private:
+    std::uint32_t changed_cells(RowSpan damage, std::int32_t y, const std::uint8_t* row, bool all);
+    void refresh_one(RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride);
+    RowSpan columns_of(std::uint32_t cells) const;
+
+    RowHashMemory memory_;
+    std::int32_t width_ = 0, height_ = 0, bytes_per_pixel_ = 0;
+    std::int32_t refresh_row_ = 0, refresh_cell_ = 0;
+};
+
+/// That memory for pictures up to this size; nothing for a width of 0.
+template <std::int32_t Height, std::int32_t Width> struct RowHashStorage {
+    static_assert(Width <= RowHash::widest, "the row hash serves pictures up to 512 columns");
+    static constexpr std::int32_t cells = RowHash::cells_of(Width);
+
+    std::uint32_t hashes[Height * cells], changed[Height];
+
+    RowHashMemory memory() { return {hashes, changed, Height * cells}; }
+};
+template <std::int32_t Height> struct RowHashStorage<Height, 0> {
+    RowHashMemory memory() { return {}; }
+};
+
+} // namespace spangle::hal
