@@ -1,5 +1,6 @@
 // From GL's state to the canonical key.
 #include "raster/span/draw_state.hpp"
+#include "raster/span/texel.hpp"
 
 namespace spangle::raster {
 
@@ -13,16 +14,18 @@ bool unit_on(const TextureUnit& unit) {
     return unit.texture != nullptr;
 }
 
-/// Modes a fused loop can have: one image, no border, both wraps REPEAT.
+/// Modes a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
 UnitKey unit_key(const TextureUnit& unit) {
     UnitKey key;
     if (!unit_on(unit))
         return key;
     key.on = true;
     const Texture& texture = *unit.texture;
+    const TextureLevel& image = texture.level[0];
+    const bool packed = image.stride == static_cast<std::uint32_t>(image.width * texel_bytes(texture.format));
     key.general = texture.mip != MipFilter::none || texture.mag != texture.min ||
                   texture.wrap_s != Wrap::repeat || texture.wrap_t != Wrap::repeat ||
-                  texture.border_texels != 0;
+                  texture.border_texels != 0 || !packed;
     if (key.general)
         return key;
     key.texels = texture.format;

@@ -62,6 +62,7 @@ template <> struct Lanes<1> {
     }
     /// One element per lane.
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }
+    template <class F> SPANGLE_INLINE static auto generate(F f) { return f(0u); }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) { return v[0]; }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { to[0] = static_cast<std::uint16_t>(v); }
     /// Byte `n`.
@@ -182,10 +183,10 @@ template <> struct Lanes<8> {
     /// f(0) .. f(7), from register to register: a vector load of eight stored words would wait for the
     /// stores.
     template <class F> SPANGLE_INLINE static auto generate(F f) {
-        if constexpr (sizeof(f(0)) == 2)
-            return U16{f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
+        if constexpr (sizeof(f(0u)) == 2)
+            return U16{f(0u), f(1u), f(2u), f(3u), f(4u), f(5u), f(6u), f(7u)};
         else
-            return U32{Words{f(0), f(2), f(4), f(6)}, Words{f(1), f(3), f(5), f(7)}};
+            return U32{Words{f(0u), f(2u), f(4u), f(6u)}, Words{f(1u), f(3u), f(5u), f(7u)}};
     }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {

@@ -140,7 +140,7 @@ template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
     }
 };
 
-/// One image, REPEAT, one filter, all known: the same bytes as Texture2D.
+/// One image, REPEAT, one filter, all known, rows packed: the same bytes as Texture2D.
 template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env>
 struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
@@ -148,13 +148,11 @@ struct TextureFixed : StageBase {
     using Color = typename N::Color;
     static constexpr std::uint32_t bytes = texel_bytes(Texels);
     const std::uint8_t* texels;
-    std::uint32_t stride;
     int log2_width, log2_height;
     [[no_unique_address]] std::conditional_t<Env == TexEnv::blend, Color, StageBase> constant;
 
     SPANGLE_INLINE TextureFixed(const Span<typename N::Policy>& s, std::int32_t)
         : texels(s.state->fragment.unit[Unit].texture->level[0].texels),
-          stride(s.state->fragment.unit[Unit].texture->level[0].stride),
           log2_width(s.state->log2_width[Unit]), log2_height(s.state->log2_height[Unit]) {
         if constexpr (Env == TexEnv::blend) {
             const std::uint32_t* const c = s.state->fragment.unit[Unit].env_color;
@@ -163,10 +161,11 @@ struct TextureFixed : StageBase {
     }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        static_assert(F == Filter::nearest);
+        static_assert(F == Filter::nearest && N::lanes == 1);
         const typename N::Coord& c = p.coord[Unit];
-        return combine(p, [&](std::uint32_t k) {
-            return at(repeat_nearest(c.s[k], log2_width), repeat_nearest(c.t[k], log2_height));
+        return combine(p, [&](std::uint32_t) {
+            return texel(row_of(static_cast<std::uint32_t>(repeat_nearest(c.t[0], log2_height))),
+                         static_cast<std::uint32_t>(repeat_nearest(c.s[0], log2_width)));
         });
     }
 
@@ -183,9 +182,7 @@ struct TextureFixed : StageBase {
         } else if constexpr (N::lanes == 1) {
             return environment(p, read_texel<N, Texels>(address(0)));
         } else {
-            return environment(p, unpack(N::L::generate([&](int k) __attribute__((always_inline)) {
-                                   return word_at(address(static_cast<std::uint32_t>(k)));
-                               })));
+            return environment(p, unpack(words(address)));
         }
     }
     /// With the texels of all lanes, as words.
@@ -193,11 +190,16 @@ struct TextureFixed : StageBase {
     template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
         return environment(p, unpack(words));
     }
-    SPANGLE_INLINE const std::uint8_t* at(std::int32_t i, std::int32_t j) const {
-        return texels + static_cast<std::uint32_t>(j) * stride + static_cast<std::uint32_t>(i) * bytes;
-    }
+    /// Sprites, text, floors: little else is done with a texel than to fetch it.
+    static constexpr bool stores_texels = Env == TexEnv::replace || Texels == TexelFormat::rgba8888;
 
   protected:
+    SPANGLE_INLINE const std::uint8_t* row_of(std::uint32_t j) const {
+        return texels + (j << log2_width) * bytes;
+    }
+    SPANGLE_INLINE static const std::uint8_t* texel(const std::uint8_t* row, std::uint32_t i) {
+        return row + i * bytes;
+    }
     /// Texels as they lie in memory, one per lane: scalar loads, then everything else in lanes.
     using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;
     SPANGLE_INLINE static Word word_at(const std::uint8_t* texel) {
@@ -205,6 +207,10 @@ struct TextureFixed : StageBase {
             return static_cast<Word>(Lanes<1>::load(texel));
         else
             return texel_word<Texels>(texel);
+    }
+    template <class Address> SPANGLE_INLINE static auto words(Address address) {
+        return N::L::generate([&](std::uint32_t k)
+                                  __attribute__((always_inline)) { return word_at(address(k)); });
     }
     template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
         if constexpr (Texels == TexelFormat::rgb565)

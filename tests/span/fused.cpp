@@ -116,6 +116,34 @@ TEST(Fused, EverySpanIsItsChain) {
     }
 }
 
+TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {
+    constexpr int row = 64 * 2;
+    TestTexture packed(TexelFormat::rgb565, BaseFormat::rgb), padded = packed;
+    padded.texels.clear();
+    for (int y = 0; y < 64; ++y) {
+        padded.texels.insert(padded.texels.end(), packed.texels.begin() + y * row,
+                             packed.texels.begin() + (y + 1) * row);
+        padded.texels.insert(padded.texels.end(), {1, 2, 3, 4});
+    }
+    padded.texture.level[0].texels = padded.texels.data();
+    packed.texture.level[0].texels = packed.texels.data();
+    padded.texture.level[0].stride = row + 4;
+    Canvas canvas[2] = {{width, height, PixelFormat::rgb565_be, DepthFormat::none},
+                        {width, height, PixelFormat::rgb565_be, DepthFormat::none}};
+    for (int i = 0; i < 2; ++i) {
+        FragmentState state;
+        state.tier = Tier::balanced;
+        state.scissor = {0, 0, width, height};
+        state.unit[0].texture = i == 0 ? &packed.texture : &padded.texture;
+        state.unit[0].env = TexEnv::replace;
+        RandomVertices source(5);
+        for (int n = 0; n < 20; ++n)
+            draw(compile<FixedVertex>(state, canvas[i].surface), canvas[i].surface,
+                 random_triangle(source, width, height, Kind::affine));
+    }
+    EXPECT_EQ(canvas[0].color, canvas[1].color);
+}
+
 TEST(Fused, KeysAreDistinct) {
     for (std::size_t i = 0; i < fused_span_count(); ++i)
         for (std::size_t j = 0; j < i; ++j)

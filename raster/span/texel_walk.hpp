@@ -1,0 +1,110 @@
+// A walk over the texels of one REPEAT image along a span, in place of coordinates and what the chain makes
+// of each: what NEAREST and LINEAR have in common. Fused spans only.
+#pragma once
+
+#include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_texture.hpp"
+
+namespace spangle::raster {
+
+/// Position along one axis, in 2^-FractionBits texels, by one shift of a word that wraps as the texture does.
+/// Lanes find theirs in scalars, which is where addresses are.
+template <bool Cubic, int FractionBits> class TexelAxis {
+  public:
+    using Step = decltype(CoordWalk<Cubic>::by);
+    TexelAxis() = default;
+    /// Position 0 lies `origin` into the texture. Along an axis of one texel whole texels are nothing to
+    /// walk.
+    SPANGLE_INLINE TexelAxis(int log2_size, std::uint32_t v, std::uint32_t origin, const Step& dv)
+        : log2_(log2_size), shift_(32 - FractionBits - log2_size), v_{v - origin, dv} {
+        if (FractionBits == 0 && log2_size == 0) {
+            shift_ = 31;
+            v_ = {};
+        }
+    }
+    SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const { return v_.ahead(lane) >> shift_; }
+    SPANGLE_INLINE std::uint32_t texel(std::uint32_t lane = 0) const {
+        return position(lane) >> FractionBits;
+    }
+    SPANGLE_INLINE std::uint32_t next_texel(std::uint32_t lane = 0) const {
+        return (texel(lane) + 1) & ((1u << log2_) - 1);
+    }
+    /// The fraction of every lane.
+    template <class L> SPANGLE_INLINE typename L::U16 fractions() const {
+        constexpr std::uint32_t mask = (1u << FractionBits) - 1;
+        if constexpr (L::count == 1)
+            return position() & mask;
+        else
+            return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
+    }
+    SPANGLE_INLINE void step(std::uint32_t pixels) { v_.step(pixels); }
+    SPANGLE_INLINE void step_straight(std::uint32_t pixels) { v_.step_straight(pixels); }
+    SPANGLE_INLINE bool straight() const { return v_.straight(); }
+    /// n steps stay where they are.
+    SPANGLE_INLINE bool constant(std::uint32_t n) const { return v_.constant(n, shift_); }
+    /// n pixels have one position each, in order: the step is one, or so nearly that none is met twice.
+    SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
+        static_assert(!Cubic);
+        const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
+        const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
+        return last >= 0 && last >> shift_ == 0;
+    }
+
+  private:
+    int log2_, shift_;
+    CoordWalk<Cubic> v_;
+};
+
+/// T is a TextureFixed; positions have F::fraction_bits, and 0 lies F::origin(log2 of the size) into the
+/// texture.
+template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
+  public:
+    using N = typename T::System;
+    static constexpr unsigned in = T::in & field_color, out = T::out;
+    static constexpr bool runs = !std::is_same_v<Runs, NoRuns>;
+
+    SPANGLE_INLINE TexelWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run_(span, x) {
+        if constexpr (!runs)
+            walk(span, x);
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
+        if constexpr (runs)
+            run_ = Runs(span, x);
+        else
+            walk(span, x);
+    }
+    SPANGLE_INLINE std::int32_t begin(std::int32_t x) {
+        const std::int32_t end = run_.begin(x);
+        walk(run_.s, run_.t, run_.ds, run_.dt);
+        return end;
+    }
+    SPANGLE_INLINE void step() { jump(N::lanes); }
+    SPANGLE_INLINE void jump(std::int32_t pixels) {
+        s.step(static_cast<std::uint32_t>(pixels));
+        t.step(static_cast<std::uint32_t>(pixels));
+    }
+    SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
+
+  protected:
+    using Axis = TexelAxis<is_cubic<Runs>, F::fraction_bits>;
+    Axis s, t;
+
+    /// n pixels lie in one row.
+    SPANGLE_INLINE bool in_row(std::int32_t n) const {
+        return s.straight() && t.constant(static_cast<std::uint32_t>(n) - 1);
+    }
+
+  private:
+    [[no_unique_address]] Runs run_;
+
+    SPANGLE_INLINE void walk(const Span<Fixed>& span, std::int32_t x) {
+        walk(span.at(x, span.s[Unit]), span.at(x, span.t[Unit]), span.s[Unit].dx, span.t[Unit].dx);
+    }
+    template <class Step>
+    SPANGLE_INLINE void walk(std::uint32_t s0, std::uint32_t t0, const Step& ds, const Step& dt) {
+        s = Axis(this->log2_width, s0, F::origin(this->log2_width), ds);
+        t = Axis(this->log2_height, t0, F::origin(this->log2_height), dt);
+    }
+};
+
+} // namespace spangle::raster
