@@ -14,6 +14,12 @@ function(spangle_core target)
     target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
 endfunction()
 
+# Primitives one by one: words that were just stored are loaded again soon. As halves of one vector the load would have to
+# wait until the stores have reached the cache.
+function(spangle_word_by_word)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-tree-slp-vectorize)
+endfunction()
+
 # Code in double that must give the same bits everywhere.
 function(spangle_reference target)
     spangle_common(${target})

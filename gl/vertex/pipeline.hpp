@@ -55,19 +55,27 @@ template <class M, class L> class Pipeline {
             return elements_in_turn(context, reader, count, indices);
         arrays_begin(reader, current);
         const bool usual = is_usual(reader), normals = lit_ && reader.normal.on();
+        if (!lit_)
+            set_unlit_color(current);
         for (std::uint32_t i = 0; i < count; ++i) {
             const std::uint32_t index = indices.at(i);
             Vertex* v;
             if (usual) {
-                v = &usual_element(reader, index, current, normals);
+                v = &usual_element(reader, index, normals);
             } else {
                 v = &element(reader, index);
                 set_color_and_texture(context, reader, index);
                 attributes(current, *v);
             }
             corner_[held_] = v;
-            if (++held_ == full_)
-                mode_ == GL_TRIANGLE_STRIP ? strip() : primitive();
+            if (++held_ != full_)
+                continue;
+            if (mode_ == GL_TRIANGLE_STRIP)
+                strip();
+            else if (mode_ == GL_LINE_STRIP)
+                line_strip();
+            else
+                primitive();
         }
         if (reader.normal.on() && count != 0)
             reader.normal.read(indices.at(count - 1), current.normal);
@@ -208,13 +216,17 @@ template <class M, class L> class Pipeline {
                 M::set_texture(transforms_, current.tex_coord[u], u, v.window);
         if (lit_)
             return;
-        if (!has_unlit_color_ || !same<4>(unlit_color_, current.color)) {
-            M::set_color(unlit_, current.color);
-            for (int c = 0; c < 4; ++c)
-                unlit_color_[c] = current.color[c];
-            has_unlit_color_ = true;
-        }
+        set_unlit_color(current);
         M::copy_color(unlit_, v.window);
+    }
+
+    SPANGLE_INLINE void set_unlit_color(const CurrentState& current) {
+        if (has_unlit_color_ && same<4>(unlit_color_, current.color))
+            return;
+        M::set_color(unlit_, current.color);
+        for (int c = 0; c < 4; ++c)
+            unlit_color_[c] = current.color[c];
+        has_unlit_color_ = true;
     }
 
     template <int N> static bool same(const Real* a, const Real* b) {
@@ -267,11 +279,12 @@ template <class M, class L> class Pipeline {
         return fresh;
     }
 
-    /// The same where is_usual(), and with its colour.
-    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index,
-                                         const CurrentState& current, bool normals) {
+    /// The same where is_usual(), and with its colour: all vertices of this time have the same where they are
+    /// not lit.
+    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals) {
         Vertex& v = cached(index);
-        if (v.time == now_ && equal(v.position, reader.vertex.words(index)) &&
+        const bool of_now = v.time == now_;
+        if (of_now && equal(v.position, reader.vertex.words(index)) &&
             (!normals || equal(v.normal, reader.normal.words(index))))
             return v;
         Vertex& fresh = place_of(v);
@@ -279,11 +292,12 @@ template <class M, class L> class Pipeline {
         fresh.position[3] = numeric::one;
         if (normals)
             reader.normal.read3(index, fresh.normal);
-        else
+        else if (lit_)
             for (int c = 0; c < 3; ++c)
                 fresh.normal[c] = given_.normal[c];
         process(fresh);
-        attributes(current, fresh);
+        if (!lit_ && !(of_now && &fresh == &v))
+            M::copy_color(unlit_, fresh.window);
         return fresh;
     }
 
@@ -405,9 +419,7 @@ template <class M, class L> class Pipeline {
             held_ = 0;
             return line(*c[0], *c[1]);
         case GL_LINE_STRIP:
-            held_ = 1;
-            swap(0, 1);
-            return line(*c[1], *c[0]);
+            return line_strip();
         case GL_LINE_LOOP: // the first vertex stays in front
             held_ = 2;
             if (full_ == 2) {
@@ -471,6 +483,14 @@ template <class M, class L> class Pipeline {
         }
     }
 
+    SPANGLE_INLINE void line_strip() {
+        Vertex *const last = corner_[0], *const next = corner_[1];
+        corner_[0] = next;
+        corner_[1] = last;
+        held_ = 1;
+        line(*last, *next);
+    }
+
     /// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
     SPANGLE_INLINE void strip() {
         Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
@@ -491,10 +511,17 @@ template <class M, class L> class Pipeline {
         raster::draw_point(*state_, context_->drawable.surface, v.window, point_size_);
     }
 
-    [[gnu::noinline]] void line(Vertex& a, Vertex& b) {
-        const unsigned any = a.flags | b.flags;
+    SPANGLE_INLINE void line(Vertex& a, Vertex& b) {
         if ((a.flags & b.flags & outside_mask) != 0)
             return;
+        if (((a.flags | b.flags) & (uncolored | beyond_mask | unprojected)) != 0)
+            return unfinished_line(a, b);
+        raster::draw_line(*state_, context_->drawable.surface, a.window, b.window, b.window, line_width_);
+    }
+
+    /// Some vertex lacks something, or must be cut off.
+    [[gnu::noinline]] void unfinished_line(Vertex& a, Vertex& b) {
+        const unsigned any = a.flags | b.flags;
         if ((any & uncolored) != 0) {
             if (!flat_ || (any & beyond_mask) != 0)
                 color(a);

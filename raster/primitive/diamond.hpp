@@ -25,32 +25,34 @@ class DiamondWalk {
     bool along_x;
     bool ascends; ///< from the first end point to the second
 
-    static constexpr std::int32_t small_length = 64 * subpixel_one; ///< up to which 32 bits are enough
+    /// Up to which near ends are placed with 32 bits.
+    static constexpr std::int32_t small_length = 1 << 20;
 
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
     DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
         const std::int32_t dx = bx - ax, dy = by - ay;
         along_x = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
-        const std::int32_t along = along_x ? dx : dy, across = along_x ? dy : dx;
-        ascends = along >= 0;
         const End a = along_x ? End{ax, ay - shift} : End{ay, ax - shift};
         const End b = along_x ? End{bx, by - shift} : End{by, bx - shift};
-        // Fragments from `first` on in the direction of the line, `end` not among them.
-        const std::int32_t first = begin(a), end = begin(b);
-        major = ascends ? first : end + 1;
-        count = along == 0 ? 0 : ascends ? end - first : first - end;
+        ascends = a.major <= b.major;
+        const End low = ascends ? a : b, high = ascends ? b : a;
+        major = first_past(low);
+        count = first_past(high) - major;
         if (count <= 0) {
             count = 0;
             return;
         }
-        length_ = ascends ? along : -along;
-        rise_ = ascends ? across : -across;
+        start_ = low;
+        length_ = high.major - low.major;
+        rise_ = high.minor - low.minor;
         denominator_ = length_ * subpixel_one;
         // A value on the boundary of two fragments belongs to the upper one only if the shifted line lies
         // above it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does.
         lower_tie_ = !along_x || rise_ <= 0 ? 1 : 0;
-        start_ = a;
-        place();
+        if (length_ <= small_length)
+            place_first();
+        else
+            place();
     }
 
     void step() {
@@ -101,42 +103,51 @@ class DiamondWalk {
 
     /// The fragment a coordinate is in: floor(v - e).
     static std::int32_t own(std::int32_t v) { return (v - 1) >> subpixel_bits; }
+    /// From the centre of that to it, -127 .. 128.
+    static std::int32_t from_center(std::int32_t v) {
+        return ((v - 1) & (subpixel_one - 1)) - (subpixel_one / 2 - 1);
+    }
 
-    /// The first fragment along the major axis that the line produces from an end point on: the one of its
-    /// own column, or the next when that one is behind, past the centre line and outside of the diamond.
-    std::int32_t begin(const End& end) const {
-        const std::int32_t half = subpixel_one / 2, column = own(end.major);
-        const std::int32_t f = end.major - column * subpixel_one - half;
-        const std::int32_t g = end.minor - own(end.minor) * subpixel_one - half;
-        const std::int32_t distance = (f < 0 ? -f : f) + (g < 0 ? -g : g);
-        if (numeric::cheap_branches && distance < half)
-            return column;
-        // Without branches: they would be taken at random. x of a point on the diamond's edge decides which
-        // side the shift moves it to, and points on the centre line are moved below it.
-        const bool outside = (distance > half) | ((distance == half) & ((along_x ? f : g) <= 0));
-        const bool behind = outside & ((f > 0) == ascends);
-        return column + (ascends ? 1 : -1) * static_cast<std::int32_t>(behind);
+    /// An end is not in the diamond of its own fragment. x of a point on the diamond's edge decides which
+    /// side the shift moves it to, and points on the centre line are moved below it: where x is not above the
+    /// centre, the distance counts as one more.
+    static bool outside(std::int32_t across_x, std::int32_t across_y) {
+        const std::int32_t before = across_x - 1, x = before ^ (before >> 31);
+        return x + (across_y < 0 ? -across_y : across_y) >= subpixel_one / 2;
+    }
+
+    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
+    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
+    /// last but one that lies before the end. Without branches: they would be taken at random.
+    std::int32_t first_past(const End& end) const {
+        const std::int32_t f = from_center(end.major), g = from_center(end.minor);
+        const bool out = outside(along_x ? f : g, along_x ? g : f), above = f > 0;
+        return own(end.major) + static_cast<std::int32_t>(ascends ? out & above : !out | above);
     }
 
     /// minor and remainder at the centre of `major`.
     void place() {
         const std::int32_t from_start = major * subpixel_one + subpixel_one / 2 - start_.major;
         const std::int32_t inside = start_.minor & (subpixel_one - 1);
-        std::int32_t whole;
-        if (length_ <= small_length) { // |from_start|, |rise| <= 2^14 + 2^8
-            const std::int32_t numerator = from_start * rise_ + inside * length_ - lower_tie_;
-            whole = numerator / denominator_;
-            remainder_ = numerator - whole * denominator_;
-            if (remainder_ < 0)
-                --whole, remainder_ += denominator_;
-        } else {
-            const std::int64_t numerator =
-                std::int64_t{from_start} * rise_ + std::int64_t{inside} * length_ - lower_tie_;
-            const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
-            whole = static_cast<std::int32_t>(q.quotient);
-            remainder_ = static_cast<std::int32_t>(q.remainder);
-        }
-        minor = (start_.minor >> subpixel_bits) + whole;
+        const std::int64_t numerator =
+            std::int64_t{from_start} * rise_ + std::int64_t{inside} * length_ - lower_tie_;
+        const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
+        remainder_ = static_cast<std::int32_t>(q.remainder);
+        minor = (start_.minor >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
+    }
+
+    /// The same at the first fragment, whose centre is -128 .. 383 from the start: |rise| <= length makes the
+    /// quotient more than -2 and less than 3.
+    void place_first() {
+        constexpr std::int32_t bias = 2;
+        const std::int32_t from_start = major * subpixel_one + subpixel_one / 2 - start_.major;
+        const std::int32_t inside = start_.minor & (subpixel_one - 1);
+        const auto numerator = static_cast<std::uint32_t>(
+            from_start * rise_ + (inside + bias * subpixel_one) * length_ - lower_tie_);
+        const auto denominator = static_cast<std::uint32_t>(denominator_);
+        const std::uint32_t whole = numerator / denominator;
+        remainder_ = static_cast<std::int32_t>(numerator - whole * denominator);
+        minor = (start_.minor >> subpixel_bits) - bias + static_cast<std::int32_t>(whole);
     }
 
     End start_;

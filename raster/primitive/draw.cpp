@@ -1,6 +1,5 @@
 #include "raster/primitive/draw.hpp"
 
-#include "raster/primitive/line.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/triangle.hpp"
 
@@ -11,12 +10,6 @@ void draw_triangle<FixedVertex>(const DrawState& state, const Surface& target, c
                                 const FixedVertex& b, const FixedVertex& c, const FixedVertex& provoking,
                                 std::int64_t area2) {
     draw_triangle_of<Fixed>(state, target, a, b, c, provoking, area2);
-}
-
-template <>
-void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
-                            const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
-    draw_line_of<Fixed>(state, target, a, b, provoking, width);
 }
 
 template <>

@@ -55,11 +55,6 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     if (state.nothing || walk.count == 0)
         return;
     const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);
-    if (width == 1 && pen.walks(pa, pb)) {
-        Setup<P>(pen.span, a, b, provoking, true, interval.begin, interval.end);
-        if (pen.draw(walk.path()))
-            return;
-    }
     if (walk.along_x)
         walk.clip(pen.column_begin(), pen.column_end());
     else

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "raster/primitive/setup.hpp"
-#include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/surface/surface.hpp"
 
@@ -70,40 +69,6 @@ template <class P> class Pen {
         rows_[count_] = {y, left, right, first, last};
         if (++count_ == batch)
             flush();
-    }
-
-    /// A line of width 1 may be drawn as a path: all of it is inside of the scissor rectangle, planes have
-    /// equal strides, and nobody asks for rows.
-    bool walks(const Position& a, const Position& b) const {
-        const DrawState& state = *span.state;
-        const Surface& target = *span.target;
-        if (!state.walks || (target.depth != nullptr && target.depth_stride != target.color_stride))
-            return false;
-#ifndef SPANGLE_FIRMWARE
-        if (state.counters != nullptr && state.counters->observer != nullptr)
-            return false;
-#endif
-        // Fragments lie within a pixel of the ends' pixels.
-        const auto inside = [](std::int32_t v, std::int32_t begin, std::int32_t size) {
-            const std::int32_t pixel = v >> subpixel_bits;
-            return pixel > begin && pixel < begin + size - 1;
-        };
-        return inside(a.x, clip_.x, clip_.w) && inside(b.x, clip_.x, clip_.w) &&
-               inside(a.y, clip_.y, clip_.h) && inside(b.y, clip_.y, clip_.h);
-    }
-
-    /// False: this kind is drawn as rows, from planes over the window.
-    bool draw(const Path& path) {
-        const AnyFunction walk = span.state->variant[static_cast<unsigned>(span.kind)].walk;
-        if (walk == nullptr)
-            return false;
-        begin();
-        if (span.state->counters != nullptr)
-            span.state->counters->fragments += static_cast<std::uint32_t>(path.count);
-        if (const Surface& target = *span.target; target.touched != nullptr)
-            path.each([&](std::int32_t x, std::int32_t y) { touch(target, y, x, x + 1); });
-        reinterpret_cast<PathFunction<P>>(walk)(span, path);
-        return true;
     }
 
     /// After the last of them.

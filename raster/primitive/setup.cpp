@@ -26,14 +26,9 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x
     v_[0] = v_[2] = &from;
     v_[1] = &to;
     cx_[0] = cx_[1] = cy_[0] = cy_[1] = 0;
-    exponent_ = 32;
-    if (const std::uint32_t length = abs_u32(end - begin); length != 0) {
-        const int zeros = clz32(length);
-        // 256 / length = mantissa 2^-(53 - zeros)
-        const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
-        (along_x ? cx_[0] : cy_[0]) = end < begin ? -mantissa : mantissa;
-        exponent_ = 53 - zeros;
-    }
+    const PerPixel per_pixel(begin, end);
+    (along_x ? cx_[0] : cy_[0]) = per_pixel.coefficient;
+    exponent_ = per_pixel.exponent;
     start(along_x ? begin : from.x, along_x ? from.y : begin);
 }
 
@@ -95,22 +90,6 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, t
 
 // --- planes
 
-/// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
-static std::int64_t scaled(std::int64_t v, int n) {
-    if (n >= 0)
-        return v >> (n < 63 ? n : 63);
-    return shift(v, n);
-}
-
-/// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
-SPANGLE_INLINE static std::uint32_t scaled_word(std::int64_t v, int n) {
-    if (n <= 0 || n >= 32) [[unlikely]]
-        return static_cast<std::uint32_t>(scaled(v, n));
-    if constexpr (sizeof(void*) > 4)
-        return static_cast<std::uint32_t>(v >> n);
-    return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
-}
-
 /// Differences counted in 2^(exponent - up) of the unit of v.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t v0, std::int32_t v1,
                                                              std::int32_t v2) const {
@@ -153,10 +132,8 @@ std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const
 void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
     const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
-    const auto code = [&](int i) { // z (2^bits - 1) 2^(32 - bits); 1 is 2^32 less one code
-        return (v_[i]->z << 2) - (v_[i]->z >> (bits - 2));
-    };
-    std::uint32_t z0 = code(0), z1 = code(1), z2 = code(2);
+    std::uint32_t z0 = depth_code(v_[0]->z, bits), z1 = depth_code(v_[1]->z, bits),
+                  z2 = depth_code(v_[2]->z, bits);
     if (bits == 24) {
         // Half a code is less than the error of a steep plane may be: keep slopes so far from both ends that
         // no value wraps. A constant depth stays as it is.
@@ -283,17 +260,9 @@ SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& painted) {
     if (kind == Kind::full)
         span_.q_dy = add_projective(span_.q, q_);
     if (kind == Kind::flat)
-        constant_word(painted);
+        span_.flat_word = word565(painted.color);
     else
         colors(one_color, painted);
-}
-
-/// As stored in a 16-bit surface.
-SPANGLE_INLINE void Setup<Fixed>::constant_word(const Vertex& painted) {
-    const auto to8 = [&](int i) {
-        return (painted.color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
-    };
-    span_.flat_word = (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
 }
 
 void Setup<Fixed>::colors(bool one_color, const Vertex& painted) {

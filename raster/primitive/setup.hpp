@@ -83,7 +83,6 @@ template <> class Setup<Fixed> {
     Slope add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
-    void constant_word(const Vertex& painted);
     void constant_colors(const Vertex& painted);
     void colors(bool one_color, const Vertex& painted);
     void add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,

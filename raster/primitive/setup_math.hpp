@@ -1,7 +1,10 @@
 // Small integer forms that set-up shares among its files.
 #pragma once
 
-#include "raster/numeric/bits.hpp"
+#include <cstdint>
+
+#include "raster/numeric/reciprocal.hpp"
+#include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
 
@@ -18,6 +21,58 @@ SPANGLE_INLINE std::int64_t shift(std::int64_t v, int n) {
         return n > 62 ? 0 : ((v >> (n - 1)) + 1) >> 1;
     return n < -63 ? 0 : static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << -n);
 }
+
+/// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
+inline std::int64_t scaled(std::int64_t v, int n) {
+    if (n >= 0)
+        return v >> (n < 63 ? n : 63);
+    return shift(v, n);
+}
+
+/// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
+SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
+    if constexpr (sizeof(void*) > 4)
+        return static_cast<std::uint32_t>(scaled(v, n));
+    if (n <= 0 || n >= 32) [[unlikely]]
+        return static_cast<std::uint32_t>(scaled(v, n));
+    return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
+}
+
+/// z (2^bits - 1) 2^(32 - bits) of a vertex' z, for a depth buffer of that many bits; 1 is 2^32 less one
+/// code.
+SPANGLE_INLINE std::uint32_t depth_code(std::uint32_t z, int bits) {
+    return (z << 2) - (z >> (bits - 2));
+}
+
+/// A colour as stored in a 16-bit surface.
+SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
+    const auto to8 = [&](int i) {
+        return (color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
+    };
+    return (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
+}
+
+/// What a difference between two ends is worth per pixel of the axis along which they lie apart.
+struct PerPixel {
+    std::int32_t coefficient = 0; ///< 30 bits
+    int exponent = 32;            ///< times 2^-exponent
+    /// From subpixel `begin` to `end`; nothing varies where they are the same.
+    SPANGLE_INLINE PerPixel(std::int32_t begin, std::int32_t end) {
+        const std::uint32_t length = numeric::abs_u32(end - begin);
+        if (length == 0)
+            return;
+        const int zeros = numeric::clz32(length);
+        // 256 / length = mantissa 2^-(53 - zeros)
+        const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
+        coefficient = end < begin ? -mantissa : mantissa;
+        exponent = 53 - zeros;
+    }
+    /// From subpixel v to the centre of its pixel.
+    SPANGLE_INLINE std::int32_t to_center(std::int32_t v) const {
+        return static_cast<std::int32_t>(
+            numeric::mul_s32(coefficient, subpixel_one / 2 - (v & (subpixel_one - 1))) >> subpixel_bits);
+    }
+};
 
 /// a * b / 2^30, rounded.
 SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {

@@ -87,6 +87,17 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     }
 }
 
+/// Where one offset finds a fragment in both planes, and the pixels beside those of the ends, which a line
+/// may reach, are inside of the scissor rectangle.
+DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
+    if ((target.depth != nullptr && target.depth_stride != target.color_stride) || scissor.w <= 2 ||
+        scissor.h <= 2)
+        return {};
+    return {(scissor.x + 1) * subpixel_one, (scissor.y + 1) * subpixel_one,
+            static_cast<std::uint32_t>((scissor.w - 2) * subpixel_one),
+            static_cast<std::uint32_t>((scissor.h - 2) * subpixel_one)};
+}
+
 } // namespace
 
 AnyFunction chain_runner(Number number) {
@@ -127,6 +138,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
 
 template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
     DrawState draw;
+    bool walks = false;
     prepare(draw, state, target);
     for (int i = 0; i < kind_count && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
@@ -138,8 +150,10 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
         if (kind == Kind::textured && plain)
             continue;
         choose_span(draw.variant[i], key, state);
-        draw.walks = draw.walks || draw.variant[i].walk != nullptr;
+        walks = walks || draw.variant[i].walk != nullptr;
     }
+    if (walks)
+        draw.paths = area_of_paths(state.scissor, target);
     return draw;
 }
 

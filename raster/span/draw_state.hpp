@@ -94,7 +94,14 @@ struct DrawState {
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
     Variant variant[kind_count];
-    bool walks = false; ///< some variant draws paths
+    /// Lines of width 1 with both ends here may be drawn as paths.
+    struct Area {
+        std::int32_t x = 0, y = 0; ///< subpixels
+        std::uint32_t w = 0, h = 0;
+        bool holds(std::int32_t px, std::int32_t py) const {
+            return static_cast<std::uint32_t>(px - x) < w && static_cast<std::uint32_t>(py - y) < h;
+        }
+    } paths;
     /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
     bool nothing = false;
 };

@@ -222,14 +222,18 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// A path over planes whose rows have the same stride in pixels.
+/// A path over planes whose rows have the same stride.
 template <class Case> [[gnu::noinline]] void fused_path(Span<Fixed>& span, const Path& path) {
     constexpr int bytes = format_info(Case::key.format).bytes_per_pixel;
     static_assert(!Case::key.dither && bytes == 2 && Case::key.depth_format != DepthFormat::z24s8);
-    point_at(span.color, span.depth, *span.target, path.x, path.y, bytes, 1);
+    const Surface& target = *span.target;
+    const std::ptrdiff_t first = std::ptrdiff_t{path.y} * target.color_stride + path.x * bytes;
+    span.color = target.color + first;
+    if constexpr (Case::tested)
+        span.depth = target.depth + first;
     span.x = path.along_x ? path.x : path.y;
     span.y = span.anchor_y;
-    const std::int32_t row = span.target->color_stride / bytes, up = path.falls ? -1 : 1;
+    const std::int32_t row = target.color_stride / bytes, up = path.falls ? -1 : 1;
     const std::int32_t along = path.along_x ? 1 : row, aside = path.along_x ? (path.falls ? -row : row) : up;
     const std::int32_t rise = path.rise, denominator = path.denominator;
     std::int32_t count = path.count, rest = path.remainder - denominator;

@@ -155,18 +155,19 @@ void edge_small() {
                 subpixel_one, subpixel_one, subpixel_one, most, most, most, rows, rows, subpixel_one);
 }
 
-/// DiamondWalk::place() in 32 bits.
-void diamond_small() {
+/// DiamondWalk::place_first() in 32 bits: the numerator is not negative either, |slope| being 1 at most.
+void diamond_first() {
     using namespace spangle::raster;
-    const int most = DiamondWalk::small_length;
-    std::printf(
-        "@whole = fixed<0, ne>;\n"
-        "from = whole(FR); rise = whole(RI); inside = whole(IN); length = whole(LE);\n"
-        "tie = whole(TI);\n"
-        "numerator = from * rise + inside * length - tie;\n"
-        "{ |from| <= %d /\\ |rise| <= %d /\\ inside in [0, %d] /\\ length in [1, %d] /\\ tie in [0, 1]\n"
-        "  -> |numerator| <= 2147483647 }\n",
-        most + subpixel_one, most, subpixel_one - 1, most);
+    const int most = DiamondWalk::small_length, half = subpixel_one / 2;
+    std::printf("@whole = fixed<0, ne>;\n"
+                "from = whole(FR); rise = whole(RI); inside = whole(IN); length = whole(LE);\n"
+                "tie = whole(TI); slope = rise / length;\n"
+                "numerator = from * rise + (inside + %d) * length - tie;\n"
+                "{ from in [-%d, %d] /\\ |rise| <= %d /\\ inside in [0, %d] /\\ length in [1, %d]\n"
+                "  /\\ tie in [0, 1] /\\ |slope| <= 1\n"
+                "  -> |numerator| <= 2147483647 /\\ from * slope + inside + %d in [129, 1150] }\n",
+                2 * subpixel_one, half, half + subpixel_one - 1, most, subpixel_one - 1, most,
+                2 * subpixel_one);
 }
 
 } // namespace
@@ -183,7 +184,7 @@ constexpr Obligation obligations[] = {
     {"rsqrt_second", rsqrt_second},
     {"edge_wide", edge_wide},
     {"edge_small", edge_small},
-    {"diamond_small", diamond_small},
+    {"diamond_first", diamond_first},
 };
 
 int main(int argc, char** argv) {

@@ -22,7 +22,8 @@ struct Drawn {
         canvas.surface.touched_step = 1;
         state = compile<FixedVertex>(fragment, canvas.surface);
         state.counters = &counters;
-        state.walks = state.walks && walks;
+        if (!walks)
+            state.paths = {};
     }
     void line(const FixedVertex& a, const FixedVertex& b) {
         touched.assign(touched.size(), RowSpan{});
@@ -61,7 +62,7 @@ long compare(const Case& c, bool& walks) {
     fragment.depth_func = Compare::less;
     const DepthFormat format = c.depth ? DepthFormat::z16 : DepthFormat::none;
     Drawn path(fragment, format, true), rows(fragment, format, false);
-    walks = path.state.walks;
+    walks = path.state.paths.w != 0;
     std::mt19937 random(21);
     for (int i = 0; i < 2000; ++i) {
         const FixedVertex a = random_end(random, c.same_w, 4);
