@@ -57,26 +57,20 @@ template <class M, class L> class Pipeline {
         const bool usual = is_usual(reader), normals = lit_ && reader.normal.on();
         if (!lit_)
             set_unlit_color(current);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t index = indices.at(i);
-            Vertex* v;
-            if (usual) {
-                v = &usual_element(reader, index, normals);
-            } else {
-                v = &element(reader, index);
-                set_color_and_texture(context, reader, index);
-                attributes(current, *v);
-            }
-            corner_[held_] = v;
-            if (++held_ != full_)
-                continue;
-            if (mode_ == GL_TRIANGLE_STRIP)
-                strip();
-            else if (mode_ == GL_LINE_STRIP)
-                line_strip();
-            else
-                primitive();
-        }
+        const auto next = [&](Vertex& v) {
+            corner_[held_] = &v;
+            if (++held_ == full_)
+                mode_ == GL_TRIANGLE_STRIP ? strip() : primitive();
+        };
+        if (!usual)
+            for (std::uint32_t i = 0; i < count; ++i)
+                next(unusual_element(context, reader, indices.at(i)));
+        else if (mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP)
+            line_elements(reader, count, indices, normals);
+        else
+            for (std::uint32_t i = 0; i < count; ++i)
+                next(usual_element(reader, indices.at(i), normals,
+                                   [this](Vertex& cached) -> Vertex& { return place_of(cached); }));
         if (reader.normal.on() && count != 0)
             reader.normal.read(indices.at(count - 1), current.normal);
     }
@@ -103,7 +97,8 @@ template <class M, class L> class Pipeline {
         uncolored = 1 << 15,
                               is_cut = 1 << 16, ///< it is a Cut
         edge_flag = 1 << 17,                    ///< as the vertex was given
-        boundary = 1 << 18; ///< of the polygon at hand: the edge that starts here is drawn in outlines
+        boundary = 1 << 18,   ///< of the polygon at hand: the edge that starts here is drawn in outlines
+        is_pending = 1 << 19; ///< lines that it is an end of are still to be drawn
 
     struct Given {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one}, normal[3]{};
@@ -121,6 +116,7 @@ template <class M, class L> class Pipeline {
         typename L::Input light{};
     };
     static constexpr int slot_count = 4, clip_vertices = 16, cut_count = 4 + clip_vertices;
+    static constexpr int line_batch = numeric::cheap_branches ? 8 : 16; ///< lines under way, even
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
@@ -279,15 +275,28 @@ template <class M, class L> class Pipeline {
         return fresh;
     }
 
+    /// The same with its colour and texture coordinates.
+    SPANGLE_INLINE Vertex& unusual_element(Context& context, const ElementReader& reader,
+                                           std::uint32_t index) {
+        Vertex& v = element(reader, index);
+        set_color_and_texture(context, reader, index);
+        attributes(context.current, v);
+        return v;
+    }
+
     /// The same where is_usual(), and with its colour: all vertices of this time have the same where they are
     /// not lit.
-    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals) {
+    /// `place`: where it goes if it is new.
+    template <class Place>
+    SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
+                                         const Place& place) {
         Vertex& v = cached(index);
         const bool of_now = v.time == now_;
         if (of_now && equal(v.position, reader.vertex.words(index)) &&
             (!normals || equal(v.normal, reader.normal.words(index))))
             return v;
-        Vertex& fresh = place_of(v);
+        Vertex& fresh = place(v);
+        fresh.time = now_;
         reader.vertex.read3(index, fresh.position);
         fresh.position[3] = numeric::one;
         if (normals)
@@ -304,6 +313,53 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words) {
         return v[0].bits == ArrayReader::word(words, 0) && v[1].bits == ArrayReader::word(words, 1) &&
                v[2].bits == ArrayReader::word(words, 2);
+    }
+
+    /// Lines of elements, several at a time: vertices, then what the rasterizer makes of them, so that
+    /// neither waits for the other.
+    void line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                       bool normals) {
+        Vertex* vertex[line_batch + 1];
+        int n = 0;
+        const auto place = [&](Vertex& cached) -> Vertex& {
+            if ((cached.flags & is_pending) != 0) [[unlikely]]
+                n = pending_lines(vertex, n);
+            if ((cached.flags & is_pending) == 0) [[likely]]
+                return cached;
+            return vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            Vertex& v = usual_element(reader, indices.at(i), normals, place);
+            if (mode_ == GL_LINE_LOOP && i == 0)
+                slot_[2] = v;
+            v.flags |= is_pending;
+            vertex[n++] = &v;
+            if (n == line_batch + 1)
+                n = pending_lines(vertex, n);
+        }
+        n = pending_lines(vertex, n);
+        if (n == 0)
+            return;
+        vertex[0]->flags &= ~is_pending;
+        if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes it
+            corner_[0] = &slot_[2];
+            corner_[1] = vertex[0];
+            held_ = 2;
+        }
+    }
+
+    /// Draws the lines among n vertices and lets go of these, but for the last where the next line starts
+    /// from it: that is the first of those that are left.
+    [[gnu::noinline]] int pending_lines(Vertex** vertex, int n) {
+        const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? n & 1 : n != 0 ? 1 : 0;
+        lines(vertex, n, step);
+        for (int i = 0; i < n - left; ++i)
+            vertex[i]->flags &= ~is_pending;
+        if (left != 0) {
+            vertex[0] = vertex[n - 1];
+            vertex[0]->flags |= is_pending;
+        }
+        return left;
     }
 
     /// Where a new vertex goes that belongs into `cached`.
@@ -419,7 +475,9 @@ template <class M, class L> class Pipeline {
             held_ = 0;
             return line(*c[0], *c[1]);
         case GL_LINE_STRIP:
-            return line_strip();
+            held_ = 1;
+            swap(0, 1);
+            return line(*c[1], *c[0]);
         case GL_LINE_LOOP: // the first vertex stays in front
             held_ = 2;
             if (full_ == 2) {
@@ -483,14 +541,6 @@ template <class M, class L> class Pipeline {
         }
     }
 
-    SPANGLE_INLINE void line_strip() {
-        Vertex *const last = corner_[0], *const next = corner_[1];
-        corner_[0] = next;
-        corner_[1] = last;
-        held_ = 1;
-        line(*last, *next);
-    }
-
     /// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
     SPANGLE_INLINE void strip() {
         Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
@@ -511,24 +561,43 @@ template <class M, class L> class Pipeline {
         raster::draw_point(*state_, context_->drawable.surface, v.window, point_size_);
     }
 
-    SPANGLE_INLINE void line(Vertex& a, Vertex& b) {
-        if ((a.flags & b.flags & outside_mask) != 0)
-            return;
-        if (((a.flags | b.flags) & (uncolored | beyond_mask | unprojected)) != 0)
-            return unfinished_line(a, b);
-        raster::draw_line(*state_, context_->drawable.surface, a.window, b.window, b.window, line_width_);
+    void line(Vertex& a, Vertex& b) {
+        Vertex* const ends[2] = {&a, &b};
+        lines(ends, 2, 1);
     }
 
-    /// Some vertex lacks something, or must be cut off.
-    [[gnu::noinline]] void unfinished_line(Vertex& a, Vertex& b) {
-        const unsigned any = a.flags | b.flags;
-        if ((any & uncolored) != 0) {
-            if (!flat_ || (any & beyond_mask) != 0)
-                color(a);
-            color(b);
+    /// From vertices i to i + 1, with i = 0, step, ...
+    [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step) {
+        raster::LineEnds<Window> ready[line_batch];
+        int count = 0;
+        const auto draw = [&] {
+            raster::draw_lines(*state_, context_->drawable.surface, ready, ready + count, line_width_);
+            count = 0;
+        };
+        for (int i = 0; i + 1 < n; i += step) {
+            Vertex &a = *vertex[i], &b = *vertex[i + 1];
+            const unsigned any = a.flags | b.flags;
+            if ((a.flags & b.flags & outside_mask) != 0)
+                continue;
+            if ((any & uncolored) != 0) {
+                if (!flat_ || (any & beyond_mask) != 0)
+                    color(a);
+                color(b);
+            }
+            if ((any & (beyond_mask | unprojected)) == 0) [[likely]] {
+                ready[count++] = {&a.window, &b.window};
+                continue;
+            }
+            draw();
+            cut_line(a, b);
         }
+        draw();
+    }
+
+    /// A line that is beyond a plane, or whose ends have no window coordinates yet.
+    [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b) {
         Vertex* ends[2] = {&a, &b};
-        if ((any & beyond_mask) != 0 && !clip_line(ends))
+        if (((a.flags | b.flags) & beyond_mask) != 0 && !clip_line(ends))
             return;
         if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 &&
             (!project(*ends[0]) || !project(*ends[1])))

@@ -29,7 +29,8 @@ class DiamondWalk {
     static constexpr std::int32_t small_length = 1 << 20;
 
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
-    DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
+    SPANGLE_INLINE DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
+                               std::int32_t shift) {
         const std::int32_t dx = bx - ax, dy = by - ay;
         along_x = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
         const End a = along_x ? End{ax, ay - shift} : End{ay, ax - shift};
@@ -68,17 +69,17 @@ class DiamondWalk {
         }
     }
 
-    /// What is left of the walk.
-    Path path() const {
+    /// What is left of the walk, where a row is `row` pixels from the one below it.
+    SPANGLE_INLINE void follow(std::int32_t row, Path& path) const {
         const bool falls = rise_ < 0;
-        return {along_x ? major : minor,
-                along_x ? minor : major,
-                count,
-                falls ? denominator_ - 1 - remainder_ : remainder_,
-                (falls ? -rise_ : rise_) * subpixel_one,
-                denominator_,
-                along_x,
-                falls};
+        const std::int32_t across = along_x ? row : 1;
+        path.along = along_x ? 1 : row;
+        path.aside = falls ? -across : across;
+        path.first = major * path.along + minor * across;
+        path.count = count;
+        path.rest = falls ? -1 - remainder_ : remainder_ - denominator_;
+        path.rise = (falls ? -rise_ : rise_) * subpixel_one;
+        path.denominator = denominator_;
     }
 
     /// Drops fragments whose major coordinate is outside of [low, high).
@@ -119,7 +120,7 @@ class DiamondWalk {
     /// The first fragment along the major axis that lies past an end: of its own column, or the next where
     /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
     /// last but one that lies before the end. Without branches: they would be taken at random.
-    std::int32_t first_past(const End& end) const {
+    SPANGLE_INLINE std::int32_t first_past(const End& end) const {
         const std::int32_t f = from_center(end.major), g = from_center(end.minor);
         const bool out = outside(along_x ? f : g, along_x ? g : f), above = f > 0;
         return own(end.major) + static_cast<std::int32_t>(ascends ? out & above : !out | above);
@@ -138,7 +139,7 @@ class DiamondWalk {
 
     /// The same at the first fragment, whose centre is -128 .. 383 from the start: |rise| <= length makes the
     /// quotient more than -2 and less than 3.
-    void place_first() {
+    SPANGLE_INLINE void place_first() {
         constexpr std::int32_t bias = 2;
         const std::int32_t from_start = major * subpixel_one + subpixel_one / 2 - start_.major;
         const std::int32_t inside = start_.minor & (subpixel_one - 1);

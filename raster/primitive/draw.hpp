@@ -27,6 +27,20 @@ template <class V>
 void draw_line(const DrawState& state, const Surface& target, const V& a, const V& b, const V& provoking,
                std::int32_t width);
 
+/// The ends of a line; the second one gives the colour when state.flat.
+template <class V> struct LineEnds { const V *a, *b; };
+
+/// Lines one after the other; some at a time are faster than each alone.
+template <class V>
+void draw_lines(const DrawState& state, const Surface& target, const LineEnds<V>* line,
+                const LineEnds<V>* end, std::int32_t width) {
+    for (; line != end; ++line)
+        draw_line(state, target, *line->a, *line->b, *line->b, width);
+}
+template <>
+void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const LineEnds<FixedVertex>* line,
+                             const LineEnds<FixedVertex>* end, std::int32_t width);
+
 /// Aliased point, size in whole pixels >= 1 (GL 1.3, 3.3).
 template <class V>
 void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);

@@ -35,7 +35,7 @@ struct Counters {
 #endif
 };
 
-/// A function of some signature: RowsFunction<P> to draw rows, PathFunction<P> to draw paths,
+/// A function of some signature: RowsFunction<P> to draw rows, PathFunction to draw paths,
 /// void(Packet<N>&, const Span<P>&) for a stage of the chain. Whoever fills it in and whoever calls it agree
 /// on P and N.
 using AnyFunction = void (*)();

@@ -222,25 +222,11 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// A path over planes whose rows have the same stride.
-template <class Case> [[gnu::noinline]] void fused_path(Span<Fixed>& span, const Path& path) {
-    constexpr int bytes = format_info(Case::key.format).bytes_per_pixel;
-    static_assert(!Case::key.dither && bytes == 2 && Case::key.depth_format != DepthFormat::z24s8);
-    const Surface& target = *span.target;
-    const std::ptrdiff_t first = std::ptrdiff_t{path.y} * target.color_stride + path.x * bytes;
-    span.color = target.color + first;
-    if constexpr (Case::tested)
-        span.depth = target.depth + first;
-    span.x = path.along_x ? path.x : path.y;
-    span.y = span.anchor_y;
-    const std::int32_t row = target.color_stride / bytes, up = path.falls ? -1 : 1;
-    const std::int32_t along = path.along_x ? 1 : row, aside = path.along_x ? (path.falls ? -row : row) : up;
-    const std::int32_t rise = path.rise, denominator = path.denominator;
-    std::int32_t count = path.count, rest = path.remainder - denominator;
-    typename Case::template List<1> list(span, 0);
-    Px<typename Case::template System<1>> p;
-    p.live = true;
-    p.i = 0;
+/// The fragments of one path; the list and the pixel are at the first.
+template <class List, class N> SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Path& path) {
+    const std::int32_t along = path.along, aside = path.aside, rise = path.rise,
+                       denominator = path.denominator;
+    std::int32_t count = path.count, rest = path.rest;
     do {
         list(p);
         list.step();
@@ -257,6 +243,32 @@ template <class Case> [[gnu::noinline]] void fused_path(Span<Fixed>& span, const
             p.i += aside & reached;
         }
     } while (--count != 0);
+}
+
+/// Paths whose pixels are counted from window (0, 0).
+template <class Case>
+[[gnu::noinline]] void fused_path(const DrawState& state, const Surface& target, const Path* path,
+                                  const Path* end) {
+    static_assert(!Case::key.dither && format_info(Case::key.format).bytes_per_pixel == 2 &&
+                  Case::key.depth_format != DepthFormat::z24s8);
+    using N = typename Case::template System<1>;
+    Span<Fixed> span;
+    span.state = &state;
+    span.target = &target;
+    span.color = target.color;
+    span.depth = target.depth;
+    span.x = span.y = span.anchor_x = span.anchor_y = 0;
+    Px<N> p;
+    p.live = true;
+    do {
+        span.flat_word = path->word;
+        span.z = {path->z.value, path->z.step, 0};
+        for (int c = 0; c < 3; ++c)
+            span.color_value[c] = {path->color[c].value, path->color[c].step, 0};
+        typename Case::template List<1> list(span, 0);
+        p.i = path->first;
+        walk_path(list, p, *path);
+    } while (++path != end);
 }
 
 } // namespace spangle::raster

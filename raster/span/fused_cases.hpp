@@ -121,7 +121,7 @@ template <Key K> class FusedCase {
     template <int L> using List = typename Stages<L>::List;
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
-    static constexpr PathFunction<Fixed> walk() {
+    static constexpr PathFunction walk() {
         if constexpr (raw && !textured)
             return &fused_path<FusedCase>;
         else

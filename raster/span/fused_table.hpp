@@ -13,7 +13,7 @@ namespace spangle::raster {
 struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
-    PathFunction<Fixed> walk;   ///< null where paths are drawn as rows
+    PathFunction walk;          ///< null where paths are drawn as rows
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 

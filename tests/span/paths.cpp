@@ -95,5 +95,37 @@ TEST(Paths, AreTheirRows) {
                 }
 }
 
+/// Lines of all kinds and places, many at once: each is drawn as if it were alone, in the order they came.
+TEST(Paths, ManyAreOneAfterTheOther) {
+    std::mt19937 random(22);
+    FragmentState fragment;
+    fragment.scissor = {5, 7, 30, 21};
+    fragment.tier = Tier::balanced;
+    fragment.dither = false;
+    fragment.depth_test = true;
+    fragment.depth_func = Compare::lequal;
+    Drawn many(fragment, DepthFormat::z16, true), single(fragment, DepthFormat::z16, true);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<FixedVertex> v;
+        std::vector<LineEnds<FixedVertex>> lines;
+        for (int i = 0; i < 41; ++i) {
+            v.push_back(random_end(random, true, 1));
+            v.back().z = v[0].z; // the last line to come is seen
+            if (i > 0 && random() % 2 != 0)
+                std::copy_n(v[v.size() - 2].color, 4, v.back().color);
+        }
+        for (std::size_t i = 0; i + 1 < v.size(); ++i)
+            lines.push_back({&v[i], &v[i + 1]});
+        draw_lines(many.state, many.canvas.surface, lines.data(), lines.data() + lines.size(), 1);
+        for (const LineEnds<FixedVertex>& line : lines)
+            draw_line(single.state, single.canvas.surface, *line.a, *line.b, *line.b, 1);
+        ASSERT_EQ(many.canvas.color, single.canvas.color) << "round " << round;
+        ASSERT_EQ(many.canvas.depth, single.canvas.depth) << "round " << round;
+    }
+    EXPECT_EQ(many.touched, single.touched);
+    EXPECT_EQ(many.counters.fragments, single.counters.fragments);
+    EXPECT_EQ(many.counters.triangles, single.counters.triangles);
+}
+
 } // namespace
 } // namespace spangle::raster::test
