@@ -43,7 +43,8 @@ template <class F> void for_each_kept(GLbitfield groups, F f) {
     for (const StateRow& row : all_state())
         if (belongs(row, groups))
             if (const Kept kept = kept_by(row); kept.bytes != 0)
-                f(kept.offset, kept.bytes);
+                for (std::uint32_t u = 0; u < units_of(row); ++u)
+                    f(kept.offset + u * row.unit_step, kept.bytes);
 }
 
 void push(Context& context, AttribStack& stack, GLbitfield groups) {

@@ -26,7 +26,8 @@ void set(Context& context, GLenum cap, bool on) {
     const StateRow* const row = find_switch(context, cap, false);
     if (row == nullptr)
         return;
-    bool& flag = *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + row->where);
+    bool& flag =
+        *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + offset_of(context, *row));
     if (flag == on)
         return;
     flag = on;

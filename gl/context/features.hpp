@@ -23,6 +23,11 @@
 #define SPANGLE_FEATURE_GET_PROC_ADDRESS 1
 #endif
 
+/// Texture units, 1 or 2; GL 1.3 asks for 2.
+#ifndef SPANGLE_TEXTURE_UNITS
+#define SPANGLE_TEXTURE_UNITS 2
+#endif
+
 /// How many vertices of array draws are kept for indices that come again, about 120 bytes each; at least 1. A
 /// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
 #ifndef SPANGLE_VERTEX_CACHE

@@ -53,7 +53,8 @@ void GetPointerv(Context& context, GLenum pname, void** params) {
         return error(context, GL_INVALID_OPERATION, row->missing);
     if (params == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetPointerv: null pointer"));
-    std::memcpy(params, reinterpret_cast<const unsigned char*>(&context) + row->where, sizeof *params);
+    std::memcpy(params, reinterpret_cast<const unsigned char*>(&context) + offset_of(context, *row),
+                sizeof *params);
 }
 
 GLenum GetError(Context& context) {

@@ -101,6 +101,16 @@ constexpr StateRow of_lists(StateRow row) {
                       row);
 }
 
+/// One of each texture unit.
+constexpr StateRow of_unit(PerUnit which, std::size_t step, StateRow row) {
+    row.per_unit = which;
+    row.unit_step = static_cast<std::uint16_t>(step);
+    return row;
+}
+constexpr StateRow of_client_unit(StateRow row) {
+    return of_unit(PerUnit::client, sizeof(ClientArray), row);
+}
+
 Param integer(std::int32_t value) {
     return Param::from_integer(static_cast<std::uint32_t>(value));
 }
@@ -140,6 +150,11 @@ void binding(const Context& context, GLenum, Param* out) {
     out[0] = Param::from_integer(texture_binding_2d(context));
 }
 
+void active_unit(const Context& context, GLenum name, Param* out) {
+    out[0] = Param::from_integer(
+        GL_TEXTURE0 + (name == GL_ACTIVE_TEXTURE ? context.texture.active : context.arrays.client_active));
+}
+
 void bits(const Context& context, GLenum name, Param* out) {
     const raster::Surface& surface = context.drawable.surface;
     const FormatInfo format = format_info(surface.format);
@@ -169,7 +184,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
     linear(STORED(GL_CURRENT_NORMAL, current.normal)),
     of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
     of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
-    STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0]),
+    of_unit(PerUnit::active, sizeof(CurrentState::TexCoord),
+            STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0].v)),
     in(Group::client_vertex_array),
     CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
     STORED(GL_VERTEX_ARRAY_SIZE, arrays.vertex.size),
@@ -192,12 +208,16 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_polygon_mode(CLIENT_SWITCH(GL_EDGE_FLAG_ARRAY, arrays.edge_flag.enabled)),
     of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_STRIDE, arrays.edge_flag.stride)),
     of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_POINTER, arrays.edge_flag.pointer)),
-    CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled),
-    STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size),
-    STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type),
-    STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride),
-    STORED(GL_TEXTURE_COORD_ARRAY_POINTER, arrays.tex_coord[0].pointer),
+    of_client_unit(CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled)),
+    of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size)),
+    of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type)),
+    of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride)),
+    of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_POINTER, arrays.tex_coord[0].pointer)),
+    HELD(arrays.client_active),
     in(Group::none),
+    computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, active_unit),
+    computed(GL_CLIENT_ACTIVE_TEXTURE, Kind::integer, 1, active_unit),
+    constant(GL_MAX_TEXTURE_UNITS, texture_units),
     computed(GL_MODELVIEW_MATRIX, Kind::real, 16, matrix),
     computed(GL_PROJECTION_MATRIX, Kind::real, 16, matrix),
     computed(GL_TEXTURE_MATRIX, Kind::real, 16, matrix),
@@ -251,7 +271,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_polygon_mode(STORED(GL_POLYGON_MODE, polygon.mode)),
     STORED(GL_FRONT_FACE, polygon.front_face),
     in(Group::texture),
-    SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d),
+    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d)),
+    HELD(texture.active),
     computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, binding),
     in(Group::scissor),
     SWITCH(GL_SCISSOR_TEST, fragment_ops.scissor_test),
@@ -428,8 +449,19 @@ Kept kept_by(const StateRow& row) {
     }
 }
 
+std::uint32_t units_of(const StateRow& row) {
+    return row.per_unit == PerUnit::no ? 1 : texture_units;
+}
+
+std::size_t offset_of(const Context& context, const StateRow& row) {
+    const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active
+                             : row.per_unit == PerUnit::client ? context.arrays.client_active
+                                                               : 0;
+    return row.where + row.unit_step * unit;
+}
+
 void load_state(const Context& context, const StateRow& row, Param* out) {
-    const auto* const from = reinterpret_cast<const unsigned char*>(&context) + row.where;
+    const auto* const from = reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row);
     switch (row.source) {
     case Source::boolean:
         for (int i = 0; i < row.count; ++i)

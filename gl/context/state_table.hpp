@@ -56,6 +56,13 @@ enum class Group : std::uint8_t {
     none,
 };
 
+/// Which of several places a row stands for.
+enum class PerUnit : std::uint8_t {
+    no,
+    active, ///< that of ActiveTexture
+    client, ///< that of ClientActiveTexture
+};
+
 struct StateRow {
     GLenum name; ///< 0: no query
     Kind kind;   ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
@@ -67,6 +74,8 @@ struct StateRow {
     const char* missing; ///< the system this build left out, or null: then the row is there
     bool left_out;
     Group group = Group::none; ///< every Switch::server is in Group::enable, too
+    PerUnit per_unit = PerUnit::no;
+    std::uint16_t unit_step = 0; ///< bytes from one unit's value to the next one's
 };
 
 inline constexpr int most_values = 16;
@@ -77,11 +86,17 @@ const StateRow* find_state(GLenum name);
 /// Every row, in any order.
 std::span<const StateRow> all_state();
 
-/// The bytes that a row keeps in the context; 0 where it keeps none.
+/// The bytes that a row keeps in the context, of the first unit; 0 where it keeps none.
 struct Kept {
     std::uint32_t offset, bytes;
 };
 Kept kept_by(const StateRow& row);
+
+/// How many of them stand StateRow::unit_step apart.
+std::uint32_t units_of(const StateRow& row);
+
+/// Where the value of a row that is not computed lies in its context, in bytes.
+std::size_t offset_of(const Context& context, const StateRow& row);
 
 /// Writes row.count values.
 void load_state(const Context& context, const StateRow& row, Param* out);

@@ -6,14 +6,17 @@
 
 #include <spangle/GL/gl.h>
 
+#include "gl/context/features.hpp"
 #include "raster/numeric/real.hpp"
+#include <spangle/raster/fragment_state.hpp>
 
 namespace spangle::gl {
 
 using numeric::Real;
 
-/// Texture units of GL; arrays over units are sized by it. 1 until MultiTexCoord and ActiveTexture exist.
-inline constexpr int texture_units = 1;
+/// Texture units of GL; arrays over units are sized by it.
+inline constexpr int texture_units = SPANGLE_TEXTURE_UNITS;
+static_assert(texture_units >= 1 && texture_units <= raster::max_texture_units);
 
 /// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are
 /// Reals, an enum, a boolean and a level are integers).
@@ -35,6 +38,11 @@ struct Params {
     Param v[4];
     std::uint32_t count = 0;
 };
+
+/// Which texture unit GL_TEXTUREi names; texture_units or more when there is none of that name.
+constexpr std::uint32_t unit_of(GLenum texture) {
+    return texture - GL_TEXTURE0;
+}
 
 /// A matrix as given, column-major: element (row i, column j) is m[4 * j + i].
 struct Matrix16 {

@@ -61,8 +61,11 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
         encode::Normal(context, v[0], v[1], v[2]);
     if (has(reader.color))
         encode::Color(context, v[0], v[1], v[2], v[3]);
-    if (has(reader.tex_coord))
+    if (has(reader.tex_coord[0]))
         encode::TexCoord(context, v[0], v[1], v[2], v[3]);
+    for (GLuint u = 1; u < texture_units; ++u)
+        if (has(reader.tex_coord[u]))
+            list::record_words<family::MultiTexCoord>(context, GL_TEXTURE0 + u, v[0], v[1], v[2], v[3]);
     if (has(reader.vertex))
         encode::Vertex(context, v[0], v[1], v[2], v[3]);
 }

@@ -12,6 +12,12 @@ bool is_mode(GLenum v) {
 
 } // namespace
 
+void ActiveTexture(Context& context, GLenum texture) {
+    if (unit_of(texture) >= texture_units)
+        return error(context, GL_INVALID_ENUM);
+    context.texture.active = unit_of(texture);
+}
+
 void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params) {
     TextureUnitState& unit = context.texture.unit[context.texture.active];
     if (target != GL_TEXTURE_ENV || params.count == 0)

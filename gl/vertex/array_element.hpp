@@ -71,13 +71,20 @@ class ArrayReader {
 
 /// What glArrayElement reads: the arrays of one moment.
 struct ElementReader {
-    ArrayReader vertex, normal, color, tex_coord;
+    ArrayReader vertex, normal, color, tex_coord[texture_units];
+    bool textured = false; ///< some tex_coord is on
     /// Those that are seldom on, or null when none of them is: index, edge_flag.
     const ArraysState* seldom;
 
     explicit ElementReader(const ArraysState& arrays)
         : vertex(arrays.vertex, false), normal(arrays.normal, true), color(arrays.color, true),
-          tex_coord(arrays.tex_coord[0], false), seldom(any_seldom(arrays) ? &arrays : nullptr) {}
+          seldom(any_seldom(arrays) ? &arrays : nullptr) {
+        for (int u = 0; u < texture_units; ++u)
+            if (arrays.tex_coord[u].on()) {
+                tex_coord[u] = ArrayReader(arrays.tex_coord[u], false);
+                textured = true;
+            }
+    }
 
     static bool any_seldom(const ArraysState& arrays) {
         return (SPANGLE_FEATURE_COLOR_INDEX && arrays.index.enabled) ||

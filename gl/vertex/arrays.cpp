@@ -134,7 +134,13 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.tex_coord[0], size, type, stride, pointer);
+    point(context.arrays.tex_coord[context.arrays.client_active], size, type, stride, pointer);
+}
+
+void ClientActiveTexture(Context& context, GLenum texture) {
+    if (unit_of(texture) >= texture_units)
+        return error(context, GL_INVALID_ENUM);
+    context.arrays.client_active = unit_of(texture);
 }
 
 #if SPANGLE_FEATURE_COLOR_INDEX
@@ -176,7 +182,7 @@ void enable_array(Context& context, GLenum array, bool on) {
         context.arrays.color.enabled = on;
         break;
     case GL_TEXTURE_COORD_ARRAY:
-        context.arrays.tex_coord[0].enabled = on;
+        context.arrays.tex_coord[context.arrays.client_active].enabled = on;
         break;
     case GL_INDEX_ARRAY:
         return enable_optional(context, context.arrays.index, on, SPANGLE_FEATURE_COLOR_INDEX != 0,

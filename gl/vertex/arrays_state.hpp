@@ -19,6 +19,7 @@ struct ArraysState {
     ClientArray vertex, normal, color;
     ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE};
     ClientArray tex_coord[texture_units];
+    GLuint client_active = 0; ///< the unit whose array commands and queries name
 };
 
 } // namespace spangle::gl

@@ -14,11 +14,15 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
         reader.color.read(index, current.color);
         follow_color(context);
     }
-    if (reader.tex_coord.on()) {
-        Real(&v)[4] = current.tex_coord[0];
+    if (!reader.textured)
+        return;
+    for (int u = 0; u < texture_units; ++u) {
+        if (!reader.tex_coord[u].on())
+            continue;
+        Real(&v)[4] = current.tex_coord[u].v;
         v[1] = v[2] = numeric::zero; // what the array leaves out
         v[3] = numeric::one;
-        reader.tex_coord.read(index, v);
+        reader.tex_coord[u].read(index, v);
     }
 }
 

@@ -10,7 +10,9 @@ struct CurrentState {
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
     Real index = numeric::one; ///< as set; masked only in use
     bool edge_flag = true;
-    Real tex_coord[texture_units][4] = {{numeric::zero, numeric::zero, numeric::zero, numeric::one}};
+    struct TexCoord {
+        Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+    } tex_coord[texture_units];
 };
 
 } // namespace spangle::gl

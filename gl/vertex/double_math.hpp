@@ -22,7 +22,7 @@ struct DoubleMath {
     };
 
     struct Transforms {
-        Matrix to_clip, to_eye, texture;
+        Matrix to_clip, to_eye, texture[texture_units];
         double scale[2], center[2], depth_middle, depth_half;
     };
 
@@ -50,7 +50,8 @@ struct DoubleMath {
     static void derive(const TransformState& state, Transforms& out) {
         out.to_eye = matrix(state.modelview.entry[state.modelview.top]);
         out.to_clip = multiply(matrix(state.projection.entry[state.projection.top]), out.to_eye);
-        out.texture = matrix(state.texture[0].entry[state.texture[0].top]);
+        for (int u = 0; u < texture_units; ++u)
+            out.texture[u] = matrix(state.texture[u].entry[state.texture[u].top]);
         for (int i = 0; i < 2; ++i) {
             out.scale[i] = state.viewport[2 + i] / 2.0;
             out.center[i] = state.viewport[i] + out.scale[i];
@@ -96,12 +97,14 @@ struct DoubleMath {
             out.v[i] = mix(a.v[i], b.v[i], t);
         return out;
     }
-    static void mix(const Window& a, const Window& b, Parameter t, Window& out) {
+    static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = mix(a.color[c], b.color[c], t);
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
         for (int u = 0; u < texture_units; ++u) {
+            if ((units >> u & 1) == 0)
+                continue;
             out.tex[u].s = mix(a.tex[u].s, b.tex[u].s, t);
             out.tex[u].t = mix(a.tex[u].t, b.tex[u].t, t);
             out.tex[u].q = mix(a.tex[u].q, b.tex[u].q, t);
@@ -131,7 +134,7 @@ struct DoubleMath {
             to.secondary[c] = from.secondary[c];
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
-        const Clip v = times(t.texture, stq);
+        const Clip v = times(t.texture[unit], stq);
         out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
     }
     static void set_fog(Depth eye_z, Window& out) { out.fog = std::fabs(eye_z); }

@@ -40,9 +40,10 @@ struct FixedMath {
 
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
-        numeric::BlockMatrix to_clip, to_eye, texture;
-        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
-        bool texture_is_identity = true;
+        numeric::BlockMatrix to_clip, to_eye;
+        numeric::BlockMatrix texture[texture_units]; ///< those that are not the identity
+        numeric::BlockRow eye_z;                     ///< row 2 of the modelview matrix, for what is loaded
+        bool texture_is_identity[texture_units];
         /// Exponents of the rows x, y, z over that of w, less lift_room.
         std::int32_t lift[3] = {};
         std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
@@ -53,7 +54,6 @@ struct FixedMath {
 
     static void derive(const TransformState& state, Transforms& out) {
         const numeric::Matrix& modelview = state.modelview.entry[state.modelview.top];
-        const numeric::Matrix& texture = state.texture[0].entry[state.texture[0].top];
         out.to_eye = numeric::to_block_matrix(modelview);
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
@@ -62,8 +62,12 @@ struct FixedMath {
             out.lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
         out.w_exponent = -63 - out.to_clip.row[3];
         out.most_zeros = most_zeros(out.lift);
-        out.texture = numeric::to_block_matrix(texture);
-        out.texture_is_identity = is_identity(texture);
+        for (int u = 0; u < texture_units; ++u) {
+            const numeric::Matrix& texture = state.texture[u].entry[state.texture[u].top];
+            out.texture_is_identity[u] = is_identity(texture);
+            if (!out.texture_is_identity[u])
+                out.texture[u] = numeric::to_block_matrix(texture);
+        }
         const GLint* v = state.viewport;
         const std::int32_t half_width = v[2] * (raster::subpixel_one / 2),
                            half_height = v[3] * (raster::subpixel_one / 2);
@@ -155,13 +159,15 @@ struct FixedMath {
                                  mix(numeric::component(a, 3), numeric::component(b, 3), t));
     }
 
-    /// Associated data of a new vertex (GL 1.3, 2.13.8).
-    static void mix(const Window& a, const Window& b, Parameter t, Window& out) {
+    /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use.
+    static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
         for (int u = 0; u < texture_units; ++u) {
+            if ((units >> u & 1) == 0)
+                continue;
             const auto part = [&](std::int32_t Window::TexCoord::*m) {
                 return mix(numeric::make_block(a.tex[u].*m, a.tex[u].exponent),
                            numeric::make_block(b.tex[u].*m, b.tex[u].exponent), t);
@@ -215,13 +221,13 @@ struct FixedMath {
     }
 
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
-        if (t.texture_is_identity) {
+        if (t.texture_is_identity[unit]) {
             const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
             set_texture(out, unit, {{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
             out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
             return;
         }
-        const numeric::Block4 v = numeric::transform(t.texture, stq);
+        const numeric::Block4 v = numeric::transform(t.texture[unit], stq);
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
         out.tex[unit].q_is_one = 0;
     }

@@ -66,7 +66,17 @@ void Vertex(Context& context, Real x, Real y, Real z, Real w) {
 }
 
 void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
-    Real(&v)[4] = context.current.tex_coord[context.texture.active];
+    Real(&v)[4] = context.current.tex_coord[0].v;
+    v[0] = s;
+    v[1] = t;
+    v[2] = r;
+    v[3] = q;
+}
+
+void MultiTexCoord(Context& context, GLenum target, Real s, Real t, Real r, Real q) {
+    if (unit_of(target) >= texture_units)
+        return error(context, GL_INVALID_ENUM);
+    Real(&v)[4] = context.current.tex_coord[unit_of(target)].v;
     v[0] = s;
     v[1] = t;
     v[2] = r;

@@ -52,7 +52,7 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
     const GLsizei step = stride != 0 ? stride : f.stride;
     ArraysState& arrays = context.arrays;
     arrays.index.enabled = arrays.edge_flag.enabled = false;
-    set(arrays.tex_coord[0], f.tex_size, GL_FLOAT, step, pointer, 0);
+    set(arrays.tex_coord[arrays.client_active], f.tex_size, GL_FLOAT, step, pointer, 0);
     set(arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer, f.color_at);
     set(arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
     set(arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);

@@ -123,7 +123,8 @@ template <class M, class L> class Pipeline {
     GLenum mode_ = GL_POINTS;
     int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
-    bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false, textured_[texture_units] = {};
+    bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
+    unsigned units_ = 0;                       ///< bit u: texture unit u is on
     bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
     bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
     bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
@@ -154,8 +155,9 @@ template <class M, class L> class Pipeline {
         fog_ = context.fog.fog;
         lit_ = context.lighting.lighting;
         two_sided_ = lighting_.two_sided();
+        units_ = 0;
         for (int u = 0; u < texture_units; ++u)
-            textured_[u] = context.texture.unit[u].texture_2d;
+            units_ |= context.texture.unit[u].texture_2d ? 1u << u : 0u;
         const PolygonState& polygon = context.polygon;
         flat_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;
@@ -207,9 +209,8 @@ template <class M, class L> class Pipeline {
 
     /// What is current goes with the vertex.
     SPANGLE_INLINE void attributes(const CurrentState& current, Vertex& v) {
-        for (int u = 0; u < texture_units; ++u)
-            if (textured_[u])
-                M::set_texture(transforms_, current.tex_coord[u], u, v.window);
+        if (units_ != 0)
+            textures(current, v);
         if (lit_)
             return;
         set_unlit_color(current);
@@ -225,6 +226,12 @@ template <class M, class L> class Pipeline {
         has_unlit_color_ = true;
     }
 
+    [[gnu::noinline]] void textures(const CurrentState& current, Vertex& v) {
+        for (int u = 0; u < texture_units; ++u)
+            if ((units_ >> u & 1) != 0)
+                M::set_texture(transforms_, current.tex_coord[u].v, u, v.window);
+    }
+
     template <int N> static bool same(const Real* a, const Real* b) {
         std::uint32_t differ = 0;
         for (int i = 0; i < N; ++i)
@@ -236,7 +243,7 @@ template <class M, class L> class Pipeline {
     /// ones, went with all.
     void arrays_begin(const ElementReader& reader, const CurrentState& current) {
         const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
-                                (reader.color.on() ? 2u : 0u) | (reader.tex_coord.on() ? 1u : 0u);
+                                (reader.color.on() ? 2u : 0u) | (reader.textured ? 1u : 0u);
         if (layout != layout_ || !same<4>(given_color_, current.color) ||
             (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
             forget();
@@ -251,11 +258,8 @@ template <class M, class L> class Pipeline {
 
     /// Three floats each, and everything else is current.
     bool is_usual(const ElementReader& reader) const {
-        bool textured = reader.tex_coord.on();
-        for (const bool unit : textured_)
-            textured = textured || unit;
         return reader.vertex.is_float3() && (!lit_ || !reader.normal.on() || reader.normal.is_float3()) &&
-               !reader.color.on() && !textured;
+               !reader.color.on() && !reader.textured && units_ == 0;
     }
 
     Vertex& cached(std::uint32_t index) { return cache_[index % SPANGLE_VERTEX_CACHE]; }
@@ -749,7 +753,7 @@ template <class M, class L> class Pipeline {
     void cut(const Vertex& from, const Vertex& to, int plane, Cut& out) {
         const Cut &inside = static_cast<const Cut&>(from), &outside = static_cast<const Cut&>(to);
         const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane, band());
-        M::mix(inside.window, outside.window, t, out.window);
+        M::mix(inside.window, outside.window, t, units_, out.window);
         if (fog_) {
             out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
             M::set_fog(out.eye_z, out.window);

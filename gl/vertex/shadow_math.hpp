@@ -63,9 +63,9 @@ struct ShadowMath {
     static Depth mix(const Depth& a, const Depth& b, const Parameter& t) {
         return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
     }
-    static void mix(const Window& a, const Window& b, const Parameter& t, Window& out) {
-        FixedMath::mix(a.fixed, b.fixed, t.fixed, out.fixed);
-        DoubleMath::mix(a.twin, b.twin, t.twin, out.twin);
+    static void mix(const Window& a, const Window& b, const Parameter& t, unsigned units, Window& out) {
+        FixedMath::mix(a.fixed, b.fixed, t.fixed, units, out.fixed);
+        DoubleMath::mix(a.twin, b.twin, t.twin, units, out.twin);
     }
 
     static void project(const Transforms& t, const Clip& c, Window& out) {

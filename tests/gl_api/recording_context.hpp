@@ -38,7 +38,7 @@ inline const gl::Engine recording_engine = {
         for (int i = 0; i < 4; ++i) {
             e.position[i] = position[i].bits;
             e.color[i] = c.current.color[i].bits;
-            e.tex_coord[i] = c.current.tex_coord[0][i].bits;
+            e.tex_coord[i] = c.current.tex_coord[0].v[i].bits;
         }
         for (int i = 0; i < 3; ++i)
             e.normal[i] = c.current.normal[i].bits;

@@ -9,17 +9,17 @@
 
 #include <GL/osmesa.h>
 
-#include "boards/scenes/scene.hpp"
+#include "tests/oracle/probes.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 6) {
         std::fprintf(stderr, "usage: mesa_scene SCENE WIDTH HEIGHT FRAME FILE.pam\n");
         return 2;
     }
-    const spangle::scenes::Scene* scene = spangle::scenes::find(argv[1]);
+    const spangle::scenes::Scene* scene = spangle::oracle::find_picture(argv[1]);
     const int width = std::atoi(argv[2]), height = std::atoi(argv[3]), frame = std::atoi(argv[4]);
     if (scene == nullptr || width < 1 || height < 1 || width > 4096 || height > 4096) {
-        std::fprintf(stderr, "mesa_scene: unknown scene '%s' or absurd size\n", argv[1]);
+        std::fprintf(stderr, "mesa_scene: unknown picture '%s' or absurd size\n", argv[1]);
         return 2;
     }
     const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);

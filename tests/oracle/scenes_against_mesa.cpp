@@ -1,4 +1,4 @@
-// Every scene in RGBA8888 against two rasterizers of Mesa. A pixel is good when its largest channel
+// Every scene and probe in RGBA8888 against two rasterizers of Mesa. A pixel is good when its largest channel
 // difference is within the tolerance of one oracle, or, at edges, of some pixel of the 3x3 neighbourhood in
 // both directions; a picture passes when bad pixels are at most 0.1 %, or three times what the oracles
 // themselves disagree on.
@@ -15,7 +15,7 @@
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
-#include "boards/scenes/scene.hpp"
+#include "tests/oracle/probes.hpp"
 
 namespace {
 
@@ -103,7 +103,7 @@ bool good(const Picture& ours, const Picture& oracle, int x, int y, int toleranc
 class Scenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, LookLikeMesa) {
-    const spangle::scenes::Scene& scene = *spangle::scenes::find(GetParam().c_str());
+    const spangle::scenes::Scene& scene = *spangle::oracle::find_picture(GetParam().c_str());
     const std::string id = scene.id;
     const int tolerance = id == "S4b" ? 4 : 2;
     const Picture softpipe = draw_with_mesa(scene.id, "softpipe"),
@@ -130,10 +130,15 @@ std::vector<std::string> every_scene() {
     std::vector<std::string> list;
     for (const spangle::scenes::Scene& scene : spangle::scenes::all())
         list.push_back(scene.id);
+    for (const spangle::scenes::Scene& probe : spangle::oracle::probes())
+        list.push_back(probe.id);
     return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(every_scene()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(every_scene()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 } // namespace

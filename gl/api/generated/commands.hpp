@@ -33,6 +33,7 @@ void Begin(Context& context, GLenum mode);
 void End(Context& context);
 void Vertex(Context& context, Real x, Real y, Real z, Real w);
 void TexCoord(Context& context, Real s, Real t, Real r, Real q);
+void MultiTexCoord(Context& context, GLenum target, Real s, Real t, Real r, Real q);
 void Normal(Context& context, Real x, Real y, Real z);
 void Color(Context& context, Real red, Real green, Real blue, Real alpha);
 void Index(Context& context, Real index);
@@ -44,6 +45,7 @@ void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, con
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer);
+void ClientActiveTexture(Context& context, GLenum texture);
 void EnableClientState(Context& context, GLenum array);
 void DisableClientState(Context& context, GLenum array);
 void ArrayElement(Context& context, GLint i);
@@ -112,6 +114,7 @@ void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, 
 void GenTextures(Context& context, GLsizei n, GLuint* textures);
 void DeleteTextures(Context& context, GLsizei n, const GLuint* textures);
 void BindTexture(Context& context, GLenum target, GLuint texture);
+void ActiveTexture(Context& context, GLenum texture);
 GLboolean IsTexture(Context& context, GLuint texture);
 void TexParameter(Context& context, GLenum target, GLenum pname, const Params& params);
 void GetTexParameter(Context& context, GLenum target, GLenum pname, Params& params);
@@ -284,6 +287,13 @@ struct TexCoord {
     static constexpr Listing listing = Listing::attribute;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexCoord between glBegin and glEnd");
 };
+struct MultiTexCoord {
+    static constexpr auto run = &cmd::MultiTexCoord;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMultiTexCoord between glBegin and glEnd");
+};
 struct Normal {
     static constexpr auto run = &cmd::Normal;
     static constexpr auto encode = &encode::Normal;
@@ -360,6 +370,13 @@ struct EdgeFlagPointer {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlagPointer between glBegin and glEnd");
+};
+struct ClientActiveTexture {
+    static constexpr auto run = &cmd::ClientActiveTexture;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glClientActiveTexture between glBegin and glEnd");
 };
 struct EnableClientState {
     static constexpr auto run = &cmd::EnableClientState;
@@ -780,6 +797,13 @@ struct BindTexture {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glBindTexture between glBegin and glEnd");
+};
+struct ActiveTexture {
+    static constexpr auto run = &cmd::ActiveTexture;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glActiveTexture between glBegin and glEnd");
 };
 struct IsTexture {
     static constexpr auto run = &cmd::IsTexture;

@@ -30,6 +30,10 @@ void GLAPIENTRY glBindTexture(GLenum target, GLuint texture) {
     issue<family::BindTexture>(target, texture);
 }
 
+void GLAPIENTRY glActiveTexture(GLenum texture) {
+    issue<family::ActiveTexture>(texture);
+}
+
 GLboolean GLAPIENTRY glIsTexture(GLuint texture) {
     return ask<family::IsTexture>(texture);
 }

@@ -368,6 +368,206 @@ void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
     issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
 
+void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
+    issue<family::MultiTexCoord>(target, convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1sv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
+    issue<family::MultiTexCoord>(target, convert::cast_i(s), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1iv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
+    issue<family::MultiTexCoord>(target, convert::cast_f(s), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1fv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
+    issue<family::MultiTexCoord>(target, convert::cast_d(s), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1dv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s) {
+    issue<family::MultiTexCoord>(target, convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1xvOES: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
+    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2sv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
+    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2iv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
+    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2fv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
+    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2dv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t) {
+    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2xvOES: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
+    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3sv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
+    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3iv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
+    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3fv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
+    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3dv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r) {
+    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3xvOES: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
+    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
+}
+
+void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4sv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+}
+
+void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
+    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), convert::cast_i(q));
+}
+
+void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4iv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+}
+
+void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
+    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), convert::cast_f(q));
+}
+
+void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4fv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+}
+
+void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
+    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), convert::cast_d(q));
+}
+
+void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4dv: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+}
+
+void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
+    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
+}
+
+void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4xvOES: null pointer"));
+    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+}
+
 void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
     issue<family::Normal>(convert::unit_b(nx), convert::unit_b(ny), convert::unit_b(nz));
 }
@@ -767,6 +967,10 @@ void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) {
 }
 
 #endif
+
+void GLAPIENTRY glClientActiveTexture(GLenum texture) {
+    issue<family::ClientActiveTexture>(texture);
+}
 
 void GLAPIENTRY glEnableClientState(GLenum array) {
     issue<family::EnableClientState>(array);

@@ -162,6 +162,7 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_EDGE_FLAG 0x0B43
 #define GL_CURRENT_NORMAL 0x0B02
 #define GL_CURRENT_TEXTURE_COORDS 0x0B03
+#define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
 #define GL_MAX_ELEMENTS_VERTICES 0x80E8
 #define GL_MAX_ELEMENTS_INDICES 0x80E9
 GLAPI void GLAPIENTRY glBegin(GLenum mode);
@@ -236,6 +237,46 @@ GLAPI void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble 
 GLAPI void GLAPIENTRY glTexCoord4dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q);
 GLAPI void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s);
+GLAPI void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v);
+GLAPI void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s);
+GLAPI void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v);
+GLAPI void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s);
+GLAPI void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v);
+GLAPI void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s);
+GLAPI void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v);
+GLAPI void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s);
+GLAPI void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v);
+GLAPI void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t);
+GLAPI void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v);
+GLAPI void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t);
+GLAPI void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v);
+GLAPI void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t);
+GLAPI void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v);
+GLAPI void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t);
+GLAPI void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v);
+GLAPI void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t);
+GLAPI void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v);
+GLAPI void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r);
+GLAPI void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v);
+GLAPI void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r);
+GLAPI void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v);
+GLAPI void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r);
+GLAPI void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v);
+GLAPI void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r);
+GLAPI void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v);
+GLAPI void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r);
+GLAPI void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v);
+GLAPI void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q);
+GLAPI void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v);
+GLAPI void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q);
+GLAPI void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v);
+GLAPI void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q);
+GLAPI void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v);
+GLAPI void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q);
+GLAPI void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v);
+GLAPI void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q);
+GLAPI void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v);
 GLAPI void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz);
 GLAPI void GLAPIENTRY glNormal3bv(const GLbyte* v);
 GLAPI void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz);
@@ -314,6 +355,7 @@ GLAPI void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, co
 GLAPI void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer);
+GLAPI void GLAPIENTRY glClientActiveTexture(GLenum texture);
 GLAPI void GLAPIENTRY glEnableClientState(GLenum array);
 GLAPI void GLAPIENTRY glDisableClientState(GLenum array);
 GLAPI void GLAPIENTRY glArrayElement(GLint i);
@@ -624,6 +666,40 @@ GLAPI void GLAPIENTRY glFinish(void);
 #define GL_PROXY_TEXTURE_2D 0x8064
 #define GL_TEXTURE_BINDING_2D 0x8069
 #define GL_MAX_TEXTURE_SIZE 0x0D33
+#define GL_ACTIVE_TEXTURE 0x84E0
+#define GL_MAX_TEXTURE_UNITS 0x84E2
+#define GL_TEXTURE0 0x84C0
+#define GL_TEXTURE1 0x84C1
+#define GL_TEXTURE2 0x84C2
+#define GL_TEXTURE3 0x84C3
+#define GL_TEXTURE4 0x84C4
+#define GL_TEXTURE5 0x84C5
+#define GL_TEXTURE6 0x84C6
+#define GL_TEXTURE7 0x84C7
+#define GL_TEXTURE8 0x84C8
+#define GL_TEXTURE9 0x84C9
+#define GL_TEXTURE10 0x84CA
+#define GL_TEXTURE11 0x84CB
+#define GL_TEXTURE12 0x84CC
+#define GL_TEXTURE13 0x84CD
+#define GL_TEXTURE14 0x84CE
+#define GL_TEXTURE15 0x84CF
+#define GL_TEXTURE16 0x84D0
+#define GL_TEXTURE17 0x84D1
+#define GL_TEXTURE18 0x84D2
+#define GL_TEXTURE19 0x84D3
+#define GL_TEXTURE20 0x84D4
+#define GL_TEXTURE21 0x84D5
+#define GL_TEXTURE22 0x84D6
+#define GL_TEXTURE23 0x84D7
+#define GL_TEXTURE24 0x84D8
+#define GL_TEXTURE25 0x84D9
+#define GL_TEXTURE26 0x84DA
+#define GL_TEXTURE27 0x84DB
+#define GL_TEXTURE28 0x84DC
+#define GL_TEXTURE29 0x84DD
+#define GL_TEXTURE30 0x84DE
+#define GL_TEXTURE31 0x84DF
 #define GL_TEXTURE_WIDTH 0x1000
 #define GL_TEXTURE_HEIGHT 0x1001
 #define GL_TEXTURE_COMPONENTS 0x1003
@@ -723,6 +799,7 @@ GLAPI void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset,
 GLAPI void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures);
 GLAPI void GLAPIENTRY glDeleteTextures(GLsizei n, const GLuint* textures);
 GLAPI void GLAPIENTRY glBindTexture(GLenum target, GLuint texture);
+GLAPI void GLAPIENTRY glActiveTexture(GLenum texture);
 GLAPI GLboolean GLAPIENTRY glIsTexture(GLuint texture);
 GLAPI void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params);

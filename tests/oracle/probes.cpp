@@ -1,0 +1,21 @@
+#include "tests/oracle/probes.hpp"
+
+#include <cstring>
+
+#include "tests/oracle/vertex_probes.hpp"
+
+namespace spangle::oracle {
+
+scenes::SceneList probes() {
+    static const scenes::Scene all[] = {outlines, two_units};
+    return {all, sizeof all / sizeof all[0]};
+}
+
+const scenes::Scene* find_picture(const char* id) {
+    for (const scenes::Scene& probe : probes())
+        if (std::strcmp(probe.id, id) == 0)
+            return &probe;
+    return scenes::find(id);
+}
+
+} // namespace spangle::oracle

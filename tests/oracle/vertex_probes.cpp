@@ -1,0 +1,99 @@
+#include "tests/oracle/vertex_probes.hpp"
+
+#include <cmath>
+
+#include "boards/scenes/gl.hpp"
+
+namespace spangle::oracle {
+
+namespace {
+
+/// One unit is a pixel; y up.
+void pixels(int width, int height) {
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glOrtho(0, width, 0, height, -100, 100);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+}
+
+void clear() {
+    glClearColor(0.1f, 0.1f, 0.2f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+/// A ring of n corners around (x, y), edge flags by the bits of `flags`.
+void ring(GLenum mode, int n, float x, float y, float radius, unsigned flags) {
+    glBegin(mode);
+    for (int i = 0; i < n; ++i) {
+        const float a = 0.3f + 6.2831853f * static_cast<float>(i) / static_cast<float>(n);
+        glEdgeFlag((flags >> i & 1) != 0 ? GL_TRUE : GL_FALSE);
+        glColor3f(0.5f + 0.5f * std::cos(a), 0.9f, 0.5f + 0.5f * std::sin(a));
+        glVertex3f(x + radius * std::cos(a), y + radius * std::sin(a), 0.1f * static_cast<float>(i));
+    }
+    glEnd();
+}
+
+/// Mesa lets edge flags also hide edges of strips and fans; GL 1.3, 2.6.2 does not: theirs are all set.
+void draw_outlines(int) {
+    clear();
+    const GLenum modes[] = {GL_TRIANGLES,    GL_QUADS,          GL_POLYGON,
+                            GL_TRIANGLE_FAN, GL_TRIANGLE_STRIP, GL_QUAD_STRIP};
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 6; ++column) {
+            glShadeModel(row == 1 ? GL_FLAT : GL_SMOOTH);
+            glPolygonMode(GL_FRONT, row == 2 ? GL_POINT : GL_LINE);
+            glPolygonMode(GL_BACK, row == 0 ? GL_LINE : GL_FILL);
+            ring(modes[column], 12, 22.0f + 42.0f * static_cast<float>(column),
+                 32.0f + 64.0f * static_cast<float>(row), 18, row == 1 && column < 3 ? 0x5B6u : 0xFFFu);
+        }
+}
+
+void set_up_two_units(int width, int height) {
+    pixels(width, height);
+    for (int unit = 0; unit < 2; ++unit) {
+        static GLuint names[2];
+        GLubyte texels[16][16][3];
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const bool on = unit == 0 ? (x / 4 + y / 4) % 2 == 0 : x > y;
+                texels[y][x][0] = static_cast<GLubyte>(on ? 255 : 60);
+                texels[y][x][1] = static_cast<GLubyte>(16 * x);
+                texels[y][x][2] = static_cast<GLubyte>(unit == 0 ? 16 * y : 200);
+            }
+        glActiveTexture(unit == 0 ? GL_TEXTURE0 : GL_TEXTURE1);
+        glGenTextures(1, &names[unit]);
+        glBindTexture(GL_TEXTURE_2D, names[unit]);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, unit == 0 ? GL_NEAREST : GL_LINEAR);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        glEnable(GL_TEXTURE_2D);
+        glMatrixMode(GL_TEXTURE); // its own: the second picture is turned
+        const GLfloat turn[16] = {0.8f, -0.6f, 0, 0.1f, 0.6f, 0.8f, 0, 0.2f, 0, 0, 1, 0, 0, 0, 0, 1};
+        if (unit == 1)
+            glLoadTransposeMatrixf(turn);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glMatrixMode(GL_MODELVIEW);
+}
+
+void draw_two_units(int) {
+    clear();
+    glBegin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i < 4; ++i) {
+        const float x = static_cast<float>(i % 2), y = static_cast<float>(i / 2);
+        glColor3f(1, 0.6f + 0.4f * x, 0.7f + 0.3f * y);
+        glTexCoord2f(2 * x, 2 * y);
+        glMultiTexCoord2f(GL_TEXTURE1, 1.5f * x - 0.25f, y);
+        glVertex2f(20 + 200 * x, 20 + 150 * y);
+    }
+    glEnd();
+}
+
+} // namespace
+
+const scenes::Scene outlines = {"P-outlines", "PolygonMode and edge flags", pixels, draw_outlines};
+const scenes::Scene two_units = {"P-two-units", "two textures", set_up_two_units, draw_two_units};
+
+} // namespace spangle::oracle

@@ -1,0 +1,10 @@
+// Probes of the vertex half: rows B, C, D11 and F20.
+#pragma once
+
+#include "boards/scenes/scene.hpp"
+
+namespace spangle::oracle {
+
+extern const scenes::Scene outlines, two_units;
+
+} // namespace spangle::oracle
