@@ -16,19 +16,19 @@ SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
     span_.anchor_y = y >> subpixel_bits;
     const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
     const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
-    for (int i = 0; i < 2; ++i) // |cx ox + cy oy| <= 2^30 256
-        center_[i] = static_cast<std::int32_t>((std::int64_t{cx_[i]} * ox + std::int64_t{cy_[i]} * oy) >>
-                                               subpixel_bits);
+    for (int i = 0; i < 2; ++i) // |dx ox + dy oy| <= 2^30 256
+        by_.center[i] = static_cast<std::int32_t>(
+            (std::int64_t{by_.dx[i]} * ox + std::int64_t{by_.dy[i]} * oy) >> subpixel_bits);
 }
 
 void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin,
                               std::int32_t end) {
     v_[0] = v_[2] = &from;
     v_[1] = &to;
-    cx_[0] = cx_[1] = cy_[0] = cy_[1] = 0;
+    by_.dx[0] = by_.dx[1] = by_.dy[0] = by_.dy[1] = 0;
     const PerPixel per_pixel(begin, end);
-    (along_x ? cx_[0] : cy_[0]) = per_pixel.coefficient;
-    exponent_ = per_pixel.exponent;
+    (along_x ? by_.dx[0] : by_.dy[0]) = per_pixel.coefficient;
+    by_.exponent = per_pixel.exponent;
     start(along_x ? begin : from.x, along_x ? from.y : begin);
 }
 
@@ -44,66 +44,37 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
     const std::int32_t signed_inverse = area2 < 0 ? -inverse : inverse;
     const std::int32_t y2 = v_[2]->y - v_[0]->y, y1 = v_[0]->y - v_[1]->y;
     const std::int32_t x2 = v_[0]->x - v_[2]->x, x1 = v_[1]->x - v_[0]->x;
-    const int up = clz32(abs_u32(y2) | abs_u32(y1) | abs_u32(x2) | abs_u32(x1)) - 1; // |d| 2^up < 2^31
+    // |d| 2^up < 2^31; y2 >= |y1|
+    const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 1;
     const auto coefficient = [&](std::int32_t d) {
         return numeric::mul_high_s32(static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << up),
                                      signed_inverse);
     };
-    cx_[0] = coefficient(y2);
-    cx_[1] = coefficient(y1);
-    cy_[0] = coefficient(x2);
-    cy_[1] = coefficient(x1);
-    exponent_ = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
+    by_.dx[0] = coefficient(y2);
+    by_.dx[1] = coefficient(y1);
+    by_.dy[0] = coefficient(x2);
+    by_.dy[1] = coefficient(x1);
+    by_.exponent = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
     start(v_[0]->x, v_[0]->y);
 }
 
-Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
-                    const Vertex& provoking, std::int64_t area2)
-    : span_(span), state_(*span.state), v_{&a, &b, &c} {
-    const std::uint32_t width = range_of(a.x, b.x, c.x);
-    const auto height = static_cast<std::uint32_t>(c.y - a.y);
-    const auto thin = static_cast<std::uint64_t>(thin_aspect);
-    if (std::uint64_t{width} * height > thin * numeric::abs_u64(area2)) {
-        if (width <= height) {
-            along_axis(a, c, false, a.y, c.y);
-        } else {
-            const Vertex* left = b.x < a.x ? &b : &a;
-            const Vertex* right = b.x < a.x ? &a : &b;
-            left = c.x < left->x ? &c : left;
-            right = c.x > right->x ? &c : right;
-            along_axis(*left, *right, true, left->x, right->x);
-        }
-    } else {
-        in_plane(area2);
-    }
-    attributes(provoking);
-}
-
-Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,
-                    bool along_x, std::int32_t begin, std::int32_t end)
-    : span_(span), state_(*span.state) {
-    along_axis(a, b, along_x, begin, end);
-    attributes(provoking);
-}
-
-Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}
-
 // --- planes
 
-/// Differences counted in 2^(exponent - up) of the unit of v.
-SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t v0, std::int32_t v1,
-                                                             std::int32_t v2) const {
-    const std::int32_t d1 = v1 - v0, d2 = v2 - v0;
-    return {std::int64_t{d1} * cx_[0] + std::int64_t{d2} * cx_[1],
-            std::int64_t{d1} * cy_[0] + std::int64_t{d2} * cy_[1],
-            std::int64_t{d1} * center_[0] + std::int64_t{d2} * center_[1]};
+/// Words of 64 bits are shifted as cheaply.
+static constexpr bool lifts = sizeof(void*) == 4;
+
+/// Differences counted in 2^(exponent - up) of the unit of d.
+SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t d1, std::int32_t d2) const {
+    return {std::int64_t{d1} * by_.dx[0] + std::int64_t{d2} * by_.dx[1],
+            std::int64_t{d1} * by_.dy[0] + std::int64_t{d2} * by_.dy[1],
+            std::int64_t{d1} * by_.center[0] + std::int64_t{d2} * by_.center[1]};
 }
 
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint32_t>& at,
-                                                           std::uint32_t first, std::int32_t v0,
-                                                           std::int32_t v1, std::int32_t v2, int up) {
-    const Gradient g = gradient(v0, v1, v2);
-    const int n = exponent_ - up;
+                                                           std::uint32_t first, std::int32_t d1,
+                                                           std::int32_t d2, int up) const {
+    const Gradient g = gradient(d1, d2);
+    const int n = by_.exponent - up;
     at.value = first + scaled_word(g.center, n);
     at.dx = scaled_word(g.dx, n);
     at.dy = scaled_word(g.dy, n);
@@ -112,14 +83,30 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint
 
 Setup<Fixed>::Slope Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
                                              const std::int32_t v[3], int up) {
-    const Gradient g = affine(at, first, v[0], v[1], v[2], up);
-    return {static_cast<std::uint64_t>(scaled(g.dx, exponent_ - up)),
-            static_cast<std::uint64_t>(scaled(g.dy, exponent_ - up))};
+    const Gradient g = affine(at, first, v[1] - v[0], v[2] - v[0], up);
+    return {static_cast<std::uint64_t>(scaled(g.dx, by_.exponent - up)),
+            static_cast<std::uint64_t>(scaled(g.dy, by_.exponent - up))};
+}
+
+/// Not in line where add_lifted() is.
+void Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
+                             std::int32_t d2, int up) {
+    affine(at, first, d1, d2, up);
+}
+
+/// The same of differences that are liftable().
+template <class C>
+SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
+                                      std::int32_t d2, std::uint32_t lift, const C& by) {
+    const std::int32_t a = lifted(d1, lift), b = lifted(d2, lift);
+    at.dx = lifted_word(a, b, by.dx);
+    at.dy = lifted_word(a, b, by.dy);
+    at.value = first + lifted_word(a, b, by.center);
 }
 
 std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {
-    const Gradient g = gradient(v[0], v[1], v[2]);
-    const int n = exponent_ - guard_bits;
+    const Gradient g = gradient(v[1] - v[0], v[2] - v[0]);
+    const int n = by_.exponent - guard_bits;
     at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) +
                static_cast<std::uint64_t>(scaled(g.center, n));
     at.dx = static_cast<std::uint64_t>(scaled(g.dx, n));
@@ -129,7 +116,7 @@ std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const
 
 // --- attributes
 
-void Setup<Fixed>::add_depth() {
+SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
     const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
     std::uint32_t z0 = depth_code(v_[0]->z, bits), z1 = depth_code(v_[1]->z, bits),
@@ -146,29 +133,63 @@ void Setup<Fixed>::add_depth() {
         z1 = numeric::clamp(z1, margin, highest);
         z2 = numeric::clamp(z2, margin, highest);
     }
-    affine(span_.z, z0 + (1u << (31 - bits)), static_cast<std::int32_t>(z0 >> 1),
-           static_cast<std::int32_t>(z1 >> 1), static_cast<std::int32_t>(z2 >> 1), 1);
+    const std::uint32_t first = z0 + (1u << (31 - bits));
+    const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
+               d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
+    const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
+    if (lifts && liftable(difference_bits(d1, d2), lift)) [[likely]]
+        add_lifted(span_.z, first, d1, d2, lift, by_);
+    else
+        add_steep(span_.z, first, d1, d2, 1);
 }
 
-/// `count` colour components of the three vertices.
-void Setup<Fixed>::add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
-                              int count) {
-    if (span_.kind == Kind::full) {
-        for (int i = 0; i < count; ++i) {
-            std::int32_t over_w[3];
-            for (int k = 0; k < 3; ++k)
-                over_w[k] = mul30(static_cast<std::int32_t>(from.of[k][i] << 2), q_[k]);
-            add_projective(at_q[i], over_w);
-        }
-        return;
+/// add(source, component, plane, projective plane) of all that are looked at.
+template <class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
+    const Needs& needs = state_.needs;
+    if (needs.rgb) {
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i)
+            add(primary(), i, span_.color_value[i], span_.color_q[i]);
     }
+    if (needs.alpha)
+        add(primary(), 3, span_.color_value[3], span_.color_q[3]);
+    if (needs.secondary)
+        for (int i = 0; i < 3; ++i)
+            add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
+}
+
+void Setup<Fixed>::projective_colors() {
+    each_color([&](const ColorSource& from, int i, auto&, Interpolant<std::uint64_t>& at) {
+        std::int32_t over_w[3];
+        for (int k = 0; k < 3; ++k)
+            over_w[k] = mul30(static_cast<std::int32_t>(from.of[k][i] << 2), q_[k]);
+        add_projective(at, over_w);
+    });
+}
+
+constexpr int color_up = 24 - color_fraction_bits;
+
+void Setup<Fixed>::steep_colors() {
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
-    constexpr int up = 24 - color_fraction_bits;
-    for (int i = 0; i < count; ++i) {
-        const std::uint32_t first = from.of[0][i];
-        affine(at[i], (first << up) + bias, static_cast<std::int32_t>(first),
-               static_cast<std::int32_t>(from.of[1][i]), static_cast<std::int32_t>(from.of[2][i]), up);
-    }
+    each_color([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
+        add_steep(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i),
+                  color_up);
+    });
+}
+
+/// Colours that differ in `bits`.
+SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
+    if (span_.kind == Kind::full)
+        return projective_colors();
+    const Coefficients by = by_;
+    const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
+    if (!lifts || !liftable(bits, lift)) [[unlikely]]
+        return steep_colors();
+    const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
+    each_color([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
+        add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i), lift,
+                   by);
+    });
 }
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
@@ -211,78 +232,118 @@ bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) c
     return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
 }
 
-bool Setup<Fixed>::colors_affine() const {
-    if (state_.tier == Tier::fast)
-        return true;
-    // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target.
-    const std::uint64_t four = state_.tier == Tier::exact                   ? color_one >> 17
-                               : format_info(state_.format).green_bits == 8 ? 1u << color_fraction_bits
-                                                                            : 4u << color_fraction_bits;
-    std::uint32_t widest = 0;
-    const auto widen = [&](const ColorSource& from, int count) {
-        for (int i = 0; i < count; ++i) {
-            const std::uint32_t range =
-                range_of(static_cast<std::int32_t>(from.of[0][i]), static_cast<std::int32_t>(from.of[1][i]),
-                         static_cast<std::int32_t>(from.of[2][i]));
-            widest = range > widest ? range : widest;
-        }
+/// In what the colours of the three vertices differ (difference_bits).
+SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
+    std::uint32_t bits = 0;
+    each_color([&](const ColorSource& from, int i, auto&, auto&) {
+        bits |= difference_bits(from.difference(1, i), from.difference(2, i));
+    });
+    return bits;
+}
+
+/// Enough for colors_affine(), without weights(): a range is at most the sum of two differences, and q is
+/// 2^29 at least where all have one exponent.
+SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
+    const Vertex &a = *v_[0], &b = *v_[1], &c = *v_[2];
+    if (a.w_exponent != b.w_exponent || a.w_exponent != c.w_exponent)
+        return false;
+    const std::uint32_t q = a.w_mantissa >> 2;
+    const auto difference = [&](const Vertex& v) {
+        return abs_u32(static_cast<std::int32_t>((v.w_mantissa >> 2) - q));
     };
-    widen(primary(), state_.needs.alpha ? 4 : 3);
-    if (state_.needs.secondary)
-        widen(secondary(), 3);
+    return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
+}
+
+bool Setup<Fixed>::colors_affine(std::uint32_t bits) const {
+    const std::uint32_t four = state_.four_color_tolerances;
+    if (state_.tier == Tier::fast || bounded(2 * bits, four))
+        return true;
+    std::uint32_t widest = 0;
+    each_color([&](const ColorSource& from, int i, auto&, auto&) {
+        const std::uint32_t range = range_of(0, from.difference(1, i), from.difference(2, i));
+        widest = range > widest ? range : widest;
+    });
     return bounded(widest, four);
 }
 
-/// All three vertices have the same colours, as far as they are looked at.
-bool Setup<Fixed>::same_colors() const {
-    const Needs& needs = state_.needs;
-    const auto same = [](const ColorSource& from, int count) {
-        for (int i = 0; i < count; ++i)
-            if (from.of[0][i] != from.of[1][i] || from.of[0][i] != from.of[2][i])
-                return false;
-        return true;
-    };
-    return (!needs.rgb || same(primary(), needs.alpha ? 4 : 3)) && (!needs.secondary || same(secondary(), 3));
-}
-
 /// With neither textures nor fog.
-SPANGLE_INLINE void Setup<Fixed>::plain(const Vertex& painted) {
-    const bool one_color = state_.fragment.flat || same_colors();
+SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
-    if (one_color)
+    if (bits == 0)
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
-    else if (state_.fragment.perspective && !weights() && q_range_ > q_least_ >> state_.affine_color_shift &&
-             !colors_affine())
+    else if (state_.fragment.perspective && !nearly_affine(bits) && !weights() && !colors_affine(bits))
         kind = Kind::full;
     span_.kind = kind;
-    if (state_.needs.z)
-        add_depth();
     if (kind == Kind::full)
         span_.q_dy = add_projective(span_.q, q_);
     if (kind == Kind::flat)
         span_.flat_word = word565(painted.color);
+    else if (bits == 0)
+        constant_colors(painted);
     else
-        colors(one_color, painted);
+        varying_colors(bits);
 }
 
-void Setup<Fixed>::colors(bool one_color, const Vertex& painted) {
-    if (one_color)
-        return constant_colors(painted);
-    const Needs& needs = state_.needs;
-    if (needs.rgb)
-        add_colors(primary(), span_.color_value, span_.color_q, needs.alpha ? 4 : 3);
-    if (needs.secondary)
-        add_colors(secondary(), span_.secondary, span_.secondary_q, 3);
+/// No bits: one colour.
+void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
+    if (bits == 0)
+        constant_colors(painted);
+    else
+        varying_colors(bits);
 }
 
-void Setup<Fixed>::attributes(const Vertex& provoking) {
+SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex& provoking) {
     // One colour is, in smooth shading, the one its corners share: the provoking vertex need not be a corner
     // (quads and clipped polygons are drawn in parts).
     const Vertex& painted = state_.fragment.flat ? provoking : *v_[0];
+    const std::uint32_t bits = state_.fragment.flat ? 0 : color_bits();
+    if (state_.needs.z)
+        add_depth();
     if (state_.textured_or_fogged)
-        with_coordinates(painted);
+        with_coordinates(bits, painted);
     else
-        plain(painted);
+        plain(bits, painted);
 }
+
+/// Not in line: lines and points.
+void Setup<Fixed>::attributes(const Vertex& provoking) {
+    attributes_of(provoking);
+}
+
+// --- primitives
+
+Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
+                    const Vertex& provoking, std::int64_t area2)
+    : span_(span), state_(*span.state), v_{&a, &b, &c} {
+    const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
+    const auto height = static_cast<std::uint32_t>(c.y - a.y);
+    const std::uint64_t most = static_cast<std::uint64_t>(thin_aspect) * numeric::abs_u64(area2);
+    // No box is wider than the sum.
+    if (numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most &&
+        numeric::mul_u32(range_of(0, x1, x2), height) > most) {
+        const std::uint32_t width = range_of(0, x1, x2);
+        if (width <= height) {
+            along_axis(a, c, false, a.y, c.y);
+        } else {
+            const Vertex* left = b.x < a.x ? &b : &a;
+            const Vertex* right = b.x < a.x ? &a : &b;
+            left = c.x < left->x ? &c : left;
+            right = c.x > right->x ? &c : right;
+            along_axis(*left, *right, true, left->x, right->x);
+        }
+    } else {
+        in_plane(area2);
+    }
+    attributes_of(provoking);
+}
+
+Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,
+                    bool along_x, std::int32_t begin, std::int32_t end)
+    : span_(span), state_(*span.state) {
+    along_axis(a, b, along_x, begin, end);
+    attributes(provoking);
+}
+
+Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}
 
 } // namespace spangle::raster

@@ -47,9 +47,11 @@ template <> class Setup<Fixed> {
         std::int64_t dx, dy; ///< per pixel
         std::int64_t center; ///< from the lowest vertex to the centre of its pixel
     };
-    /// Colours of the reference vertices.
+    /// Colours of the reference vertices, from some component on.
     struct ColorSource {
         const std::uint32_t* of[3];
+        std::uint32_t first(int i) const { return of[0][i]; }
+        std::int32_t difference(int k, int i) const { return static_cast<std::int32_t>(of[k][i] - of[0][i]); }
     };
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
@@ -62,41 +64,51 @@ template <> class Setup<Fixed> {
     void start(std::int32_t x, std::int32_t y);
     void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
     void in_plane(std::int64_t area2);
+    void attributes_of(const Vertex& provoking);
     void attributes(const Vertex& provoking);
-    void plain(const Vertex& painted);
-    void with_coordinates(const Vertex& painted);
+    void plain(std::uint32_t color_bits, const Vertex& painted);
+    void with_coordinates(std::uint32_t color_bits, const Vertex& painted);
     bool weights();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
     void load_fog(std::int32_t fog[3]) const;
     bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
-    bool colors_affine() const;
-    bool same_colors() const;
+    std::uint32_t color_bits() const;
+    bool nearly_affine(std::uint32_t bits) const;
+    bool colors_affine(std::uint32_t bits) const;
     ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
     ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
-    Kind choose_kind(const UnitValues units[], bool same_w, bool one_color, const std::int32_t fog[3]) const;
+    Kind choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
+                     const std::int32_t fog[3]) const;
 
-    Gradient gradient(std::int32_t v0, std::int32_t v1, std::int32_t v2) const;
-    Gradient affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t v0, std::int32_t v1,
-                    std::int32_t v2, int up);
+    Gradient gradient(std::int32_t d1, std::int32_t d2) const;
+    Gradient affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
+                    int up) const;
+    void add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
+                   int up);
     Slope add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
     void constant_colors(const Vertex& painted);
-    void colors(bool one_color, const Vertex& painted);
-    void add_colors(const ColorSource& from, Span<Fixed>::Affine* at, Span<Fixed>::Projective* at_q,
-                    int count);
+    void colors(std::uint32_t bits, const Vertex& painted);
+    void varying_colors(std::uint32_t bits);
+    template <class F> void each_color(F add) const;
+    void steep_colors();
+    void projective_colors();
     void add_unit(int unit, const UnitValues& u);
 
     Span<Fixed>& span_;
     const DrawState& state_;
     const Vertex* v_[3]; ///< reference vertices; values start at v_[0]
-    /// d/dx = (d1 cx[0] + d2 cx[1]) 2^-exponent, with d1 = v1 - v0 and d2 = v2 - v0; d/dy likewise. One
+    /// d/dx = (d1 dx[0] + d2 dx[1]) 2^-exponent, with d1 = v1 - v0 and d2 = v2 - v0; d/dy likewise. One
     /// exponent: thin_aspect bounds what the smaller coefficients lose.
-    std::int32_t cx_[2], cy_[2];
-    std::int32_t center_[2]; ///< from v_[0] to the centre of its pixel, likewise
-    int exponent_;
+    struct Coefficients {
+        std::int32_t dx[2], dy[2];
+        std::int32_t center[2]; ///< from v_[0] to the centre of its pixel, likewise
+        int exponent;
+    };
+    Coefficients by_;
     std::int32_t q_[3]; ///< 1/w of v_, largest in [2^29, 2^30)
     std::uint32_t q_least_, q_range_;
 };

@@ -79,4 +79,23 @@ SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>((std::int64_t{a} * b + (1 << 29)) >> 30);
 }
 
+/// The highest bit of the differences that this is the union of is the highest bit in which one of them
+/// differs from its sign: |d| <= bits, and d 2^n fits a word for n <= clz(bits). 0: there is none.
+SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
+    const auto a = static_cast<std::uint32_t>(d1), b = static_cast<std::uint32_t>(d2);
+    return (a ^ a << 1) | (b ^ b << 1);
+}
+
+/// Differences so small that their words hold them 2^lift times as large. Their products with coefficients
+/// below 2^30, shifted down by n = 32 - lift, are the high words of those: no shift is left.
+SPANGLE_INLINE bool liftable(std::uint32_t bits, std::uint32_t lift) {
+    return lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
+}
+SPANGLE_INLINE std::int32_t lifted(std::int32_t d, std::uint32_t lift) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << lift);
+}
+SPANGLE_INLINE std::uint32_t lifted_word(std::int32_t d1, std::int32_t d2, const std::int32_t (&c)[2]) {
+    return static_cast<std::uint32_t>((std::int64_t{d1} * c[0] + std::int64_t{d2} * c[1]) >> 32);
+}
+
 } // namespace spangle::raster

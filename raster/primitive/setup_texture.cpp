@@ -173,10 +173,10 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
 }
 
 /// Affine where the bounds of the tier allow it, textured where only colours are, else full.
-Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool one_color,
+Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
                                const std::int32_t fog[3]) const {
     const Needs& needs = state_.needs;
-    if (!same_w && !one_color && q_range_ > q_least_ >> state_.affine_color_shift && !colors_affine())
+    if (!same_w && color_bits != 0 && !colors_affine(color_bits))
         return Kind::full;
     for (int i = 0; i < max_texture_units; ++i)
         if (needs.unit[i] && !unit_affine(i, units[i], same_w))
@@ -189,7 +189,7 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, bool one_c
     return affine ? Kind::affine : Kind::textured;
 }
 
-void Setup<Fixed>::with_coordinates(const Vertex& painted) {
+void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
     const Needs& needs = state_.needs;
     UnitValues units[max_texture_units];
     std::int32_t fog[3];
@@ -198,7 +198,6 @@ void Setup<Fixed>::with_coordinates(const Vertex& painted) {
             load_unit(i, units[i]);
     if (needs.fog)
         load_fog(fog);
-    const bool one_color = state_.fragment.flat || same_colors();
     bool same_w = true;
     if (state_.fragment.perspective) {
         same_w = weights();
@@ -207,13 +206,11 @@ void Setup<Fixed>::with_coordinates(const Vertex& painted) {
         q_range_ = 0;
         q_least_ = 1u << 29;
     }
-    span_.kind = choose_kind(units, same_w, one_color, fog);
+    span_.kind = choose_kind(units, same_w, color_bits, fog);
 
-    if (needs.z)
-        add_depth();
     if (span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, q_);
-    colors(one_color, painted);
+    colors(color_bits, painted);
     if (needs.fog) {
         if (span_.kind == Kind::affine) {
             add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);

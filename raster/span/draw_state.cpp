@@ -115,10 +115,11 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.fragment = state;
     draw.tier = state.tier;
     draw.format = target.format;
-    // A quarter of 255 2^-shift is a quarter of a step of 6 or 8 bits; 2^-19 of full scale.
-    draw.affine_color_shift = state.tier == Tier::exact                    ? 17
-                              : format_info(target.format).green_bits == 8 ? 8
-                                                                           : 6;
+    // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target.
+    draw.four_color_tolerances = state.tier == Tier::exact                    ? color_one >> 17
+                                 : state.tier == Tier::fast                   ? UINT32_MAX
+                                 : format_info(target.format).green_bits == 8 ? 1u << color_fraction_bits
+                                                                              : 4u << color_fraction_bits;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.nothing = draws_nothing(state, key);

@@ -83,9 +83,7 @@ struct DrawState {
     Needs needs;
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     Tier tier = Tier::exact;
-    /// Colours are affine within the bound of the tier, whatever they are, where 1/w varies by less than
-    /// 2^-this of itself.
-    std::uint8_t affine_color_shift = 0;
+    std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};
     DepthFormat depth_format{};
     struct Wraps {

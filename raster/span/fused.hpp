@@ -149,6 +149,21 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
 
+/// The fragments of a row one by one, counted up to 0: the last index needs no register.
+template <class Case> SPANGLE_INLINE void fused_plain_row(const Span<Fixed>& span, const Row& row) {
+    const Surface& target = *span.target;
+    const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
+        // One word before the loop, not a sum in it.
+        return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{row.last} * bytes));
+    };
+    PlaneRow at{span, place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
+                nullptr, row.first, row.y};
+    if constexpr (Case::tested)
+        at.depth = place(target.depth, target.depth_stride, 2);
+    typename Case::template List<1> list(at, 0);
+    fused_loop<false, typename Case::template System<1>>(list, row.first - row.last, 0);
+}
+
 template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
     fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, row.first - span.x,
                                                                                      row.last - row.first);
@@ -208,8 +223,14 @@ template <class Case, int Wide = host_lanes>
         fused_rows<Case>(span, row, end);
     } else {
         do {
-            enter_fused<Case>(span, *row);
             const std::int32_t n = row->last - row->first;
+            if constexpr (Case::plain) {
+                if (!(Wide == 8 && Case::wide) || n < 8) {
+                    fused_plain_row<Case>(span, *row);
+                    continue;
+                }
+            }
+            enter_fused<Case>(span, *row);
             if constexpr (Wide == 8 && Case::wide) {
                 if (n >= 8) {
                     typename Case::template List<8> list(span, row->first - span.x);
@@ -217,7 +238,8 @@ template <class Case, int Wide = host_lanes>
                     continue;
                 }
             }
-            fused_narrow_row<Case>(span, *row);
+            if constexpr (!Case::plain)
+                fused_narrow_row<Case>(span, *row);
         } while (++row != end);
     }
 }

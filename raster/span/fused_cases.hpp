@@ -19,7 +19,7 @@ namespace spangle::raster {
 
 /// In place of a stage that a key does without; I keeps the bases of a Seq distinct.
 template <class N, int I> struct None : StageBase {
-    SPANGLE_INLINE None(const Span<typename N::Policy>&, std::int32_t) {}
+    template <class S> SPANGLE_INLINE None(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>&) const { return true; }
 };
 
@@ -113,6 +113,8 @@ template <Key K> class FusedCase {
   public:
     static constexpr Key key = K;
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
+    /// Depth and colours, nothing else: rows are PlaneRows.
+    static constexpr bool plain = raw && !textured;
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = !raw && !exact && is_565(K.format) && (textured || K.blend || K.fog);
     /// Fetching texels gains nothing from lanes, combining them does.
@@ -122,7 +124,7 @@ template <Key K> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (raw && !textured)
+        if constexpr (plain)
             return &fused_path<FusedCase>;
         else
             return nullptr;

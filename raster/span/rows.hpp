@@ -27,6 +27,21 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
         depth = target.depth + std::ptrdiff_t{y} * target.depth_stride + (std::ptrdiff_t{x} << depth_shift);
 }
 
+/// A row as the stages of a list see it that looks at depth and colours only: the planes are the span's, the
+/// place is in registers.
+struct PlaneRow {
+    const Span<Fixed>& planes;
+    std::uint8_t *color, *depth; ///< of the fragments that the list counts from
+    std::int32_t x, y;           ///< window position of pixel 0
+    const Span<Fixed>::Affine& z = planes.z;
+    const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
+    std::uint32_t flat_word = planes.flat_word;
+
+    std::uint32_t at(std::int32_t column, const Span<Fixed>::Affine& plane) const {
+        return plane.at(column + (x - planes.anchor_x), y - planes.anchor_y);
+    }
+};
+
 /// The span becomes this row, whatever the state is.
 template <class P> void enter(Span<P>& span, const Row& row) {
     span.x = row.left;

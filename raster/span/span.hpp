@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "raster/numeric/bits.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -34,7 +35,10 @@ inline constexpr int clamped_coord_bits = 28;
 template <class T> struct Interpolant {
     T value, dx, dy;
     constexpr T at(std::int32_t columns, std::int32_t rows) const {
-        return value + static_cast<T>(columns) * dx + static_cast<T>(rows) * dy;
+        T start = value + static_cast<T>(columns) * dx;
+        if constexpr (sizeof(T) == 4)
+            start = numeric::factor32(start); // two multiply-accumulates, no sum of products
+        return start + static_cast<T>(rows) * dy;
     }
 };
 

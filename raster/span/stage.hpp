@@ -2,10 +2,10 @@
 //
 // A stage is a struct with
 //   Stage(const Span<P>& span, std::int32_t x)  its state at pixel x of the span, by multiplication: any x
-//   can be first; bool operator()(Px<N>& p)                   one group of lanes; false = no fragment of the
-//   group is left alive; void step()                                 on to the next group of N::lanes pixels;
-//   std::int32_t begin(std::int32_t x)          only if `runs` (one lane only): called at the constructor's x
-//   before the
+//   can be first (stages of depth and colours only take a PlaneRow as well); bool operator()(Px<N>& p) one
+//   group of lanes; false = no fragment of the group is left alive; void step() on to the next group of
+//   N::lanes pixels; std::int32_t begin(std::int32_t x)          only if `runs` (one lane only): called at
+//   the constructor's x before the
 //                                               first fragment, then whenever x reaches a value some stage
 //                                               returned; returns the end of the run that holds x;
 //   void start(span, x)                         the same as construction in another row of the primitive
@@ -63,11 +63,13 @@ struct StageBase {
 template <class L> class Ramp {
   public:
     typename L::U32 at;
-    SPANGLE_INLINE Ramp(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Affine& plane)
+    template <class S>
+    SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane)
         : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))) {
         start(span, x, plane);
     }
-    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Affine& plane) {
+    template <class S>
+    SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane) {
         at = L::splat32(span.at(x, plane)) + offset_;
     }
     SPANGLE_INLINE void step() { at += by_; }
@@ -91,7 +93,7 @@ template <class N, class... S> struct Seq : S... {
     static constexpr bool rows = (S::rows || ... || false);
     using Policy = typename N::Policy;
 
-    SPANGLE_INLINE Seq(const Span<Policy>& span, std::int32_t x) : S(span, x)... {}
+    template <class At> SPANGLE_INLINE Seq(const At& span, std::int32_t x) : S(span, x)... {}
     SPANGLE_INLINE bool operator()(Px<N>& p) { return (static_cast<S&>(*this)(p) && ...); }
     SPANGLE_INLINE void step() { (S::step(), ...); }
     SPANGLE_INLINE bool row(std::int32_t n) {

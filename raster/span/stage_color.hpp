@@ -83,7 +83,8 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
     using N = Raw565<Count>;
     Ramp<typename N::L> r, g, b;
 
-    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE Gouraud(const S& s, std::int32_t x)
         : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color = N::from_affine(r.at, g.at, b.at);

@@ -41,7 +41,7 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
 /// The interpolated depth of the fixed policy. `code<Bits>()`: what a depth buffer of 16 or 24 bits stores.
 template <class N> struct DepthValue : StageBase {
     Ramp<typename N::L> z;
-    SPANGLE_INLINE DepthValue(const Span<Fixed>& s, std::int32_t x) : z(s, x, s.z) {}
+    template <class S> SPANGLE_INLINE DepthValue(const S& s, std::int32_t x) : z(s, x, s.z) {}
     /// All bits (one lane).
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
     /// The code of 24 bits (one lane).
@@ -56,7 +56,8 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     static constexpr bool kill = true, effect = Write;
     using L = typename N::L;
     std::uint8_t* plane;
-    SPANGLE_INLINE Depth(const Span<Fixed>& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
+    template <class S>
+    SPANGLE_INLINE Depth(const S& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
         this->z.start(s, x, s.z);
         plane = s.depth;

@@ -10,7 +10,7 @@ template <int Count> struct FlatWord : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
     typename N::T word;
-    SPANGLE_INLINE FlatWord(const Span<Fixed>& s, std::int32_t) : word(N::L::splat(s.flat_word)) {}
+    template <class S> SPANGLE_INLINE FlatWord(const S& s, std::int32_t) : word(N::L::splat(s.flat_word)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = word;
         return true;
@@ -27,7 +27,7 @@ template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
     static constexpr bool swaps =
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     std::uint8_t* plane;
-    SPANGLE_INLINE StoreRaw(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
+    template <class S> SPANGLE_INLINE StoreRaw(const S& s, std::int32_t) : plane(s.color) {}
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = plane + 2 * p.i;

@@ -1,0 +1,52 @@
+// Small integer forms of set-up: what takes the place of shifts where words have 32 bits gives the same
+// words.
+#include "raster/primitive/setup_math.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace spangle::raster {
+namespace {
+
+TEST(SetupMath, BitsBoundDifferences) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 200'000; ++i) {
+        const auto any = [&] { return static_cast<std::int32_t>(random()) >> (random() % 32); };
+        const std::int32_t a = any(), b = any();
+        const std::uint32_t bits = difference_bits(a, b);
+        ASSERT_EQ(bits == 0, a == 0 && b == 0);
+        for (const std::int32_t d : {a, b}) {
+            ASSERT_LE(numeric::abs_u32(d), bits);
+            for (int n = 0; n <= numeric::clz32(bits) && n < 32; ++n) {
+                ASSERT_TRUE(liftable(bits, static_cast<std::uint32_t>(n)));
+                ASSERT_EQ(std::int64_t{lifted(d, static_cast<std::uint32_t>(n))}, std::int64_t{d} << n);
+            }
+        }
+        if (const int room = numeric::clz32(bits); bits != 0) {
+            ASSERT_FALSE(liftable(bits, static_cast<std::uint32_t>(room + 1)));
+        }
+    }
+    EXPECT_FALSE(liftable(1, 0u - 1)) << "coefficients that must be shifted up";
+    EXPECT_FALSE(liftable(0, 32)) << "no shift of a word is that long";
+}
+
+TEST(SetupMath, LiftedDifferencesGiveTheWordsOfTheShiftedSum) {
+    std::mt19937 random(2);
+    constexpr std::int32_t most = 1 << 30;
+    for (int i = 0; i < 200'000; ++i) {
+        const auto coefficient = [&] { return static_cast<std::int32_t>(random()) >> 1; };
+        const std::int32_t c[2] = {i % 7 == 0 ? most : coefficient(), i % 11 == 0 ? -most : coefficient()};
+        const auto difference = [&] { return static_cast<std::int32_t>(random()) >> (random() % 31); };
+        const std::int32_t d1 = difference(), d2 = difference();
+        const auto room = static_cast<std::uint32_t>(numeric::clz32(difference_bits(d1, d2) | 1));
+        for (std::uint32_t lift = 0; lift <= room; ++lift) {
+            const std::int64_t sum = std::int64_t{d1} * c[0] + std::int64_t{d2} * c[1];
+            ASSERT_EQ(lifted_word(lifted(d1, lift), lifted(d2, lift), c),
+                      static_cast<std::uint32_t>(sum >> (32 - lift)));
+        }
+    }
+}
+
+} // namespace
+} // namespace spangle::raster
