@@ -12,7 +12,7 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
   inside        legal between Begin and End
   list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
-  feature       optional system it belongs to
+  feature       optional system it belongs to; "A|B": it is there with either
   digits        of components: false where the name does not tell their number
   pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try
 """
@@ -73,6 +73,13 @@ class Entry:
     @property
     def prototype(self):
         return f"{self.family.returns} GLAPIENTRY {self.name}({self.c_params})"
+
+    @property
+    def needs(self):
+        """The optional systems this entry point takes, each a condition of the preprocessor."""
+        features = [self.family.feature] if self.family.feature else []
+        features += ["FIXED_POINT"] if self.name.endswith("OES") else []
+        return tuple(" || ".join(f"SPANGLE_FEATURE_{word}" for word in feature.split("|")) for feature in features)
 
     @property
     def c_params(self):
@@ -363,31 +370,38 @@ def wrappers(data, families):
            "#include \"gl/api/convert.hpp\"\n#include \"gl/api/generated/commands.hpp\"\n"
            "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n\n"
            "using namespace spangle::gl;\nnamespace numeric = spangle::numeric;\n\nextern \"C\" {\n"]
-    feature = None
+    needs = ()
     for f in families:
         for entry in f.entries:
-            if f.feature != feature:
-                out.append(("\n#endif\n" if feature else "") + (f"\n#if SPANGLE_FEATURE_{f.feature}\n" if f.feature else ""))
-                feature = f.feature
+            if entry.needs != needs:
+                out.append(("\n#endif\n" if needs else "") + (f"\n#if {both(entry.needs)}\n" if entry.needs else ""))
+                needs = entry.needs
             out.append(f"\n{entry.prototype.replace('(void)', '()')} {{\n{entry.body}}}\n")
-    out.append("\n#endif\n" if feature else "")
-    out.append(refusals(families))
+    out.append("\n#endif\n" if needs else "")
+    out.append(refusals([e for f in families for e in f.entries]))
     out.append("\n} // extern \"C\"\n")
     return "".join(out)
 
 
-def refusals(families):
+def both(needs):
+    """One condition of several."""
+    return " && ".join(f"({need})" if "||" in need and len(needs) > 1 else need for need in needs)
+
+
+def refusals(entries):
     """What the entry points of a feature do in a build without it."""
     out = []
-    for feature in sorted({f.feature for f in families if f.feature}):
-        out.append(f"\n#if !SPANGLE_FEATURE_{feature}\n")
-        for entry in (e for f in families if f.feature == feature for e in f.entries):
-            types = ", ".join(t for t, _ in entry.params)
-            back = "" if entry.family.returns == "void" else "    return 0;\n"
-            text = f"{entry.name}: this build has no SPANGLE_FEATURE_{feature}"
-            out.append(f"\n{entry.family.returns} GLAPIENTRY {entry.name}({types}) {{\n"
-                       f"    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n{back}}}\n")
-        out.append("\n#endif\n")
+    for needs in sorted({e.needs for e in entries if e.needs}):
+        for i, need in enumerate(needs):
+            absent = f"!({need})" if "||" in need else f"!{need}"
+            out.append(f"\n#if {both([*needs[:i], absent])}\n")
+            for entry in (e for e in entries if e.needs == needs):
+                types = ", ".join(t for t, _ in entry.params)
+                back = "" if entry.family.returns == "void" else "    return 0;\n"
+                text = f"{entry.name}: this build has no {need.replace('||', 'and no')}"
+                out.append(f"\n{entry.family.returns} GLAPIENTRY {entry.name}({types}) {{\n"
+                           f"    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n{back}}}\n")
+            out.append("\n#endif\n")
     return "".join(out)
 
 
@@ -432,7 +446,6 @@ def test_table(chapters, tokens):
 
     for _, families in chapters:
         for f in families:
-            feature = f"SPANGLE_FEATURE_{f.feature}" if f.feature else "1"
             pnames = [f"{{GL_{n}, {t.partition('=')[0][1:]}, '{t[0]}', "
                       f"{'GL_' + t.partition('=')[2] if '=' in t and not t[-1].isdigit() else t.partition('=')[2] or '0'}}}"
                       for n, t in f.pnames.items()]
@@ -453,7 +466,7 @@ def test_table(chapters, tokens):
                                 f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
                 arg_list = array("Arg", args) if args else "{}"
                 rows.append(f"    {{\"{e.name}\", \"{f.name}\", \"{f.row}\", {str(f.inside).lower()}, "
-                            f"Listing::{f.listing}, {feature} != 0, {arg_list}, {pname_list},\n"
+                            f"Listing::{f.listing}, {f'({both(e.needs)}) != 0' if e.needs else 'true'}, {arg_list}, {pname_list},\n"
                             f"     [](const Value* {'a' if calls else ''}) {{ {e.name}({', '.join(calls)}); }}}},\n")
     out.append("\nconst Command table[] = {\n" + "".join(rows) + "};\n\n} // namespace\n")
     return "".join(out)

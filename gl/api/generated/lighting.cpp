@@ -32,6 +32,10 @@ void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
     issue<family::Light>(light, pname, convert::vector_i(shape::Light(pname), params));
 }
 
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
     issue<family::Light>(light, pname, convert::scalar_x(shape::Light(pname), param));
 }
@@ -41,6 +45,10 @@ void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) 
         return refuse_null(SPANGLE_TEXT("glLightxvOES: null pointer"));
     issue<family::Light>(light, pname, convert::vector_x(shape::Light(pname), params));
 }
+
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
     if (params == nullptr)
@@ -58,6 +66,10 @@ void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
     convert::store_i(shape::GetLight(pname), found, params);
 }
 
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetLightxvOES: null pointer"));
@@ -65,6 +77,10 @@ void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
     fetch<family::GetLight>(found, light, pname);
     convert::store_x(shape::GetLight(pname), found, params);
 }
+
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
     issue<family::LightModel>(pname, convert::scalar_f(shape::LightModel(pname), param));
@@ -86,6 +102,10 @@ void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
     issue<family::LightModel>(pname, convert::vector_i(shape::LightModel(pname), params));
 }
 
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
     issue<family::LightModel>(pname, convert::scalar_x(shape::LightModel(pname), param));
 }
@@ -95,6 +115,10 @@ void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
         return refuse_null(SPANGLE_TEXT("glLightModelxvOES: null pointer"));
     issue<family::LightModel>(pname, convert::vector_x(shape::LightModel(pname), params));
 }
+
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
     issue<family::Material>(face, pname, convert::scalar_f(shape::Material(pname), param));
@@ -116,6 +140,10 @@ void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
     issue<family::Material>(face, pname, convert::vector_i(shape::Material(pname), params));
 }
 
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
     issue<family::Material>(face, pname, convert::scalar_x(shape::Material(pname), param));
 }
@@ -125,6 +153,10 @@ void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params
         return refuse_null(SPANGLE_TEXT("glMaterialxvOES: null pointer"));
     issue<family::Material>(face, pname, convert::vector_x(shape::Material(pname), params));
 }
+
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
     if (params == nullptr)
@@ -142,6 +174,10 @@ void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
     convert::store_i(shape::GetMaterial(pname), found, params);
 }
 
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
@@ -149,6 +185,10 @@ void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
     fetch<family::GetMaterial>(found, face, pname);
     convert::store_x(shape::GetMaterial(pname), found, params);
 }
+
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glColorMaterial(GLenum face, GLenum mode) {
     issue<family::ColorMaterial>(face, mode);
@@ -180,17 +220,37 @@ void GLAPIENTRY glPointSize(GLfloat size) {
     issue<family::PointSize>(convert::cast_f(size));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glPointSizexOES(GLfixed size) {
     issue<family::PointSize>(convert::cast_x(size));
 }
+
+#endif
 
 void GLAPIENTRY glLineWidth(GLfloat width) {
     issue<family::LineWidth>(convert::cast_f(width));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glLineWidthxOES(GLfixed width) {
     issue<family::LineWidth>(convert::cast_x(width));
 }
+
+#endif
+
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glPointSizexOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glPointSizexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glLineWidthxOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLineWidthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
 
 #if !SPANGLE_FEATURE_LIGHTING
 
@@ -210,24 +270,12 @@ void GLAPIENTRY glLightiv(GLenum, GLenum, const GLint*) {
     refuse_feature(SPANGLE_TEXT("glLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
-void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
-void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
 void GLAPIENTRY glGetLightfv(GLenum, GLenum, GLfloat*) {
     refuse_feature(SPANGLE_TEXT("glGetLightfv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
 void GLAPIENTRY glGetLightiv(GLenum, GLenum, GLint*) {
     refuse_feature(SPANGLE_TEXT("glGetLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
-void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
 void GLAPIENTRY glLightModelf(GLenum, GLfloat) {
@@ -246,14 +294,6 @@ void GLAPIENTRY glLightModeliv(GLenum, const GLint*) {
     refuse_feature(SPANGLE_TEXT("glLightModeliv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
-void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
-void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
 void GLAPIENTRY glMaterialf(GLenum, GLenum, GLfloat) {
     refuse_feature(SPANGLE_TEXT("glMaterialf: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
@@ -270,14 +310,6 @@ void GLAPIENTRY glMaterialiv(GLenum, GLenum, const GLint*) {
     refuse_feature(SPANGLE_TEXT("glMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
-void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
-void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
-
 void GLAPIENTRY glGetMaterialfv(GLenum, GLenum, GLfloat*) {
     refuse_feature(SPANGLE_TEXT("glGetMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
@@ -286,12 +318,80 @@ void GLAPIENTRY glGetMaterialiv(GLenum, GLenum, GLint*) {
     refuse_feature(SPANGLE_TEXT("glGetMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
+void GLAPIENTRY glColorMaterial(GLenum, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_LIGHTING
+
+void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
+void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
+}
+
 void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
 }
 
-void GLAPIENTRY glColorMaterial(GLenum, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING"));
+#endif
+
+#if SPANGLE_FEATURE_LIGHTING && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

@@ -18,9 +18,13 @@ void GLAPIENTRY glAlphaFunc(GLenum func, GLclampf ref) {
     issue<family::AlphaFunc>(func, convert::cast_f(ref));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glAlphaFuncxOES(GLenum func, GLclampx ref) {
     issue<family::AlphaFunc>(func, convert::cast_x(ref));
 }
+
+#endif
 
 void GLAPIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) {
     issue<family::StencilFunc>(func, ref, mask);
@@ -66,9 +70,13 @@ void GLAPIENTRY glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclam
     issue<family::ClearColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha) {
     issue<family::ClearColor>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
 }
+
+#endif
 
 void GLAPIENTRY glClearDepth(GLclampd depth) {
     issue<family::ClearDepth>(convert::cast_d(depth));
@@ -78,9 +86,13 @@ void GLAPIENTRY glClearDepthf(GLclampf depth) {
     issue<family::ClearDepth>(convert::cast_f(depth));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glClearDepthxOES(GLclampx depth) {
     issue<family::ClearDepth>(convert::cast_x(depth));
 }
+
+#endif
 
 void GLAPIENTRY glClearStencil(GLint s) {
     issue<family::ClearStencil>(s);
@@ -120,6 +132,10 @@ void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
     issue<family::Fog>(pname, convert::vector_i(shape::Fog(pname), params));
 }
 
+#endif
+
+#if SPANGLE_FEATURE_FOG && SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
     issue<family::Fog>(pname, convert::scalar_x(shape::Fog(pname), param));
 }
@@ -144,6 +160,22 @@ void GLAPIENTRY glFinish() {
     issue<family::Finish>();
 }
 
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glAlphaFuncxOES(GLenum, GLclampx) {
+    refuse_feature(SPANGLE_TEXT("glAlphaFuncxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glClearColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {
+    refuse_feature(SPANGLE_TEXT("glClearColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glClearDepthxOES(GLclampx) {
+    refuse_feature(SPANGLE_TEXT("glClearDepthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
 #if !SPANGLE_FEATURE_FOG
 
 void GLAPIENTRY glFogf(GLenum, GLfloat) {
@@ -162,12 +194,28 @@ void GLAPIENTRY glFogiv(GLenum, const GLint*) {
     refuse_feature(SPANGLE_TEXT("glFogiv: this build has no SPANGLE_FEATURE_FOG"));
 }
 
+#endif
+
+#if !SPANGLE_FEATURE_FOG
+
 void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
     refuse_feature(SPANGLE_TEXT("glFogxOES: this build has no SPANGLE_FEATURE_FOG"));
 }
 
 void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_FOG && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glFogxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

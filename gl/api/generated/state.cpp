@@ -42,9 +42,13 @@ void GLAPIENTRY glGetDoublev(GLenum pname, GLdouble* params) {
     issue<family::GetDoublev>(pname, params);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetFixedvOES(GLenum pname, GLfixed* params) {
     issue<family::GetFixedvOES>(pname, params);
 }
+
+#endif
 
 void GLAPIENTRY glGetPointerv(GLenum pname, void** params) {
     issue<family::GetPointerv>(pname, params);
@@ -90,6 +94,14 @@ void GLAPIENTRY glPushClientAttrib(GLbitfield) {
 
 void GLAPIENTRY glPopClientAttrib() {
     refuse_feature(SPANGLE_TEXT("glPopClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glGetFixedvOES(GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetFixedvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

@@ -58,6 +58,8 @@ void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* param
     issue<family::TexParameter>(target, pname, convert::vector_i(shape::TexParameter(pname), params));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
     issue<family::TexParameter>(target, pname, convert::scalar_x(shape::TexParameter(pname), param));
 }
@@ -67,6 +69,8 @@ void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* 
         return refuse_null(SPANGLE_TEXT("glTexParameterxvOES: null pointer"));
     issue<family::TexParameter>(target, pname, convert::vector_x(shape::TexParameter(pname), params));
 }
+
+#endif
 
 void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
     if (params == nullptr)
@@ -84,6 +88,8 @@ void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) 
     convert::store_i(shape::GetTexParameter(pname), found, params);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
@@ -91,6 +97,8 @@ void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* par
     fetch<family::GetTexParameter>(found, target, pname);
     convert::store_x(shape::GetTexParameter(pname), found, params);
 }
+
+#endif
 
 void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
     issue<family::TexEnv>(target, pname, convert::scalar_f(shape::TexEnv(pname), param));
@@ -112,6 +120,8 @@ void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
     issue<family::TexEnv>(target, pname, convert::vector_i(shape::TexEnv(pname), params));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
     issue<family::TexEnv>(target, pname, convert::scalar_x(shape::TexEnv(pname), param));
 }
@@ -121,6 +131,8 @@ void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params
         return refuse_null(SPANGLE_TEXT("glTexEnvxvOES: null pointer"));
     issue<family::TexEnv>(target, pname, convert::vector_x(shape::TexEnv(pname), params));
 }
+
+#endif
 
 void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
     if (params == nullptr)
@@ -138,6 +150,8 @@ void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
     convert::store_i(shape::GetTexEnv(pname), found, params);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
@@ -145,6 +159,8 @@ void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
     fetch<family::GetTexEnv>(found, target, pname);
     convert::store_x(shape::GetTexEnv(pname), found, params);
 }
+
+#endif
 
 void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) {
     if (params == nullptr)
@@ -162,6 +178,8 @@ void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pnam
     convert::store_i(shape::GetTexLevelParameter(pname), found, params);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed* params) {
     if (params == nullptr)
         return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
@@ -169,5 +187,39 @@ void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum p
     fetch<family::GetTexLevelParameter>(found, target, level, pname);
     convert::store_x(shape::GetTexLevelParameter(pname), found, params);
 }
+
+#endif
+
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glTexParameterxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexParameterxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetTexParameterxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexEnvxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexEnvxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexEnvxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetTexEnvxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum, GLint, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexLevelParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
 
 } // extern "C"

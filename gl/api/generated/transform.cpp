@@ -30,11 +30,15 @@ void GLAPIENTRY glLoadMatrixd(const GLdouble* m) {
     issue<family::LoadMatrix>(convert::matrix_d(m));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
         return refuse_null(SPANGLE_TEXT("glLoadMatrixxOES: null pointer"));
     issue<family::LoadMatrix>(convert::matrix_x(m));
 }
+
+#endif
 
 void GLAPIENTRY glMultMatrixf(const GLfloat* m) {
     if (m == nullptr)
@@ -48,11 +52,15 @@ void GLAPIENTRY glMultMatrixd(const GLdouble* m) {
     issue<family::MultMatrix>(convert::matrix_d(m));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
         return refuse_null(SPANGLE_TEXT("glMultMatrixxOES: null pointer"));
     issue<family::MultMatrix>(convert::matrix_x(m));
 }
+
+#endif
 
 void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
     if (m == nullptr)
@@ -66,11 +74,15 @@ void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
     issue<family::LoadTransposeMatrix>(convert::matrix_d(m));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
         return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixxOES: null pointer"));
     issue<family::LoadTransposeMatrix>(convert::matrix_x(m));
 }
+
+#endif
 
 void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m) {
     if (m == nullptr)
@@ -84,11 +96,15 @@ void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m) {
     issue<family::MultTransposeMatrix>(convert::matrix_d(m));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m) {
     if (m == nullptr)
         return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixxOES: null pointer"));
     issue<family::MultTransposeMatrix>(convert::matrix_x(m));
 }
+
+#endif
 
 void GLAPIENTRY glPushMatrix() {
     issue<family::PushMatrix>();
@@ -106,9 +122,13 @@ void GLAPIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
     issue<family::Rotate>(convert::cast_d(angle), convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glRotatexOES(GLfixed angle, GLfixed x, GLfixed y, GLfixed z) {
     issue<family::Rotate>(convert::cast_x(angle), convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
 }
+
+#endif
 
 void GLAPIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
     issue<family::Translate>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
@@ -118,9 +138,13 @@ void GLAPIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
     issue<family::Translate>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTranslatexOES(GLfixed x, GLfixed y, GLfixed z) {
     issue<family::Translate>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
 }
+
+#endif
 
 void GLAPIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
     issue<family::Scale>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
@@ -130,25 +154,37 @@ void GLAPIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) {
     issue<family::Scale>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glScalexOES(GLfixed x, GLfixed y, GLfixed z) {
     issue<family::Scale>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
 }
+
+#endif
 
 void GLAPIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
     issue<family::Frustum>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glFrustumxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
     issue<family::Frustum>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
 }
+
+#endif
 
 void GLAPIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
     issue<family::Ortho>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glOrthoxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
     issue<family::Ortho>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
 }
+
+#endif
 
 void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
     issue<family::Viewport>(x, y, width, height);
@@ -162,8 +198,56 @@ void GLAPIENTRY glDepthRangef(GLclampf near_val, GLclampf far_val) {
     issue<family::DepthRange>(convert::cast_f(near_val), convert::cast_f(far_val));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val) {
     issue<family::DepthRange>(convert::cast_x(near_val), convert::cast_x(far_val));
 }
+
+#endif
+
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glLoadMatrixxOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLoadMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultMatrixxOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glLoadTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRotatexOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRotatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTranslatexOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTranslatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glScalexOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glScalexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glFrustumxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glFrustumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glOrthoxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glOrthoxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glDepthRangexOES(GLclampx, GLclampx) {
+    refuse_feature(SPANGLE_TEXT("glDepthRangexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
 
 } // extern "C"

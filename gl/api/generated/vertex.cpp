@@ -58,6 +58,8 @@ void GLAPIENTRY glVertex2dv(const GLdouble* v) {
     issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glVertex2xOES(GLfixed x, GLfixed y) {
     issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), numeric::zero, numeric::one);
 }
@@ -67,6 +69,8 @@ void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glVertex2xvOES: null pointer"));
     issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
     issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::one);
@@ -108,6 +112,8 @@ void GLAPIENTRY glVertex3dv(const GLdouble* v) {
     issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glVertex3xOES(GLfixed x, GLfixed y, GLfixed z) {
     issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::one);
 }
@@ -117,6 +123,8 @@ void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glVertex3xvOES: null pointer"));
     issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
     issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), convert::cast_s(w));
@@ -158,6 +166,8 @@ void GLAPIENTRY glVertex4dv(const GLdouble* v) {
     issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
     issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), convert::cast_x(w));
 }
@@ -167,6 +177,8 @@ void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glVertex4xvOES: null pointer"));
     issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
+
+#endif
 
 void GLAPIENTRY glTexCoord1s(GLshort s) {
     issue<family::TexCoord>(convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
@@ -208,6 +220,8 @@ void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
     issue<family::TexCoord>(convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexCoord1xOES(GLfixed s) {
     issue<family::TexCoord>(convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
 }
@@ -217,6 +231,8 @@ void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glTexCoord1xvOES: null pointer"));
     issue<family::TexCoord>(convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
     issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
@@ -258,6 +274,8 @@ void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
     issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexCoord2xOES(GLfixed s, GLfixed t) {
     issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
 }
@@ -267,6 +285,8 @@ void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glTexCoord2xvOES: null pointer"));
     issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
     issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
@@ -308,6 +328,8 @@ void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
     issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexCoord3xOES(GLfixed s, GLfixed t, GLfixed r) {
     issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
 }
@@ -317,6 +339,8 @@ void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glTexCoord3xvOES: null pointer"));
     issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
     issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
@@ -358,6 +382,8 @@ void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
     issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
     issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
 }
@@ -367,6 +393,8 @@ void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glTexCoord4xvOES: null pointer"));
     issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
+
+#endif
 
 void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
     issue<family::MultiTexCoord>(target, convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
@@ -408,6 +436,8 @@ void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
     issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s) {
     issue<family::MultiTexCoord>(target, convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
 }
@@ -417,6 +447,8 @@ void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glMultiTexCoord1xvOES: null pointer"));
     issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
     issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
@@ -458,6 +490,8 @@ void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
     issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t) {
     issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
 }
@@ -467,6 +501,8 @@ void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glMultiTexCoord2xvOES: null pointer"));
     issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
     issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
@@ -508,6 +544,8 @@ void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
     issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r) {
     issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
 }
@@ -517,6 +555,8 @@ void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glMultiTexCoord3xvOES: null pointer"));
     issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
     issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
@@ -558,6 +598,8 @@ void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
     issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
     issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
 }
@@ -567,6 +609,8 @@ void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glMultiTexCoord4xvOES: null pointer"));
     issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
+
+#endif
 
 void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
     issue<family::Normal>(convert::unit_b(nx), convert::unit_b(ny), convert::unit_b(nz));
@@ -618,6 +662,8 @@ void GLAPIENTRY glNormal3dv(const GLdouble* v) {
     issue<family::Normal>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz) {
     issue<family::Normal>(convert::cast_x(nx), convert::cast_x(ny), convert::cast_x(nz));
 }
@@ -627,6 +673,8 @@ void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glNormal3xvOES: null pointer"));
     issue<family::Normal>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]));
 }
+
+#endif
 
 void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) {
     issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), numeric::one);
@@ -708,6 +756,8 @@ void GLAPIENTRY glColor3uiv(const GLuint* v) {
     issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), numeric::one);
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glColor3xOES(GLfixed red, GLfixed green, GLfixed blue) {
     issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), numeric::one);
 }
@@ -717,6 +767,8 @@ void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glColor3xvOES: null pointer"));
     issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
 }
+
+#endif
 
 void GLAPIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) {
     issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), convert::unit_b(alpha));
@@ -798,6 +850,8 @@ void GLAPIENTRY glColor4uiv(const GLuint* v) {
     issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), convert::unit_ui(v[3]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha) {
     issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
 }
@@ -807,6 +861,8 @@ void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
         return refuse_null(SPANGLE_TEXT("glColor4xvOES: null pointer"));
     issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
 }
+
+#endif
 
 #if SPANGLE_FEATURE_COLOR_INDEX
 
@@ -859,6 +915,10 @@ void GLAPIENTRY glIndexubv(const GLubyte* v) {
         return refuse_null(SPANGLE_TEXT("glIndexubv: null pointer"));
     issue<family::Index>(convert::cast_ub(v[0]));
 }
+
+#endif
+
+#if SPANGLE_FEATURE_COLOR_INDEX && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glIndexxOES(GLfixed index) {
     issue<family::Index>(convert::cast_x(index));
@@ -926,6 +986,8 @@ void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
     issue<family::Rect>(convert::cast_d(v1[0]), convert::cast_d(v1[1]), convert::cast_d(v2[0]), convert::cast_d(v2[1]));
 }
 
+#if SPANGLE_FEATURE_FIXED_POINT
+
 void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2) {
     issue<family::Rect>(convert::cast_x(x1), convert::cast_x(y1), convert::cast_x(x2), convert::cast_x(y2));
 }
@@ -935,6 +997,8 @@ void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2) {
         return refuse_null(SPANGLE_TEXT("glRectxvOES: null pointer"));
     issue<family::Rect>(convert::cast_x(v1[0]), convert::cast_x(v1[1]), convert::cast_x(v2[0]), convert::cast_x(v2[1]));
 }
+
+#endif
 
 void GLAPIENTRY glVertexPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
     issue<family::VertexPointer>(size, type, stride, pointer);
@@ -1042,6 +1106,14 @@ void GLAPIENTRY glIndexubv(const GLubyte*) {
     refuse_feature(SPANGLE_TEXT("glIndexubv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
 }
 
+void GLAPIENTRY glIndexPointer(GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glIndexPointer: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COLOR_INDEX
+
 void GLAPIENTRY glIndexxOES(GLfixed) {
     refuse_feature(SPANGLE_TEXT("glIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
 }
@@ -1050,8 +1122,140 @@ void GLAPIENTRY glIndexxvOES(const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glIndexxvOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
 }
 
-void GLAPIENTRY glIndexPointer(GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glIndexPointer: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+#endif
+
+#if SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glIndexxOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glIndexxvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glIndexxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glVertex2xOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glVertex2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glVertex2xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glVertex2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glVertex3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glVertex3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glVertex3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glVertex3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glVertex4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glVertex4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glVertex4xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glVertex4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord1xOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord1xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord2xOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord2xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexCoord4xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord1xOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord1xvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord2xOES(GLenum, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord2xvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord3xOES(GLenum, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord3xvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord4xOES(GLenum, GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glMultiTexCoord4xvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glMultiTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glNormal3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glNormal3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glNormal3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glNormal3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glColor3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glColor3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glColor3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glColor3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glColor4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glColor4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glColor4xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glColor4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRectxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRectxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRectxvOES(const GLfixed*, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRectxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif
