@@ -7,7 +7,7 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   name, row     the family and its row of the feature matrix
   kind          plain (default), components, matrix, rect, flag, params, get_params
   args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
-                A "real" is given once per entry of "types". Components: what stands before them
+                A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
   types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
   inside        legal between Begin and End
@@ -23,12 +23,13 @@ from pathlib import Path
 
 API = Path(__file__).resolve().parent
 ROOT = API.parent.parent
-CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list"]
+CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list", "selection"]
 NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, not this.\n"
 
 C_TYPES = {"b": "GLbyte", "s": "GLshort", "i": "GLint", "f": "GLfloat", "d": "GLdouble", "ub": "GLubyte",
            "us": "GLushort", "ui": "GLuint", "x": "GLfixed", "cf": "GLclampf", "cd": "GLclampd", "cx": "GLclampx"}
 CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
+ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED"}
 INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
 
 
@@ -38,7 +39,7 @@ class Arg:
     def __init__(self, text, groups):
         declaration, _, accepted = text.partition("=")
         self.type, self.name = declaration.rsplit(" ", 1)
-        self.pointer = "*" in self.type
+        self.pointer, self.array = "*" in self.type, self.type.startswith("array")
         self.accepted, self.good, self.low, self.high = [], "0", None, None
         self.parse(accepted, groups)
 
@@ -125,6 +126,10 @@ class Family:
                     params.append((C_TYPES[code], arg.name))
                     call.append(cast(code, arg.name))
                     tries.append(("real", arg))
+                elif arg.array:
+                    params.append((("" if arg.pointer else "const ") + C_TYPES[code] + "*", arg.name))
+                    call.append(f"Values{{{arg.name}, {ARRAY_TYPES[code]}}}")
+                    tries.append(("values", arg))
                 else:
                     params.append((arg.c_type, arg.name))
                     call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
@@ -215,7 +220,7 @@ class Family:
             return [("Real", n) for n in ("x1", "y1", "x2", "y2")]
         if self.kind == "matrix":
             return [("const Matrix16&", "matrix")]
-        plain = [("Real" if a.type == "real" else "bool" if a.type == "boolean" else a.c_type, a.name)
+        plain = [("Real" if a.type == "real" else "bool" if a.type == "boolean" else "const Values&" if a.array else a.c_type, a.name)
                  for a in self.args]
         if self.kind == "params":
             return plain + [("GLenum", "pname"), ("const Params&", "params")]
@@ -457,7 +462,7 @@ def test_table(chapters, tokens):
                     calls.append(f"static_cast<{c_type}>(a[{i}].pointer)" if pointer
                                  else FETCH[kind].format(c=c_type, i=i))
                     label = "out" if pointer and not c_type.startswith("const") else "in" if pointer else kind
-                    label = "in" if kind in ("values", "pvalues") else label
+                    label = "in" if kind in ("values", "pvalues") and label != "out" else label
                     accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"

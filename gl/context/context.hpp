@@ -17,6 +17,7 @@
 #include "gl/vertex/current_state.hpp"
 #include "gl/vertex/lighting_state.hpp"
 #include "gl/vertex/polygon_state.hpp"
+#include "gl/vertex/render_state.hpp"
 #include "gl/vertex/transform_state.hpp"
 #include "raster/surface/surface.hpp"
 #include <spangle/raster/fragment_state.hpp>
@@ -67,6 +68,7 @@ struct Context {
     HintState hint;
     ListState list;
     AttribState attrib;
+    RenderState render;
 
     FragmentCache fragments;
     Drawable drawable;

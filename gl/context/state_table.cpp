@@ -96,6 +96,14 @@ constexpr StateRow of_attrib_stacks(StateRow row) {
     return of_feature(SPANGLE_FEATURE_ATTRIB_STACKS != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_ATTRIB_STACKS"), row);
 }
+constexpr StateRow of_selection(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_SELECTION != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_SELECTION"), row);
+}
+constexpr StateRow of_feedback(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_FEEDBACK != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FEEDBACK"), row);
+}
 constexpr StateRow of_lists(StateRow row) {
     return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"),
                       row);
@@ -134,6 +142,10 @@ void depth_of_stack(const Context& context, GLenum name, Param* out) {
 
 void viewport_limits(const Context&, GLenum, Param* out) {
     out[0] = out[1] = integer(max_viewport_dim);
+}
+
+void render_mode(const Context& context, GLenum, Param* out) {
+    out[0] = Param::from_integer(context.render.mode);
 }
 
 void saved_depth(const Context& context, GLenum name, Param* out) {
@@ -176,6 +188,18 @@ void bits(const Context& context, GLenum name, Param* out) {
 #define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
 #define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
 #define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
+
+// Builds without a system may have no member for it.
+#if SPANGLE_FEATURE_SELECTION
+#define SELECTION_ROW(NAME, MEMBER) STORED(NAME, render.select.MEMBER)
+#else
+#define SELECTION_ROW(NAME, MEMBER) of_selection(constant(NAME, 0))
+#endif
+#if SPANGLE_FEATURE_FEEDBACK
+#define FEEDBACK_ROW(NAME, MEMBER) STORED(NAME, render.feedback.MEMBER)
+#else
+#define FEEDBACK_ROW(NAME, MEMBER) of_feedback(constant(NAME, 0))
+#endif
 
 // By attribute group (GL 1.3, 6.2).
 constexpr auto unsorted = std::to_array<StateRow>({
@@ -337,6 +361,14 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_FOG_HINT, hint.fog),
     STORED(GL_TEXTURE_COMPRESSION_HINT, hint.texture_compression),
     in(Group::none), // the attribute stacks themselves, and limits
+    computed(GL_RENDER_MODE, Kind::integer, 1, render_mode),
+    SELECTION_ROW(GL_NAME_STACK_DEPTH, depth),
+    SELECTION_ROW(GL_SELECTION_BUFFER_SIZE, size),
+    SELECTION_ROW(GL_SELECTION_BUFFER_POINTER, buffer),
+    of_selection(constant(GL_MAX_NAME_STACK_DEPTH, name_stack_entries)),
+    FEEDBACK_ROW(GL_FEEDBACK_BUFFER_SIZE, size),
+    FEEDBACK_ROW(GL_FEEDBACK_BUFFER_TYPE, type),
+    FEEDBACK_ROW(GL_FEEDBACK_BUFFER_POINTER, buffer),
     of_attrib_stacks(computed(GL_ATTRIB_STACK_DEPTH, Kind::integer, 1, saved_depth)),
     of_attrib_stacks(computed(GL_CLIENT_ATTRIB_STACK_DEPTH, Kind::integer, 1, saved_depth)),
     of_attrib_stacks(constant(GL_MAX_ATTRIB_STACK_DEPTH, attrib_stack_entries)),
@@ -378,6 +410,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef SWITCH
 #undef CLIENT_SWITCH
 #undef HELD
+#undef SELECTION_ROW
+#undef FEEDBACK_ROW
 #undef LIGHT
 
 constexpr std::size_t count_sections() {

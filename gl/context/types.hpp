@@ -44,6 +44,12 @@ constexpr std::uint32_t unit_of(GLenum texture) {
     return texture - GL_TEXTURE0;
 }
 
+/// An array of the client whose type is its entry point's: GL_FLOAT, GL_DOUBLE, GL_INT or GL_FIXED.
+struct Values {
+    const void* at;
+    GLenum type;
+};
+
 /// A matrix as given, column-major: element (row i, column j) is m[4 * j + i].
 struct Matrix16 {
     Real m[16];

@@ -12,6 +12,8 @@ void Clear(Context& context, GLbitfield mask) {
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     if ((mask & ~known) != 0)
         return error(context, GL_INVALID_VALUE);
+    if (!context.render.draws())
+        return; // no fragments, no change of the framebuffer (GL 1.3, 5.2)
     const FragmentOpsState& ops = context.fragment_ops;
     raster::ClearRequest request;
     request.area = drawing_rect(context);

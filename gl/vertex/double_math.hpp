@@ -121,6 +121,25 @@ struct DoubleMath {
         out.z = z < 0.0 ? 0.0 : z > 1.0 ? 1.0 : z;
     }
 
+    static std::uint32_t depth_word(const Window& v) {
+        return static_cast<std::uint32_t>(std::floor(v.z * 4294967295.0 + 0.5));
+    }
+    static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
+        for (int i = 0; i < 2; ++i)
+            out[i] = numeric::from_double(t.center[i] + t.scale[i] * (c.v[i] / c.v[3]));
+        out[2] = numeric::from_double(t.depth_middle + t.depth_half * (c.v[2] / c.v[3]));
+        out[3] = numeric::from_double(c.v[3]);
+    }
+    static void color_of(const Window& v, Real (&out)[4]) {
+        for (int c = 0; c < 4; ++c)
+            out[c] = numeric::from_double(v.color[c]);
+    }
+    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) { return times(t.texture[0], strq); }
+    static void reals(const Eye& v, Real (&out)[4]) {
+        for (int c = 0; c < 4; ++c)
+            out[c] = numeric::from_double(v.v[c]);
+    }
+
     static void set_color(Window& out, const Real (&rgba)[4]) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = number(numeric::clamp01(rgba[c]));

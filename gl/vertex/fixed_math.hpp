@@ -204,6 +204,41 @@ struct FixedMath {
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
 
+    // --- what selection and feedback return
+
+    /// Window z times 2^32 - 1, nearest.
+    static std::uint32_t depth_word(const Window& v) {
+        return static_cast<std::uint32_t>((std::uint64_t{v.z} * 0xFFFFFFFF + raster::depth_one / 2) >> 30);
+    }
+    /// The window before snapping: x, y, z, and w of the clip coordinates.
+    static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
+        const numeric::Block w = numeric::component(c, 3);
+        const auto place = [&](int i, std::int32_t middle, std::int32_t half, int bits) {
+            const numeric::Block quotient = numeric::div(numeric::component(c, i), w);
+            return numeric::to_real(numeric::add(numeric::make_block(middle, -bits),
+                                                 numeric::mul(numeric::make_block(half, -bits), quotient)));
+        };
+        out[0] = place(0, t.x.middle, -t.x.minus_half, raster::subpixel_bits);
+        out[1] = place(1, t.y.middle, -t.y.minus_half, raster::subpixel_bits);
+        out[2] = place(2, t.depth.middle, -t.depth.minus_half, 30);
+        out[3] = numeric::to_real(w);
+    }
+    static void color_of(const Window& v, Real (&out)[4]) {
+        constexpr numeric::Block one = numeric::make_block(raster::color_one, 0);
+        for (int c = 0; c < 4; ++c)
+            out[c] = numeric::to_real(numeric::div(numeric::make_block(v.color[c], 0), one));
+    }
+    /// Texture coordinates behind the matrix of unit 0, all four.
+    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) {
+        if (t.texture_is_identity[0])
+            return numeric::to_block(strq[0], strq[1], strq[2], strq[3]);
+        return numeric::transform(t.texture[0], strq);
+    }
+    static void reals(const Eye& v, Real (&out)[4]) {
+        for (int c = 0; c < 4; ++c)
+            out[c] = numeric::to_real(numeric::component(v, c));
+    }
+
     // --- attributes
 
     static void set_color(Window& out, const Real (&rgba)[4]) {

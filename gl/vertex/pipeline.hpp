@@ -7,6 +7,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "raster/primitive/draw.hpp"
 
@@ -22,6 +23,7 @@ template <class M, class L> class Pipeline {
         full_ = corners_of(mode);
         held_ = 0;
         odd_ = false;
+        stipple_starts_ = true;
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
@@ -114,6 +116,9 @@ template <class M, class L> class Pipeline {
         typename M::Depth eye_z{}; ///< with its sign: clipping mixes it, fog takes its size
         typename M::Eye eye{};
         typename L::Input light{};
+#if SPANGLE_FEATURE_FEEDBACK
+        typename M::Eye texture{}; ///< while primitives are fed back
+#endif
     };
     static constexpr int slot_count = 4, clip_vertices = 16, cut_count = 4 + clip_vertices;
     static constexpr int line_batch = numeric::cheap_branches ? 8 : 16; ///< lines under way, even
@@ -128,6 +133,8 @@ template <class M, class L> class Pipeline {
     bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
     bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
     bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
+    bool captures_ = false;                    ///< primitives are selected or fed back, not drawn
+    bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
     GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
     bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
     Vertex* corner_[slot_count] = {}; ///< of the primitive being assembled
@@ -144,6 +151,9 @@ template <class M, class L> class Pipeline {
     Vertex slot_[slot_count];
     Vertex cache_[SPANGLE_VERTEX_CACHE]; ///< of elements, by their index
     Cut cut_[cut_count];
+#if SPANGLE_FEATURE_FEEDBACK
+    typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
+#endif
 
     void derive(Context& context) {
         if ((context.dirty & dirty_vertex) != 0) {
@@ -165,9 +175,11 @@ template <class M, class L> class Pipeline {
         culls_cw_ = culls(polygon, !front_is_ccw_);
         for (int side = 0; side < 2; ++side)
             face_mode_[side] = polygon.mode[side];
-        outlines_ = face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL;
-        each_vertex_ = lighting_.tracks_color() || outlined();
-        whole_polygons_ = two_sided_ || outlined();
+        captures_ = !context.render.draws();
+        outlines_ =
+            (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
+        each_vertex_ = lighting_.tracks_color() || outlined() || captures();
+        whole_polygons_ = two_sided_ || exactly_clipped();
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }
@@ -192,7 +204,20 @@ template <class M, class L> class Pipeline {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
 
-    bool outlined() const { return SPANGLE_FEATURE_POLYGON_MODE && outlines_; }
+    bool outlined() const {
+        return SPANGLE_FEATURE_POLYGON_MODE && outlines_;
+    }
+    bool captures() const {
+        return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
+    }
+    /// The edges that the view volume cuts are seen, or what is left of the primitive is.
+    bool exactly_clipped() const {
+        return outlined() || captures();
+    }
+    /// Of flags: the planes to clip by, by number.
+    unsigned clip_planes(unsigned flags) const {
+        return exactly_clipped() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
+    }
 
     // --- one vertex
 
@@ -262,7 +287,9 @@ template <class M, class L> class Pipeline {
                !reader.color.on() && !reader.textured && units_ == 0;
     }
 
-    Vertex& cached(std::uint32_t index) { return cache_[index % SPANGLE_VERTEX_CACHE]; }
+    Vertex& cached(std::uint32_t index) {
+        return cache_[index % SPANGLE_VERTEX_CACHE];
+    }
 
     /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
     /// the arrays still say the same of it.
@@ -429,6 +456,10 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void given(const CurrentState& current, Vertex& v) {
         if (current.edge_flag)
             v.flags |= edge_flag;
+#if SPANGLE_FEATURE_FEEDBACK
+        if (captures())
+            texture_[&v - slot_] = M::texture_of(transforms_, current.tex_coord[0].v);
+#endif
         if (lighting_.tracks_color())
             color(v);
     }
@@ -562,10 +593,93 @@ template <class M, class L> class Pipeline {
         if ((v.flags & outside_mask) != 0 || !project(v))
             return;
         color(v);
-        raster::draw_point(*state_, context_->drawable.surface, v.window, point_size_);
+        draw_point(v, v.window);
     }
 
+    void draw_point(const Vertex& v, const Window& window) {
+        if (captures())
+            return capture(
+                GL_POINT_TOKEN,
+                [&](int) {
+                    return Corner{v, window};
+                },
+                1);
+        raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
+    }
+
+    void draw_line(const Vertex& a, const Window& at_a, const Vertex& b, const Window& at_b,
+                   const Window& provoking) {
+        if (captures())
+            return capture_line({a, at_a}, {b, at_b}, provoking);
+        raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
+    }
+
+    // --- primitives that are selected or fed back (GL 1.3, 5.2 and 5.3)
+
+    struct Corner {
+        const Vertex& vertex;
+        const Window& window; ///< of the side that is seen
+    };
+
+    [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking) {
+        const GLenum token = stipple_starts_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN;
+        stipple_starts_ = mode_ == GL_LINES;
+        capture(
+            token,
+            [&](int i) {
+                return Corner{(i == 0 ? a : b).vertex, flat_ ? provoking : (i == 0 ? a : b).window};
+            },
+            2);
+    }
+
+    /// corner(i): what is left of the primitive's corners after clipping, with their windows.
+    template <class At> void capture(GLenum token, At corner, int n) {
+#if SPANGLE_FEATURE_SELECTION
+        if (context_->render.mode == GL_SELECT) {
+            std::uint32_t nearest = 0xFFFFFFFF, farthest = 0;
+            for (int i = 0; i < n; ++i) {
+                const std::uint32_t depth = M::depth_word(corner(i).vertex.window);
+                nearest = depth < nearest ? depth : nearest;
+                farthest = depth > farthest ? depth : farthest;
+            }
+            return record_hit(*context_, nearest, farthest);
+        }
+#endif
+#if SPANGLE_FEATURE_FEEDBACK
+        feed_token(*context_, token);
+        if (token == GL_POLYGON_TOKEN)
+            feed_count(*context_, n);
+        for (int i = 0; i < n; ++i)
+            feed(corner(i));
+#endif
+    }
+
+#if SPANGLE_FEATURE_FEEDBACK
+    [[gnu::noinline]] void feed(const Corner& corner) {
+        const Vertex& v = corner.vertex;
+        const bool cut = (v.flags & is_cut) != 0;
+        FeedbackVertex out;
+        M::window_of(transforms_, cut ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position),
+                     out.window);
+        M::color_of(corner.window, out.color);
+        M::reals(cut ? static_cast<const Cut&>(v).texture : texture_[&v - slot_], out.texture);
+        feed_vertex(*context_, out);
+    }
+#endif
+
+    [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b) {
+        if ((a.flags & b.flags & outside_mask) != 0)
+            return;
+        color(a);
+        color(b);
+        cut_line(a, b);
+    }
+
+    // --- lines and polygons
+
     void line(Vertex& a, Vertex& b) {
+        if (captures())
+            return captured_line(a, b);
         Vertex* const ends[2] = {&a, &b};
         lines(ends, 2, 1);
     }
@@ -601,13 +715,12 @@ template <class M, class L> class Pipeline {
     /// A line that is beyond a plane, or whose ends have no window coordinates yet.
     [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b) {
         Vertex* ends[2] = {&a, &b};
-        if (((a.flags | b.flags) & beyond_mask) != 0 && !clip_line(ends))
+        if (clip_planes(a.flags | b.flags) != 0 && !clip_line(ends))
             return;
         if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 &&
             (!project(*ends[0]) || !project(*ends[1])))
             return;
-        raster::draw_line(*state_, context_->drawable.surface, ends[0]->window, ends[1]->window, b.window,
-                          line_width_);
+        draw_line(*ends[0], ends[0]->window, *ends[1], ends[1]->window, b.window);
     }
 
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c) {
@@ -654,7 +767,7 @@ template <class M, class L> class Pipeline {
             return;
         if (outlined())
             flag_edges(corners, n);
-        const unsigned planes = outlined() ? any & outside_mask : (any & beyond_mask) >> beyond_shift;
+        const unsigned planes = clip_planes(any);
         if (planes == 0)
             return visible(corners, n, provoking);
         Vertex* work[2][clip_vertices];
@@ -674,7 +787,7 @@ template <class M, class L> class Pipeline {
             part[i] = area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
             area += part[i];
         }
-        if (area == 0 && n == 3)
+        if (area == 0 && n == 3 && !captures())
             return;
         const bool ccw = area > 0;
         if (ccw ? culls_ccw_ : culls_cw_)
@@ -694,6 +807,13 @@ template <class M, class L> class Pipeline {
                              const std::int64_t* part) {
         if (outlined() && face_mode_[side] != GL_FILL)
             return outline(at, corners, n, provoking, face_mode_[side]);
+        if (captures())
+            return capture(
+                GL_POLYGON_TOKEN,
+                [&](int i) {
+                    return Corner{*corners[i], flat_ ? provoking : at(i)};
+                },
+                n);
         for (int i = 1; i + 1 < n; ++i)
             if (part[i] != 0)
                 raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
@@ -704,18 +824,19 @@ template <class M, class L> class Pipeline {
     template <class At>
     [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
                                    GLenum mode) {
+        stipple_starts_ = true;
         for (int i = 0; i < n; ++i) {
             if ((corners[i]->flags & boundary) == 0)
                 continue;
             if (mode == GL_LINE) {
-                raster::draw_line(*state_, context_->drawable.surface, at(i), at(i + 1 < n ? i + 1 : 0),
-                                  provoking, line_width_);
+                const int next = i + 1 < n ? i + 1 : 0;
+                draw_line(*corners[i], at(i), *corners[next], at(next), provoking);
                 continue;
             }
             Window v = at(i);
             if (flat_)
                 M::copy_color(provoking, v);
-            raster::draw_point(*state_, context_->drawable.surface, v, point_size_);
+            draw_point(*corners[i], v);
         }
     }
 
@@ -746,6 +867,10 @@ template <class M, class L> class Pipeline {
         if (lit_ && lighting_.needs_eye())
             out.eye = M::to_eye(transforms_, v.position);
         out.light = L::input(v.normal);
+#if SPANGLE_FEATURE_FEEDBACK
+        if (captures())
+            out.texture = texture_[&v - slot_];
+#endif
         return out;
     }
 
@@ -761,14 +886,19 @@ template <class M, class L> class Pipeline {
         if (lit_ && lighting_.needs_eye())
             out.eye = M::mix(inside.eye, outside.eye, t);
         L::mix(inside.light, outside.light, t, out.light);
+#if SPANGLE_FEATURE_FEEDBACK
+        if (captures())
+            out.texture = M::mix(inside.texture, outside.texture, t);
+#endif
         out.clip = M::mix(inside.clip, outside.clip, t);
         out.flags = flags_of(out.clip) | is_cut;
         // Rounding must not leave it outside of the plane it lies on.
         out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
     }
 
-    /// Polygons that may be outlined are cut by the view volume itself: what cutting adds is drawn.
-    int band() const { return outlined() ? 1 : M::guard_band; }
+    int band() const {
+        return exactly_clipped() ? 1 : M::guard_band;
+    }
     auto distance(const Vertex& v, int plane) const {
         return M::distance(static_cast<const Cut&>(v).clip, plane, band());
     }

@@ -88,6 +88,17 @@ struct ShadowMath {
         out.twin.y = out.fixed.y;
     }
 
+    // What goes back to the program is the integers'.
+    static std::uint32_t depth_word(const Window& v) { return FixedMath::depth_word(v.fixed); }
+    static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
+        FixedMath::window_of(t.fixed, c.fixed, out);
+    }
+    static void color_of(const Window& v, Real (&out)[4]) { FixedMath::color_of(v.fixed, out); }
+    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) {
+        return {FixedMath::texture_of(t.fixed, strq), DoubleMath::texture_of(t.twin, strq)};
+    }
+    static void reals(const Eye& v, Real (&out)[4]) { FixedMath::reals(v.fixed, out); }
+
     static void set_color(Window& out, const Real (&rgba)[4]) {
         FixedMath::set_color(out.fixed, rgba);
         DoubleMath::set_color(out.twin, rgba);

@@ -167,6 +167,7 @@ TEST_F(ErrorSweep, EveryAcceptedTokenIsAccepted) {
                     glEnd();
                 if (context->list.index != 0)
                     glEndList();
+                glRenderMode(GL_RENDER);
                 context->error_code = GL_NO_ERROR;
             }
 }

@@ -179,6 +179,13 @@ std::vector<Expected> initial_state() {
                                           {GL_CLIENT_ATTRIB_STACK_DEPTH, {0}},
                                           {GL_MAX_ATTRIB_STACK_DEPTH, {16}},
                                           {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, {16}}};
+    table.push_back({GL_RENDER_MODE, {GL_RENDER}});
+    if (SPANGLE_FEATURE_SELECTION)
+        table.insert(
+            table.end(),
+            {{GL_NAME_STACK_DEPTH, {0}}, {GL_MAX_NAME_STACK_DEPTH, {64}}, {GL_SELECTION_BUFFER_SIZE, {0}}});
+    if (SPANGLE_FEATURE_FEEDBACK)
+        table.insert(table.end(), {{GL_FEEDBACK_BUFFER_SIZE, {0}}, {GL_FEEDBACK_BUFFER_TYPE, {GL_2D}}});
     if (SPANGLE_FEATURE_ATTRIB_STACKS)
         table.insert(table.end(), stacks.begin(), stacks.end());
     if (SPANGLE_FEATURE_FOG)

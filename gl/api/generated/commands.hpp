@@ -132,6 +132,16 @@ GLuint GenLists(Context& context, GLsizei range);
 void DeleteLists(Context& context, GLuint list, GLsizei range);
 GLboolean IsList(Context& context, GLuint list);
 
+// Selection, feedback (GL 1.3, 5.2, 5.3).
+GLint RenderMode(Context& context, GLenum mode);
+void SelectBuffer(Context& context, GLsizei size, GLuint* buffer);
+void InitNames(Context& context);
+void PushName(Context& context, GLuint name);
+void PopName(Context& context);
+void LoadName(Context& context, GLuint name);
+void FeedbackBuffer(Context& context, GLsizei size, GLenum type, const Values& buffer);
+void PassThrough(Context& context, Real token);
+
 } // namespace spangle::gl::cmd
 
 /// Handwritten encoders of display lists, in gl/list.
@@ -902,6 +912,62 @@ struct IsList {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glIsList between glBegin and glEnd");
+};
+struct RenderMode {
+    static constexpr auto run = &cmd::RenderMode;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glRenderMode between glBegin and glEnd");
+};
+struct SelectBuffer {
+    static constexpr auto run = &cmd::SelectBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glSelectBuffer between glBegin and glEnd");
+};
+struct InitNames {
+    static constexpr auto run = &cmd::InitNames;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glInitNames between glBegin and glEnd");
+};
+struct PushName {
+    static constexpr auto run = &cmd::PushName;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPushName between glBegin and glEnd");
+};
+struct PopName {
+    static constexpr auto run = &cmd::PopName;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPopName between glBegin and glEnd");
+};
+struct LoadName {
+    static constexpr auto run = &cmd::LoadName;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glLoadName between glBegin and glEnd");
+};
+struct FeedbackBuffer {
+    static constexpr auto run = &cmd::FeedbackBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glFeedbackBuffer between glBegin and glEnd");
+};
+struct PassThrough {
+    static constexpr auto run = &cmd::PassThrough;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPassThrough between glBegin and glEnd");
 };
 
 } // namespace spangle::gl::family
