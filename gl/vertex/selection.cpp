@@ -48,7 +48,7 @@ void end_hit_record(SelectState& s) {
     put(s, s.farthest);
     for (GLint i = 0; i < s.depth; ++i)
         put(s, s.name[i]);
-    s.hits += s.overflow ? 0 : 1;
+    ++s.hits;
     s.hit = false;
     s.nearest = 0xFFFFFFFF;
     s.farthest = 0;
