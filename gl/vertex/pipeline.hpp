@@ -668,7 +668,8 @@ template <class M, class L> class Pipeline {
 #endif
 
     [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b) {
-        if ((a.flags & b.flags & outside_mask) != 0)
+        const unsigned both = a.flags & b.flags;
+        if ((both & outside_mask) != 0)
             return;
         color(a);
         color(b);
