@@ -18,22 +18,26 @@ void OpList::command(std::uint8_t code, const std::uint8_t* params, std::uint32_
     if (op == nullptr)
         return;
     op->command = code;
+    op->parameters_are_commands = parameters_are_commands_;
     op->data = params;
     op->length = count;
 }
 
 void OpList::command_with(std::uint8_t code, OpParams params, std::uint32_t count) {
-    Op* op = append(Op::Kind::command);
-    if (op == nullptr)
+    if (size_ == capacity_) {
+        overflow_ = true;
         return;
-    params_[size_ - 1] = params;
-    op->command = code;
-    op->data = params_[size_ - 1].bytes;
-    op->length = count;
+    }
+    params_[size_] = params;
+    command(code, params_[size_].bytes, count);
 }
 
 void OpList::command_byte(std::uint8_t code, std::uint8_t param) {
     command_with(code, {{param}}, 1);
+}
+
+void OpList::command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last) {
+    command_with(code, {{first, last}}, 2);
 }
 
 void OpList::command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last) {

@@ -15,8 +15,25 @@ std::uint32_t deadline(std::uint32_t expected) {
     return expected < (UINT32_MAX - grace_us) / 2 ? expected * 2 + grace_us : UINT32_MAX;
 }
 
-BusKind kind(const BusCaps& caps) {
-    return caps.bits_per_cycle == 1 ? BusKind::spi4 : BusKind::i8080;
+RowSpan unite(RowSpan a, RowSpan b) {
+    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+/// A window and its pixels go into one list.
+constexpr std::size_t least_ops(const CommandSet& set) {
+    const std::uint32_t window = window_size(set).commands + 1;
+    return window > 8 ? window : 8;
+}
+
+/// Calls `append` for each part of the area that one window can name, from the top left.
+template <class Append>
+Result<void> for_each_window(const Windows& windows, const Rect& area, Append append) {
+    const Rect part = windows.first_of(area);
+    for (std::int32_t y = 0; y < area.h; y += part.h)
+        for (std::int32_t x = 0; x < area.w; x += part.w)
+            if (const Result<void> r = append({area.x + x, area.y + y, part.w, part.h}); !r)
+                return r;
+    return {};
 }
 
 } // namespace
@@ -27,8 +44,12 @@ PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemor
 DisplayInfo PanelDisplay::info() const {
     const bool described = config_.panel != nullptr;
     const Extent size = described ? place(*config_.panel, config_.orientation).size : Extent{};
-    return {described ? config_.panel->name : "", size.width, size.height, config_.format,
-            config_.buffers == 1};
+    return {described ? config_.panel->name : "",
+            size.width,
+            size.height,
+            config_.format,
+            config_.buffers == 1,
+            config_.wire != nullptr ? config_.wire->format : WireFormat::none};
 }
 
 // --- Initialisation ---
@@ -42,9 +63,10 @@ Result<void> PanelDisplay::check_config() const {
     if (caps_.max_transfer != 0 && caps_.max_transfer < sizeof(OpParams))
         return Error{Fault::unsupported,
                      "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
-    if (colmod(panel, kind(caps_), config_.format) == 0)
-        return Error{Fault::unsupported,
-                     "display: the panel has no COLMOD (3Ah) for this pixel format on this bus"};
+    if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
+        return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
+    if (config_.wait_te && panel.commands->tearing.empty())
+        return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
     if (config_.wait_te && !caps_.has_te)
         return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
     const Extent size = place(panel, config_.orientation).size;
@@ -54,7 +76,11 @@ Result<void> PanelDisplay::check_config() const {
         return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
     if (config_.buffers < 1 || config_.buffers > 2)
         return Error{Fault::bad_argument, "display: a panel display has one or two buffers"};
-    if (memory_.buffers < config_.buffers || memory_.height < size.height || memory_.op_count < 8)
+    if (config_.wire != nullptr && config_.buffers != 1)
+        return Error{Fault::bad_argument,
+                     "display: a picture that is turned into another format needs one buffer"};
+    if (memory_.buffers < config_.buffers || memory_.height < size.height ||
+        memory_.op_count < least_ops(*panel.commands))
         return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
     return {};
 }
@@ -78,6 +104,17 @@ Result<void> PanelDisplay::take_buffers() {
         for (std::int32_t y = 0; y < placement_.size.height; ++y)
             content_[i].rows[y] = {0, placement_.size.width};
     }
+    if (config_.wire == nullptr || wire_.bytes != nullptr)
+        return {};
+    // Windows that end inside a byte round up: one a row at most.
+    const std::size_t wire_size =
+        wire_bytes(placement_.size) + static_cast<std::size_t>(placement_.size.height);
+    const Result<Buffer> wire = bus_.acquire(wire_size);
+    if (!wire)
+        return wire.error();
+    if (wire.value().bytes == nullptr || wire.value().size < wire_size)
+        return Error{Fault::no_answer, "display: the bus gave less memory than one frame"};
+    wire_ = wire.value();
     return {};
 }
 
@@ -93,8 +130,9 @@ Result<void> PanelDisplay::init() {
         return r;
     placement_ = place(*config_.panel, config_.orientation);
     pixel_bytes_ = format_info(config_.format).bytes_per_pixel;
-    windows_ = Windows(placement_, config_.panel->quirks);
+    windows_ = Windows(*config_.panel, placement_, wire_format(config_));
     ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
+    ops_.parameters_are_commands(config_.panel->commands->parameters_are_commands);
     if (config_.row_hash)
         hash_ = RowHash(memory_.hash, placement_.size.width, placement_.size.height,
                         static_cast<std::int32_t>(pixel_bytes_));
@@ -120,9 +158,8 @@ Result<void> PanelDisplay::init() {
         return r;
     if (const auto r = append_black(); !r)
         return r;
-    if (const auto r = make_room(1); !r)
+    if (const auto r = append_program(config_.panel->commands->light); !r)
         return r;
-    ops_.command(dcs::DISPON);
     if (const auto r = start(); !r)
         return r;
     if (const auto r = complete(); !r)
@@ -135,8 +172,8 @@ Result<void> PanelDisplay::reset_panel() {
     const PanelTiming& timing = config_.panel->timing;
     if (config_.reset_line)
         ops_.reset(timing.reset_low_us);
-    else
-        ops_.command(dcs::SWRESET);
+    else if (const auto r = append_program(config_.panel->commands->soft_reset); !r)
+        return r;
     ops_.delay(timing.reset_wait_us);
     if (const auto r = start(); !r)
         return r;
@@ -148,7 +185,11 @@ Result<void> PanelDisplay::reset_panel() {
 }
 
 Result<void> PanelDisplay::append_setup() {
-    for (Program program = config_.panel->setup; !program.empty();) {
+    return append_program(config_.panel->setup);
+}
+
+Result<void> PanelDisplay::append_program(Program program) {
+    while (!program.empty()) {
         const Program::Step step = program.next();
         if (const auto r = make_room(1); !r)
             return r;
@@ -166,45 +207,66 @@ Result<void> PanelDisplay::append_setup() {
 
 Result<void> PanelDisplay::append_registers() {
     const PanelDesc& panel = *config_.panel;
-    if (const auto r = make_room(6); !r)
+    const CommandSet& set = *panel.commands;
+    const FormatCode format = format_code(panel, caps_.kind, wire_format(config_));
+    if (const auto r = make_room(set.setting_count); !r)
         return r;
-    unsigned madctl = placement_.madctl;
-    if (panel.order == ColorOrder::bgr)
-        madctl |= dcs::BGR;
-    ops_.command_byte(dcs::MADCTL, static_cast<std::uint8_t>(madctl));
-    ops_.command_byte(dcs::COLMOD, colmod(panel, kind(caps_), config_.format));
-    ops_.command(panel.inverted ? dcs::INVON : dcs::INVOFF);
+    for (unsigned i = 0; i < set.setting_count; ++i) {
+        const Setting& setting = set.settings[i];
+        const std::uint8_t value = value_of(setting, placement_.madctl, panel, format);
+        if (setting.in_command)
+            ops_.command(static_cast<std::uint8_t>(setting.command ^ value));
+        else
+            ops_.command_byte(setting.command, value);
+    }
     if (config_.wait_te)
-        ops_.command_byte(dcs::TEON, 0x00); // vertical blanking only
-    ops_.command(dcs::SLPOUT);
+        if (const auto r = append_program(set.tearing); !r)
+            return r;
+    if (const auto r = append_program(set.wake); !r)
+        return r;
+    if (const auto r = make_room(1); !r)
+        return r;
     ops_.delay(panel.timing.sleep_out_wait_us);
     return {};
 }
 
 /// The display comes on black, not with the noise its memory wakes up with.
 Result<void> PanelDisplay::append_black() {
-    const Extent size = placement_.size;
-    std::uint32_t left = static_cast<std::uint32_t>(size.width) * static_cast<std::uint32_t>(size.height);
-    const std::uint32_t most = op_limit() / pixel_bytes_;
-    if (const auto r = make_room(Windows::commands); !r)
+    return for_each_window(windows_, {0, 0, placement_.size.width, placement_.size.height},
+                           [this](const Rect& window) { return append_black_window(window); });
+}
+
+Result<void> PanelDisplay::append_black_window(const Rect& window) {
+    // Whole pixels where a pixel has whole bytes.
+    const std::uint32_t unit = wire_bits() % 8 == 0 ? wire_bits() / 8 : 1;
+    std::size_t left =
+        wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}) / unit;
+    const std::uint32_t most = op_limit() / unit;
+    if (const auto r = make_room(windows_.commands()); !r)
         return r;
-    windows_.open(ops_, {0, 0, size.width, size.height});
+    windows_.open(ops_, window);
     while (left != 0) {
-        const std::uint32_t count = left < most ? left : most;
+        const std::uint32_t count = left < most ? static_cast<std::uint32_t>(left) : most;
         if (const auto r = make_room(1); !r)
             return r;
-        ops_.repeat_black(pixel_bytes_, count);
+        ops_.repeat_black(unit, count);
         left -= count;
     }
     return {};
 }
 
+/// Bytes of so many pixels on the wire, rounded up.
+std::size_t PanelDisplay::wire_bytes(const Extent& size) const {
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return (pixels * wire_bits() + 7) / 8;
+}
+
 // --- Transfers ---
 
-/// The longest operation of the bus in bytes, whole pixels.
+/// The longest operation of the bus in bytes, whole pixels where these have whole bytes.
 std::uint32_t PanelDisplay::op_limit() const {
     const std::uint32_t limit = caps_.max_transfer != 0 ? caps_.max_transfer : UINT32_MAX;
-    return limit - limit % pixel_bytes_;
+    return wire_bits() % 8 == 0 ? limit - limit % (wire_bits() / 8) : limit;
 }
 
 /// Sends what the list holds when fewer than `ops` more fit.
@@ -275,7 +337,7 @@ Result<void> PanelDisplay::present() {
         hash_.reduce(memory_.damage, buffers_[back_].bytes, static_cast<std::int32_t>(stride()), suspect_);
     if (const auto r = send(); !r)
         return r;
-    if (config_.buffers == 1) {
+    if (config_.buffers == 1 && config_.wire == nullptr) {
         if (const auto r = finish(); !r)
             return r;
     }
@@ -296,23 +358,43 @@ void PanelDisplay::accept() {
 }
 
 Result<void> PanelDisplay::send() {
-    const WindowCost cost = window_cost(caps_, pixel_bytes_);
+    widen_damage();
+    const WindowCost cost = window_cost(caps_, *config_.panel->commands, wire_bits());
     const Extent size = placement_.size;
-    const SpanPlan spans =
-        hash_.enabled() ? SpanPlan(hash_.changed(), size.width, size.height, cost) : SpanPlan();
+    // Rows that share bytes cannot be sent apart.
+    const bool apart = hash_.enabled() && windows_.shared().height == 1;
+    const SpanPlan spans = apart ? SpanPlan(hash_.changed(), size.width, size.height, cost) : SpanPlan();
     FramePlan plan(WindowPlan(memory_.damage, size.height, cost, memory_.plan), spans);
     Rect window;
     if (!plan.next(window))
         return {};
     suspect_ = true; // until the last byte is known to be there
     ops_.clear();
+    wire_end_ = 0;
     if (config_.wait_te)
-        append_sync(plan.total());
+        append_sync(plan.total() / 8);
     do {
-        if (const auto r = append_window(window); !r)
+        if (const auto r = append_windows(window); !r)
             return r;
     } while (plan.next(window));
     return start();
+}
+
+/// Windows end where bytes do: rows that share bytes share the damage.
+void PanelDisplay::widen_damage() {
+    const Extent shared = windows_.shared();
+    if (shared.width == 1 && shared.height == 1)
+        return;
+    for (std::int32_t y = 0; y < placement_.size.height; y += shared.height) {
+        RowSpan all;
+        for (std::int32_t i = 0; i < shared.height; ++i)
+            all = unite(all, memory_.damage[y + i]);
+        if (all.begin < all.end)
+            all = {static_cast<std::int16_t>(all.begin / shared.width * shared.width),
+                   static_cast<std::int16_t>((all.end + shared.width - 1) / shared.width * shared.width)};
+        for (std::int32_t i = 0; i < shared.height; ++i)
+            memory_.damage[y + i] = all;
+    }
 }
 
 /// A frame shorter than a refresh starts at the TE edge and stays ahead of the beam; a longer one follows it,
@@ -326,10 +408,27 @@ void PanelDisplay::append_sync(std::uint32_t bytes) {
     ops_.delay(timing.frame_us / timing.scan_lines * (timing.porch_lines + lag_lines));
 }
 
+Result<void> PanelDisplay::append_windows(const Rect& area) {
+    return for_each_window(windows_, area, [this](const Rect& window) { return append_window(window); });
+}
+
+/// Turns the window's pixels into the wire's, behind those of the windows before it.
+std::size_t PanelDisplay::convert(const Rect& window) {
+    const Picture picture = {buffers_[back_].bytes, static_cast<std::int32_t>(stride()),
+                             placement_.size.height, config_.format, (placement_.madctl & dcs::MV) != 0};
+    return config_.wire->convert(picture, window, wire_.bytes + wire_end_);
+}
+
 Result<void> PanelDisplay::append_window(const Rect& window) {
-    if (const auto r = make_room(Windows::commands + 1); !r)
+    if (const auto r = make_room(windows_.commands() + 1); !r)
         return r;
     windows_.open(ops_, window);
+    if (config_.wire != nullptr) {
+        const std::uint8_t* const converted = wire_.bytes + wire_end_;
+        const std::size_t bytes = convert(window);
+        wire_end_ += bytes;
+        return append_pixels(converted, static_cast<std::uint32_t>(bytes), 1);
+    }
     const std::uint8_t* data = buffers_[back_].bytes + static_cast<std::size_t>(window.y) * stride() +
                                static_cast<std::size_t>(window.x) * pixel_bytes_;
     const std::uint32_t line = static_cast<std::uint32_t>(window.w) * pixel_bytes_;
@@ -359,10 +458,6 @@ Result<void> PanelDisplay::append_pixels(const std::uint8_t* data, std::uint32_t
 // --- Damage ---
 
 namespace {
-
-RowSpan unite(RowSpan a, RowSpan b) {
-    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
-}
 
 /// Columns inside the picture; the canonical empty row when none are.
 RowSpan clip(RowSpan row, std::int16_t width) {

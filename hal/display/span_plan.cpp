@@ -12,7 +12,7 @@ constexpr std::int32_t cell = RowHash::cell_width;
 SpanPlan::SpanPlan(const std::uint32_t* changed, std::int32_t width, std::int32_t height, WindowCost cost)
     : changed_(changed), width_(width), height_(height), cost_(cost), total_(0) {
     for (Rect w; next(w);)
-        total_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.bytes_per_pixel;
+        total_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.pixel;
     rewind();
 }
 
@@ -78,7 +78,7 @@ std::uint32_t SpanPlan::absorb(Window& above, std::uint32_t cells) const {
     }
     const std::int32_t height = above.bottom - above.top;
     const std::int32_t wasted = (end - begin) * (height + 1) - (above.end - above.begin) * height - pixels;
-    spare -= wasted * static_cast<std::int32_t>(cost_.bytes_per_pixel);
+    spare -= wasted * static_cast<std::int32_t>(cost_.pixel);
     if (taken == 0 || spare < 0)
         return cells;
     above = {static_cast<std::int16_t>(begin), static_cast<std::int16_t>(end), above.top,
@@ -94,7 +94,7 @@ void SpanPlan::open_windows(std::uint32_t cells) {
         while (cells != 0) {
             const Run next = first_run(cells);
             const std::int32_t gap =
-                (next.begin - run.end) * static_cast<std::int32_t>(cost_.bytes_per_pixel);
+                (next.begin - run.end) * static_cast<std::int32_t>(cost_.pixel);
             if (spare + saved(next) < gap)
                 break;
             spare += saved(next) - gap;

@@ -25,7 +25,7 @@ class SpanPlan {
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
     void rewind() { row_ = first_ = count_ = 0; }
-    /// Bytes of all windows; UINT32_MAX without a plan.
+    /// Cost of all windows; UINT32_MAX without a plan.
     std::uint32_t total() const { return total_; }
 
   private:
@@ -34,7 +34,7 @@ class SpanPlan {
     /// A window in the making.
     struct Window {
         std::int16_t begin, end, top, bottom; ///< half-open
-        std::int32_t spare;                   ///< bytes saved and not yet wasted
+        std::int32_t spare;                   ///< cost saved and not yet wasted
     };
     struct Run {
         std::int32_t begin, end; ///< columns

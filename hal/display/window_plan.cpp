@@ -22,11 +22,14 @@ std::uint32_t area(RowSpan columns, std::int32_t rows) {
 
 } // namespace
 
-WindowCost window_cost(const BusCaps& caps, std::uint32_t bytes_per_pixel) {
+WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t bits_per_pixel) {
+    if (names_one(set.rows))
+        return {0, bits_per_pixel};
+    const WindowSize size = window_size(set);
     const std::uint64_t bits_per_second = std::uint64_t{caps.write_hz} * caps.bits_per_cycle;
-    const std::uint64_t overhead = bits_per_second * caps.command_cost_ns / 8000000000u * Windows::commands;
-    const std::uint64_t whole = Windows::bytes + overhead;
-    return {static_cast<std::uint32_t>(whole < dearest_window ? whole : dearest_window), bytes_per_pixel};
+    const std::uint64_t overhead = bits_per_second * caps.command_cost_ns / 1000000000u * size.commands;
+    const std::uint64_t whole = size.bytes * 8 + overhead;
+    return {static_cast<std::uint32_t>(whole < dearest_window ? whole : dearest_window), bits_per_pixel};
 }
 
 WindowPlan::WindowPlan(const RowSpan* rows, std::int32_t height, WindowCost cost, std::uint16_t* links)
@@ -35,8 +38,8 @@ WindowPlan::WindowPlan(const RowSpan* rows, std::int32_t height, WindowCost cost
     next_group(pending_);
 }
 
-std::uint32_t WindowPlan::bytes(const Rect& r) const {
-    return static_cast<std::uint32_t>(r.w) * static_cast<std::uint32_t>(r.h) * cost_.bytes_per_pixel;
+std::uint32_t WindowPlan::payload(const Rect& r) const {
+    return static_cast<std::uint32_t>(r.w) * static_cast<std::uint32_t>(r.h) * cost_.pixel;
 }
 
 WindowPlan::Run WindowPlan::run_from(std::int32_t first) const {
@@ -55,9 +58,9 @@ WindowPlan::Choice WindowPlan::best_group(const Run* ring, std::uint32_t count) 
     for (std::uint32_t back = 1; back <= count && back <= reach; ++back) {
         const Run& run = ring[(count - back) % reach];
         box = around(box, run.columns);
-        own += area(run.columns, run.last - run.first + 1) * cost_.bytes_per_pixel;
+        own += area(run.columns, run.last - run.first + 1) * cost_.pixel;
         windows += cost_.window;
-        const std::uint32_t payload = area(box, last - run.first + 1) * cost_.bytes_per_pixel;
+        const std::uint32_t payload = area(box, last - run.first + 1) * cost_.pixel;
         const std::uint32_t cost = run.best_before + cost_.window + payload;
         if (cost < best.cost)
             best = {cost, run.first};
@@ -117,7 +120,7 @@ bool WindowPlan::next(Rect& window) {
         const std::int32_t x1 =
             window.x + window.w > pending_.x + pending_.w ? window.x + window.w : pending_.x + pending_.w;
         const Rect joined = {x0, window.y, x1 - x0, pending_.y + pending_.h - window.y};
-        if (bytes(joined) > bytes(window) + bytes(pending_) + cost_.window)
+        if (payload(joined) > payload(window) + payload(pending_) + cost_.window)
             break;
         window = joined;
     }

@@ -5,16 +5,18 @@
 
 #include <spangle/format.hpp>
 #include <spangle/hal/bus.hpp>
+#include <spangle/hal/command_set.hpp>
 
 namespace spangle::hal {
 
-/// Costs in bytes on the wire.
+/// Costs on the wire, both in one unit.
 struct WindowCost {
     std::uint32_t window = 11; ///< opening one window, overhead of its commands included
-    std::uint32_t bytes_per_pixel = 2;
+    std::uint32_t pixel = 2;
 };
 
-WindowCost window_cost(const BusCaps& caps, std::uint32_t bytes_per_pixel);
+/// In bits. Where a window is no larger than one row of bytes anyway, opening it costs nothing more.
+WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t bits_per_pixel);
 
 /// Partitions the rows that are not empty into groups; a group is sent as its bounding rectangle.
 ///
@@ -32,7 +34,7 @@ class WindowPlan {
 
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
-    /// Bytes of all windows as planned.
+    /// Cost of all windows as planned.
     std::uint32_t total() const { return total_; }
 
   private:
@@ -51,7 +53,7 @@ class WindowPlan {
     void plan();
     void reverse_links(std::int32_t last);
     bool next_group(Rect& window);
-    std::uint32_t bytes(const Rect& window) const;
+    std::uint32_t payload(const Rect& window) const;
 
     const RowSpan* rows_;
     std::uint16_t* links_; ///< while planning: group's first row at its last; then its last row at its first

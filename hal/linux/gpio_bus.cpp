@@ -51,6 +51,7 @@ BusCaps GpioBus::caps() const {
     caps.write_hz = nine_bits ? static_cast<std::uint32_t>(std::uint64_t{config_.cycles_per_second} * 8 / 9)
                               : config_.cycles_per_second;
     caps.read_hz = readable() ? config_.cycles_per_second : 0;
+    caps.kind = serial() ? BusKind::spi4 : BusKind::i8080;
     caps.bits_per_cycle = static_cast<std::uint8_t>(width());
     caps.has_te = has_te();
     return caps;

@@ -28,13 +28,9 @@ I2cBus::~I2cBus() {
     close_device();
 }
 
-/// Nine clocks a byte: eight bits and the acknowledge.
 BusCaps I2cBus::caps() const {
-    BusCaps caps;
-    caps.write_hz = static_cast<std::uint32_t>(std::uint64_t{config_.clock_hz} * 8 / 9);
+    BusCaps caps = i2c_caps(config_.clock_hz);
     caps.has_te = has_te();
-    // A message of its own: start, address, control byte.
-    caps.command_cost_ns = static_cast<std::uint32_t>(20 * 1000000000ull / (config_.clock_hz | 1u));
     return caps;
 }
 
@@ -78,7 +74,7 @@ const char* I2cBus::refusal(const Op&) const {
 }
 
 Result<void> I2cBus::put(Byte kind, const std::uint8_t* bytes, std::size_t count) {
-    const bool data = kind == Byte::pixel;
+    const bool data = kind != Byte::command;
     if (data != data_)
         if (const auto r = flush(); !r)
             return r;

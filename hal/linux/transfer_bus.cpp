@@ -174,7 +174,9 @@ Result<void> TransferBus::run(const Op& op) {
     case Kind::command:
         if (const auto r = put(Byte::command, &op.command, 1); !r)
             return r;
-        return op.length != 0 ? put(Byte::parameter, op.data, op.length) : Result<void>{};
+        return op.length != 0
+                   ? put(op.parameters_are_commands ? Byte::command : Byte::parameter, op.data, op.length)
+                   : Result<void>{};
     case Kind::pixels:
         return put_rows(op);
     case Kind::repeat:

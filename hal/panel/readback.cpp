@@ -23,7 +23,7 @@ Result<BusCaps> readable(const Bus& bus, const PanelDesc& panel) {
     const BusCaps caps = bus.caps();
     if (caps.read_hz == 0)
         return Error{Fault::unsupported, "panel: this bus cannot read"};
-    if (panel.quirks.no_read_back)
+    if (panel.quirks.no_read_back || !panel.commands->status_registers)
         return Error{Fault::unsupported, "panel: the controller never drives its data line"};
     return caps;
 }
@@ -106,7 +106,7 @@ Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& plac
     const bool two_bytes = panel.quirks.reads_write_depth && written == PixelFormat::rgb565_be;
     Op storage[3];
     OpList ops(storage, scratch.window, 3);
-    Windows(placement, panel.quirks).select(ops, area);
+    Windows(panel, placement, same_bytes(written)).select(ops, area);
     ops.read(dcs::RAMRD, dummy_bits(caps.value(), panel.identity.pixel_dummy_bits), rgb,
              pixels * (two_bytes ? 2u : 3u));
     if (const Result<void> done = run(bus, caps.value(), ops); !done)

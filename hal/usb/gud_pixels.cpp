@@ -3,6 +3,8 @@
 #include <cstring>
 #include <initializer_list>
 
+#include <spangle/hal/wire.hpp>
+
 namespace spangle::hal::gud {
 namespace {
 
@@ -17,9 +19,8 @@ Rgb rgb_of(const std::uint8_t* pixel) {
     return {(r * 255 + 15) / 31, (g * 255 + 31) / 63, (b * 255 + 15) / 31};
 }
 
-/// Luma in tenths: what the kernel's drivers use for grey (drm_fb_xrgb8888_to_gray8).
 std::uint32_t grey(Rgb c) {
-    return (3 * c.r + 6 * c.g + c.b) / 10;
+    return luma(c.r, c.g, c.b);
 }
 
 std::uint32_t convert(std::uint8_t format, Rgb c) {

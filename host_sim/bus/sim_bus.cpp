@@ -98,7 +98,7 @@ void SimBus::run(const hal::Op& op) {
         counters_.busy_ns += caps_.command_cost_ns;
         send(op.command, false);
         for (std::uint32_t i = 0; i < op.length; ++i)
-            send(op.data[i], true);
+            send(op.data[i], !op.parameters_are_commands);
         break;
     case Kind::pixels: {
         const Watched w{op.data, op.length, op.rows, op.stride, 0};

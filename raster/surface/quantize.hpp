@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include <spangle/dither.hpp>
+
 #include "raster/surface/units.hpp"
 
 namespace spangle::raster {
@@ -15,17 +17,6 @@ constexpr std::uint32_t color_to_8(std::uint32_t c) {
 /// GL_DITHER off: the top bits of the 8-bit value (GL 1.3, 4.1.8 truncates; 2.13.9 asks for the top m bits).
 template <unsigned Bits> constexpr std::uint32_t truncated(std::uint32_t c) {
     return color_to_8(c) >> (8 - Bits);
-}
-
-/// Thresholds t = (k + 1/2) / 16 of a 4x4 ordered matrix, one row of four as bytes 2k + 1 (32nds of a step).
-/// Byte x & 3 belongs to window column x.
-constexpr std::uint32_t dither_row(std::int32_t y) {
-    constexpr std::uint32_t rows[4] = {0x15'05'11'01, 0x0D'1D'09'19, 0x13'03'17'07, 0x0B'1B'0F'1F};
-    return rows[static_cast<std::uint32_t>(y) & 3];
-}
-
-constexpr std::uint32_t dither_threshold(std::uint32_t row, std::int32_t x) {
-    return (row >> (8 * (static_cast<std::uint32_t>(x) & 3))) & 0xFF;
 }
 
 /// Colour units to steps of a component of `Bits` bits, 23 fraction bits: c (2^Bits - 1), never rounded below

@@ -139,7 +139,7 @@ TEST(Init, RefusesWhatCannotWorkAndSaysWhy) {
     wrong.offset.x = 1;
     EXPECT_STREQ(refused(on(wrong)).rule, "panel: the glass is wider than the memory behind it");
     c = good, c.format = PixelFormat::rgba8888;
-    EXPECT_STREQ(refused(c).rule, "display: the panel has no COLMOD (3Ah) for this pixel format on this bus");
+    EXPECT_STREQ(refused(c).rule, "display: the panel does not take this pixel format on this bus");
     c = good, c.wait_te = true;
     EXPECT_STREQ(refused(c).rule, "display: waiting for TE, but the bus has no tearing-effect line");
     for (std::uint8_t buffers : {0, 3}) {

@@ -29,8 +29,7 @@ std::vector<Rect> windows_of(const std::vector<RowSpan>& rows, WindowCost cost) 
 std::uint64_t price(const std::vector<Rect>& windows, WindowCost cost) {
     std::uint64_t bytes = 0;
     for (const Rect& w : windows)
-        bytes += cost.window +
-                 static_cast<std::uint64_t>(w.w) * static_cast<std::uint64_t>(w.h) * cost.bytes_per_pixel;
+        bytes += cost.window + static_cast<std::uint64_t>(w.w) * static_cast<std::uint64_t>(w.h) * cost.pixel;
     return bytes;
 }
 
@@ -46,7 +45,7 @@ std::uint64_t optimum(const std::vector<RowSpan>& rows, WindowCost cost) {
             if (b >= e)
                 continue;
             const auto area = static_cast<std::uint64_t>(e - b) * (i + 1 - j);
-            best[i + 1] = std::min(best[i + 1], best[j] + cost.window + area * cost.bytes_per_pixel);
+            best[i + 1] = std::min(best[i + 1], best[j] + cost.window + area * cost.pixel);
         }
     }
     return best.back();
@@ -189,15 +188,16 @@ TEST(WindowPlan, DearCommandsMakeOneRectangle) {
 TEST(WindowCost, ComesFromTheBus) {
     BusCaps spi;
     spi.write_hz = 40000000;
-    EXPECT_EQ(window_cost(spi, 2).window, 11u);
+    EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, 11u * 8);
     spi.command_cost_ns = 10000; // an ioctl: 50 bytes at 5 MB/s
-    EXPECT_EQ(window_cost(spi, 2).window, 11u + 3 * 50);
+    EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, (11u + 3 * 50) * 8);
     BusCaps parallel;
     parallel.write_hz = 15000000;
     parallel.bits_per_cycle = 8;
     parallel.command_cost_ns = 1000;
-    EXPECT_EQ(window_cost(parallel, 2).window, 11u + 3 * 15);
+    EXPECT_EQ(window_cost(parallel, dcs::commands, 16).window, (11u + 3 * 15) * 8);
     spi.command_cost_ns = UINT32_MAX;
-    EXPECT_EQ(window_cost(spi, 2).window, 1u << 18) << "clamped, so that sums stay below 2^32";
-    EXPECT_EQ(window_cost(spi, 3).bytes_per_pixel, 3u);
+    EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, 1u << 18)
+        << "clamped, so that sums stay below 2^32";
+    EXPECT_EQ(window_cost(spi, dcs::commands, 12).pixel, 12u);
 }

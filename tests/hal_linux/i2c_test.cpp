@@ -49,6 +49,7 @@ struct I2c : testing::Test {
         ops[0].command = 0x21;
         ops[0].data = range;
         ops[0].length = 2;
+        ops[0].parameters_are_commands = true;
         ops[1].kind = Op::Kind::pixels;
         ops[1].data = pixels.data();
         ops[1].length = static_cast<std::uint32_t>(pixels.size());

@@ -20,7 +20,7 @@ using namespace spangle;
 /// As fast as the panel goes, in the first format it takes there.
 hal::Board board_of(const hal::PanelDesc& panel, hal::BusKind bus, hal::Orientation o) {
     hal::Board board{.name = panel.name, .display = {.panel = &panel, .orientation = o}, .bus = bus};
-    if (hal::colmod(panel, bus, PixelFormat::rgb565_be) == 0)
+    if (!hal::format_code(panel, bus, hal::WireFormat::rgb565).taken)
         board.display.format = PixelFormat::rgb888;
     board.write_hz = bus == hal::BusKind::spi4 ? panel.timing.practical_serial_mhz * 1000000u
                                                : 1000000000u / panel.timing.parallel_write_ns;

@@ -12,7 +12,7 @@ struct Board {
     const char* summary = "";
     PanelConfig display;
     BusKind bus = BusKind::spi4;
-    std::uint32_t write_hz = 0; ///< serial clock, or write cycles per second
+    std::uint32_t write_hz = 0; ///< serial clock, SCL, or write cycles per second
     std::uint32_t read_hz = 0;  ///< 0: not wired to be read
     bool has_te = false;        ///< the panel's TE output reaches the bus
     std::uint32_t command_cost_ns = 0;
@@ -24,19 +24,25 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
     const PanelDesc& panel = *display.panel;
     if (const char* rule = flaw(panel, on))
         return rule;
-    if (colmod(panel, board.bus, display.format) == 0)
+    if (!format_code(panel, board.bus, wire_format(display)).taken)
         return broken("board: the panel cannot take this format on this bus", on);
     if (display.buffers < 1 || display.buffers > 2)
         return broken("board: one or two buffers", on);
-    if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
+    if (display.wire != nullptr && display.buffers != 1)
+        return broken("board: a picture that is turned into another format needs one buffer", on);
+    if (display.read_back &&
+        (board.read_hz == 0 || panel.quirks.no_read_back || !panel.commands->status_registers))
         return broken("board: reading back needs a read clock and a panel that answers", on);
     if (display.wait_te && !board.has_te)
         return broken("board: waiting for TE without a TE line", on);
     if (board.write_hz == 0)
         return broken("board: no write clock", on);
-    const bool serial = board.bus == BusKind::spi4;
-    const std::uint32_t write_limit =
-        serial ? panel.timing.practical_serial_mhz * 1000000u : 1000000000u / panel.timing.parallel_write_ns;
+    if (display.wait_te && panel.commands->tearing.empty())
+        return broken("board: the panel has no TE output", on);
+    const bool serial = board.bus != BusKind::i8080;
+    const std::uint32_t write_limit = board.bus == BusKind::i2c ? panel.timing.i2c_hz
+                                      : serial                  ? panel.timing.practical_serial_mhz * 1000000u
+                                               : 1000000000u / panel.timing.parallel_write_ns;
     if (board.write_hz > write_limit)
         return broken("board: the write clock is faster than this panel is known to take", on);
     const std::uint32_t read_ns = serial ? panel.timing.serial_read_ns : panel.timing.parallel_read_ns;
@@ -53,11 +59,14 @@ consteval Board board(Board description) {
 
 /// The bus a board describes.
 constexpr BusCaps bus_caps(const Board& board) {
-    BusCaps caps;
+    BusCaps caps = board.bus == BusKind::i2c ? i2c_caps(board.write_hz) : BusCaps{};
+    caps.has_te = board.has_te;
+    if (board.bus == BusKind::i2c)
+        return caps;
+    caps.kind = board.bus;
     caps.write_hz = board.write_hz;
     caps.read_hz = board.read_hz;
     caps.bits_per_cycle = board.bus == BusKind::spi4 ? 1 : 8;
-    caps.has_te = board.has_te;
     caps.command_cost_ns = board.command_cost_ns;
     return caps;
 }

@@ -10,6 +10,12 @@
 
 namespace spangle::hal {
 
+enum class BusKind : std::uint8_t {
+    spi4,  ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
+    i8080, ///< 8-bit parallel: CS, D/C, WR, RD, D[7:0] (DBI-B)
+    i2c,   ///< SCL, SDA; a control byte stands for D/C (SSD1306 datasheet, 8.1.5)
+};
+
 struct Op {
     enum class Kind : std::uint8_t {
         command, ///< one command byte, then `length` parameter bytes from `data`
@@ -24,6 +30,7 @@ struct Op {
     Kind kind = Kind::delay;
     std::uint8_t command = 0;
     std::uint8_t dummy_bits = 0;
+    bool parameters_are_commands = false; ///< D/C low for the parameters too
     const std::uint8_t* data = nullptr;
     std::uint8_t* into = nullptr;
     std::uint32_t length = 0;
@@ -33,6 +40,7 @@ struct Op {
 };
 
 struct BusCaps {
+    BusKind kind = BusKind::spi4;
     std::uint32_t write_hz = 0;      ///< serial clock, or write cycles per second of a parallel bus
     std::uint32_t read_hz = 0;       ///< 0: cannot read
     std::uint8_t bits_per_cycle = 1; ///< 1 for SPI, 8 for an 8-bit 8080 bus
@@ -41,6 +49,16 @@ struct BusCaps {
     std::uint32_t command_cost_ns =
         0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
 };
+
+/// An I2C bus at this clock: nine clocks a byte, and start, address and control byte where data follow
+/// commands.
+constexpr BusCaps i2c_caps(std::uint32_t clock_hz) {
+    BusCaps caps;
+    caps.kind = BusKind::i2c;
+    caps.write_hz = static_cast<std::uint32_t>(std::uint64_t{clock_hz} * 8 / 9);
+    caps.command_cost_ns = static_cast<std::uint32_t>(20 * 1000000000ull / (clock_hz | 1u));
+    return caps;
+}
 
 /// Names one submitted list; tokens of one bus increase.
 struct Token {

@@ -5,6 +5,7 @@
 
 #include <spangle/format.hpp>
 #include <spangle/hal/result.hpp>
+#include <spangle/hal/wire.hpp>
 
 namespace spangle::hal {
 
@@ -13,9 +14,10 @@ struct DisplayInfo {
     std::int32_t width = 0, height = 0;
     PixelFormat format = PixelFormat::rgb565_be;
     bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
+    WireFormat wire = WireFormat::none; ///< what a present turns pixels into; none: they travel as they are
 };
 
-/// The buffer of the frame being drawn, top row first, in the panel's wire format.
+/// The buffer of the frame being drawn, top row first, in the display's pixel format.
 struct Frame {
     std::uint8_t* pixels = nullptr;
     std::int32_t stride = 0;       ///< bytes from one row to the next one down

@@ -24,10 +24,14 @@ class OpList {
     std::size_t room() const { return capacity_ - size_; }
     const Op* data() const { return ops_; }
     void clear() { size_ = 0, overflow_ = false; }
+    /// Of the commands appended from here on.
+    void parameters_are_commands(bool so) { parameters_are_commands_ = so; }
 
     /// `params` must live until the transfer is done.
     void command(std::uint8_t code, const std::uint8_t* params = nullptr, std::uint32_t count = 0);
     void command_byte(std::uint8_t code, std::uint8_t param);
+    /// Two numbers of one byte: 15h and 75h of OLED controllers.
+    void command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last);
     /// Two 16-bit numbers, high bytes first: CASET, RASET.
     void command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last);
     void pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows, std::int32_t stride);
@@ -51,7 +55,7 @@ class OpList {
     OpParams* params_ = nullptr;
     std::size_t capacity_ = 0;
     std::size_t size_ = 0;
-    bool overflow_ = false;
+    bool overflow_ = false, parameters_are_commands_ = false;
 };
 
 /// Microseconds that `bytes` take on a bus, rounded up; 0xFFFFFFFF when it has no clock.

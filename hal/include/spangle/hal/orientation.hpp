@@ -8,6 +8,18 @@
 
 namespace spangle::hal {
 
+/// The value of a register that follows from orientation, colour order, inversion and format.
+constexpr std::uint8_t value_of(const Setting& s, std::uint8_t madctl, const PanelDesc& panel,
+                                FormatCode format) {
+    unsigned value = s.base;
+    value ^= (madctl & dcs::MX) != 0 ? s.mx : 0u;
+    value ^= (madctl & dcs::MY) != 0 ? s.my : 0u;
+    value ^= (madctl & dcs::MV) != 0 ? s.mv : 0u;
+    value ^= panel.order == ColorOrder::bgr ? s.bgr : 0u;
+    value ^= panel.inverted ? s.inverted : 0u;
+    return static_cast<std::uint8_t>(value | (s.format ? format.code : 0u));
+}
+
 /// The picture is turned clockwise on the glass.
 enum class Rotation : std::uint8_t { r0, r90, r180, r270 };
 
@@ -41,12 +53,13 @@ constexpr std::uint8_t address_order(std::uint8_t mount, Orientation o) {
     return static_cast<std::uint8_t>(order ^ mount);
 }
 
-/// Along a mirrored memory axis the window begins at memory - (glass + offset), along the other at offset; MV
-/// exchanges what CASET and RASET address.
+/// Along a mirrored memory axis the window begins at memory - (glass + offset), along the other at offset, as
+/// it does where only the scan is turned round; MV exchanges the axes.
 constexpr Placement place(const PanelDesc& p, Orientation o) {
     const std::uint8_t order = address_order(p.mount, o);
     const int column = (order & dcs::MX) != 0 ? p.memory.width - (p.glass.width + p.offset.x) : p.offset.x;
-    const int row = (order & dcs::MY) != 0 ? p.memory.height - (p.glass.height + p.offset.y) : p.offset.y;
+    const bool rows_turned = (order & dcs::MY) != 0 && !p.commands->mirrors_rows_on_glass;
+    const int row = rows_turned ? p.memory.height - (p.glass.height + p.offset.y) : p.offset.y;
     const auto c = static_cast<std::int16_t>(column), r = static_cast<std::int16_t>(row);
     if ((order & dcs::MV) != 0)
         return {order, {p.glass.height, p.glass.width}, {r, c}};

@@ -5,8 +5,9 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
-#include <spangle/hal/dcs.hpp>
-#include <spangle/hal/init_program.hpp>
+#include <spangle/hal/bus.hpp>
+#include <spangle/hal/command_set.hpp>
+#include <spangle/hal/wire.hpp>
 
 namespace spangle::hal {
 
@@ -19,14 +20,17 @@ enum class Controller : std::uint8_t {
     ili9488,
     st7796s,
     gc9a01,
-    hx8357d
+    hx8357d,
+    ssd1306,
+    sh1106,
+    ssd0303,
+    ssd1327,
+    ssd0323,
+    ssd1351,
+    ssd1331,
+    hx8347
 };
 enum class ColorOrder : std::uint8_t { rgb, bgr };
-enum class BusKind : std::uint8_t {
-    spi4,  ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
-    i8080, ///< 8-bit parallel: CS, D/C, WR, RD, D[7:0] (DBI-B)
-};
-
 struct Extent {
     std::int16_t width = 0, height = 0;
 };
@@ -43,6 +47,7 @@ struct PanelTiming {
     std::uint16_t serial_read_ns = 150;
     std::uint16_t parallel_write_ns = 66;
     std::uint16_t parallel_read_ns = 450;    ///< of frame memory, the slowest read
+    std::uint32_t i2c_hz = 0;                ///< what boards run SCL at; 0: has no I2C
     std::uint16_t practical_serial_mhz = 10; ///< what boards run it at; a board above this is a mistake
     std::uint32_t frame_us = 0;              ///< one refresh after `setup`
     std::uint16_t scan_lines = 0;            ///< rows and porches of one refresh
@@ -60,10 +65,18 @@ struct Identity {
     std::uint8_t pixel_dummy_bits = 8;    ///< 2Eh
 };
 
-/// COLMOD (3Ah) parameter of each wire format; 0: the controller cannot take it on this bus.
+/// The pixel format register's code of a wire format, or that the controller does not take it.
+struct FormatCode {
+    bool taken = false;
+    std::uint8_t code = 0;
+
+    constexpr FormatCode() = default;
+    constexpr FormatCode(int value) : taken(true), code(static_cast<std::uint8_t>(value)) {}
+};
+
+/// Of COLMOD (3Ah) or its like; 0 where a controller has no such register.
 struct WireFormats {
-    std::uint8_t rgb565 = 0;
-    std::uint8_t rgb666 = 0; ///< three bytes, six bits left aligned: PixelFormat::rgb888 serves it
+    FormatCode rgb565{}, rgb666{}, rgb444{}, rgb332{}, grey4{}, mono{};
 };
 
 struct Quirks {
@@ -81,22 +94,22 @@ struct PanelDesc {
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
-    WireFormats serial;
+    WireFormats serial;    ///< on I2C too
     WireFormats parallel;
-    Program setup; ///< registers beyond DCS, sent while asleep
+    Program setup; ///< registers beyond the command set's, sent while asleep
+    const CommandSet* commands = &dcs::commands;
     PanelTiming timing;
     Identity identity;
     Quirks quirks;
 };
 
-/// COLMOD's parameter for a surface format on this bus, or 0 when the panel cannot show it.
-constexpr std::uint8_t colmod(const PanelDesc& panel, BusKind bus, PixelFormat format) {
-    const WireFormats& formats = bus == BusKind::spi4 ? panel.serial : panel.parallel;
-    if (format == PixelFormat::rgb565_be)
-        return formats.rgb565;
-    if (format == PixelFormat::rgb888)
-        return formats.rgb666;
-    return 0;
+/// Whether and how the panel takes a wire format on this bus.
+constexpr FormatCode format_code(const PanelDesc& panel, BusKind bus, WireFormat format) {
+    if (bus == BusKind::i2c && panel.timing.i2c_hz == 0)
+        return {};
+    const WireFormats& f = bus == BusKind::i8080 ? panel.parallel : panel.serial;
+    const FormatCode codes[] = {f.rgb565, f.rgb666, f.rgb444, f.rgb332, f.grey4, f.mono, FormatCode{}};
+    return codes[static_cast<unsigned>(format)];
 }
 
 /// Whether a rule that a description breaks is told, or stops the compiler with the rule in its message.
@@ -124,6 +137,14 @@ constexpr const char* flaw(const PanelDesc& p, OnFlaw on = OnFlaw::tell) {
         return broken("panel: the glass is wider than the memory behind it", on);
     if (p.offset.y + p.glass.height > p.memory.height)
         return broken("panel: the glass is taller than the memory behind it", on);
+    for (const WireFormat shared : {WireFormat::grey4, WireFormat::mono}) {
+        const WireInfo info = wire_info(shared);
+        if (!format_code(p, BusKind::spi4, shared).taken && !format_code(p, BusKind::i8080, shared).taken)
+            continue;
+        if ((p.memory.width | p.glass.width | p.offset.x) % info.columns != 0 ||
+            (p.memory.height | p.glass.height | p.offset.y) % info.rows != 0)
+            return broken("panel: memory, glass and offset end where bytes of pixels do", on);
+    }
     if ((p.mount & ~(dcs::MX | dcs::MY)) != 0)
         return broken("panel: a mount is made of MX and MY only", on);
     if (!well_formed(p.setup))

@@ -19,6 +19,9 @@ struct PanelConfig {
     const PanelDesc* panel = nullptr;
     Orientation orientation = {};
     PixelFormat format = PixelFormat::rgb565_be;
+    /// Another format on the wire: a present turns what it sends into it, in memory of its own, and returns
+    /// while that is on the wire. Null: the surface's pixels travel as they are.
+    const Wire* wire = nullptr;
     std::uint8_t buffers =
         1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
     bool reset_line = true; ///< false: SWRESET instead
@@ -26,6 +29,10 @@ struct PanelConfig {
     bool wait_te = false;   ///< present starts at the tearing-effect edge, or follows the beam
     bool row_hash = false;  ///< cells of 16x1 pixels that were drawn again as they were are not sent
 };
+
+constexpr WireFormat wire_format(const PanelConfig& config) {
+    return config.wire != nullptr ? config.wire->format : same_bytes(config.format);
+}
 
 /// What is in one frame buffer: outside these rows, the clear value.
 struct PanelContent {
@@ -74,7 +81,8 @@ class PanelDisplay : public Display {
     /// its power.
     Result<void> init() override;
     Result<Frame> acquire() override;
-    /// With two buffers the error of a transfer is reported by the next present(), which then sends nothing.
+    /// With two buffers, or another format on the wire, the error of a transfer is reported by the next
+    /// present(), which then sends nothing.
     Result<void> present() override;
 
     /// Waits until everything presented is on the panel.
@@ -92,11 +100,16 @@ class PanelDisplay : public Display {
     Result<void> reset_panel();
     Result<void> append_setup();
     Result<void> append_registers();
+    Result<void> append_program(Program program);
     Result<void> append_black();
+    Result<void> append_black_window(const Rect& window);
 
     void collect_damage();
     Result<void> send();
+    Result<void> append_windows(const Rect& area);
     Result<void> append_window(const Rect& window);
+    std::size_t convert(const Rect& window);
+    void widen_damage();
     Result<void> append_pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows);
     void append_sync(std::uint32_t bytes);
     void accept();
@@ -106,6 +119,8 @@ class PanelDisplay : public Display {
     Result<void> complete();
 
     std::uint32_t stride() const { return static_cast<std::uint32_t>(placement_.size.width) * pixel_bytes_; }
+    std::uint32_t wire_bits() const { return wire_info(wire_format(config_)).bits; }
+    std::size_t wire_bytes(const Extent& size) const;
     std::uint32_t op_limit() const;
 
     Bus& bus_;
@@ -120,6 +135,8 @@ class PanelDisplay : public Display {
     ReadScratch scratch_{};
 
     Buffer buffers_[2];
+    Buffer wire_;              ///< where pixels are turned into another format
+    std::size_t wire_end_ = 0; ///< of what the list under way takes from it
     PanelContent content_[2];
     RowExtents extents_;
     std::uint8_t presented_ = 0; ///< frames accepted, no further than 2

@@ -13,15 +13,20 @@ namespace spangle::hal {
 class Windows {
   public:
     Windows() = default;
-    Windows(const Placement& placement, Quirks quirks)
-        : offset_(placement.offset), resend_(quirks.resend_window) {}
+    /// `format`: which pixels share a byte, and with it a number of the window.
+    Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
 
-    /// Bytes and commands of a window with nothing remembered: CASET and RASET with four bytes each, RAMWR.
-    static constexpr std::uint32_t bytes = 11, commands = 3;
+    /// Ops of a window with nothing remembered.
+    std::uint32_t commands() const { return window_size(*set_).commands; }
+    /// Pixels across and down that share a byte.
+    Extent shared() const { return shared_; }
+    /// The first part of `area` that one window of this controller can name.
+    Rect first_of(const Rect& area) const;
 
-    /// Appends CASET and RASET, as far as they change. `area` lies in the placed picture and is not empty.
+    /// Appends the axes, as far as they change. `area` lies in the placed picture, is not empty, and ends
+    /// where bytes do.
     void select(OpList& ops, const Rect& area);
-    /// The same, then RAMWR: pixels may follow.
+    /// The same, then the memory write: pixels may follow.
     void open(OpList& ops, const Rect& area);
     void forget() { columns_ = rows_ = Interval{}; }
 
@@ -30,10 +35,13 @@ class Windows {
         std::uint16_t first = 1, last = 0; ///< first > last: unknown
         friend bool operator==(const Interval&, const Interval&) = default;
     };
-    void select_axis(OpList& ops, std::uint8_t command, Interval& held, std::int32_t first,
-                     std::int32_t count);
+    static Interval interval(std::int32_t first, std::int32_t count, std::int32_t shared);
+    void select_axis(OpList& ops, Axis axis, Interval& held, Interval wanted);
 
+    const CommandSet* set_ = &dcs::commands;
     Offset offset_;
+    Extent shared_{1, 1};
+    bool exchanged_ = false; ///< MV is set
     bool resend_ = false;
     Interval columns_, rows_;
 };

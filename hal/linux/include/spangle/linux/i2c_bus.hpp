@@ -15,7 +15,6 @@ struct I2cConfig {
     bool asynchronous = true;
 };
 
-/// Parameters of a command go out as commands: that is how these controllers take them.
 class I2cBus final : public TransferBus {
   public:
     explicit I2cBus(const I2cConfig& config);

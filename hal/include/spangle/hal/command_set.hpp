@@ -1,0 +1,95 @@
+// How a family of controllers is spoken to, as data: which commands name a window, an orientation, a pixel
+// format, and whether their parameters travel as data or as commands.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/dcs.hpp>
+#include <spangle/hal/init_program.hpp>
+
+namespace spangle::hal {
+
+/// How an axis of the window is sent. Numbers count what shares a byte: pages, pairs of columns.
+struct Axis {
+    enum class Code : std::uint8_t {
+        pair16,    ///< the command, first and last with high bytes first
+        pair8,     ///< the command, first, last
+        registers, ///< four commands from this one on, a parameter each: first high, low, last high, low
+        nibbles,   ///< low nibble of the first in the command, then the high one in the command 10h further
+        in_command ///< the only one, in the command itself: a window is one of them
+    };
+    Code code = Code::pair16;
+    std::uint8_t command = 0;
+};
+
+constexpr bool names_one(Axis axis) {
+    return axis.code == Axis::Code::in_command;
+}
+
+/// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`
+/// with the bits of each that holds changed, and the format's code.
+struct Setting {
+    std::uint8_t command = 0;
+    bool in_command = false; ///< the value is part of the command, else its parameter
+    std::uint8_t base = 0;
+    std::uint8_t mx = 0, my = 0, mv = 0; ///< the orientation has this bit of MADCTL
+    std::uint8_t bgr = 0, inverted = 0;
+    bool format = false;
+};
+
+struct CommandSet {
+    bool parameters_are_commands = false; ///< D/C stays low for them
+    Axis columns, rows;
+    std::uint8_t memory_write = 0;      ///< pixels follow it; 0: data are pixels at any time
+    bool rewinds = true;                ///< a full window leaves the pointer at its start
+    bool axes_stay = false;             ///< MV changes the order of writing, not what columns and rows name
+    bool mirrors_rows_on_glass = false; ///< MY turns the scan round, rows of memory keep their numbers
+    bool status_registers = false;      ///< 09h to 0Fh answer
+    Setting settings[4] = {};
+    std::uint8_t setting_count = 0;
+    Program soft_reset{}; ///< where no reset line is; empty: there is none
+    Program tearing{};    ///< the TE output on; empty: there is none
+    Program wake{};       ///< before the first pixel; PanelTiming::sleep_out_wait_us follows
+    Program light{};      ///< the glass on
+};
+
+/// Bytes and commands of a window with nothing remembered.
+struct WindowSize {
+    std::uint32_t bytes = 0, commands = 0;
+};
+
+constexpr WindowSize axis_size(Axis axis) {
+    constexpr WindowSize sizes[] = {{5, 1}, {3, 1}, {8, 4}, {2, 1}, {1, 1}};
+    return sizes[static_cast<unsigned>(axis.code)];
+}
+
+constexpr WindowSize window_size(const CommandSet& set) {
+    const WindowSize columns = axis_size(set.columns), rows = axis_size(set.rows);
+    const std::uint32_t write = set.memory_write != 0 ? 1 : 0;
+    return {columns.bytes + rows.bytes + write, columns.commands + rows.commands + write};
+}
+
+namespace dcs {
+
+inline constexpr auto software_reset = init_program(cmd(SWRESET));
+inline constexpr auto te_at_vertical_blanking = init_program(cmd(TEON, 0x00));
+inline constexpr auto sleep_out = init_program(cmd(SLPOUT));
+inline constexpr auto display_on = init_program(cmd(DISPON));
+
+inline constexpr CommandSet commands = {
+    .columns = {Axis::Code::pair16, CASET},
+    .rows = {Axis::Code::pair16, RASET},
+    .memory_write = RAMWR,
+    .status_registers = true,
+    .settings = {{.command = MADCTL, .mx = MX, .my = MY, .mv = MV, .bgr = BGR},
+                 {.command = COLMOD, .format = true},
+                 {.command = INVOFF, .in_command = true, .inverted = INVON ^ INVOFF}},
+    .setting_count = 3,
+    .soft_reset = software_reset,
+    .tearing = te_at_vertical_blanking,
+    .wake = sleep_out,
+    .light = display_on,
+};
+
+} // namespace dcs
+} // namespace spangle::hal

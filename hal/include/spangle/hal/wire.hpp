@@ -1,0 +1,83 @@
+// What pixels look like on the wire, and who turns a surface's into them where the two differ.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/format.hpp>
+
+namespace spangle::hal {
+
+/// Pixels as a controller takes them, first byte first.
+enum class WireFormat : std::uint8_t {
+    rgb565, ///< RRRRRGGG GGGBBBBB
+    rgb666, ///< three bytes, six bits left aligned
+    rgb444, ///< RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes, on across the rows of a window
+    rgb332, ///< RRRGGGBB
+    grey4,  ///< two pixels of neighbouring memory columns, the first in the high nibble
+    mono,   ///< eight pixels of neighbouring memory rows, the first in bit 0
+    none,
+};
+
+struct WireInfo {
+    std::uint8_t bits;          ///< of a pixel
+    std::uint8_t columns, rows; ///< of memory that share a byte: windows end at multiples
+};
+
+constexpr WireInfo wire_info(WireFormat format) {
+    constexpr WireInfo table[] = {{16, 1, 1}, {24, 1, 1}, {12, 1, 1}, {8, 1, 1},
+                                  {4, 2, 1},  {1, 1, 8},  {0, 1, 1}};
+    return table[static_cast<unsigned>(format)];
+}
+
+/// The wire format whose bytes a surface already holds.
+constexpr WireFormat same_bytes(PixelFormat format) {
+    if (format == PixelFormat::rgb565_be)
+        return WireFormat::rgb565;
+    return format == PixelFormat::rgb888 ? WireFormat::rgb666 : WireFormat::none;
+}
+
+/// A picture, top row first.
+struct Picture {
+    const std::uint8_t* pixels = nullptr;
+    std::int32_t stride = 0;
+    std::int32_t height = 0;
+    PixelFormat format = PixelFormat::rgb565_be;
+    bool sideways = false; ///< its rows run along the controller's memory columns
+};
+
+/// Writes `area` of the picture, row by row, and returns the bytes it took. Colours between two steps of the
+/// wire format are dithered in an ordered way, in GL window coordinates; steps stay. A format whose pixels
+/// share bytes asks that the area ends where these do.
+using Converter = std::size_t (*)(const Picture& picture, const Rect& area, std::uint8_t* to);
+
+/// A wire format apart from the surface's: only those a program names are linked.
+struct Wire {
+    WireFormat format = WireFormat::none;
+    Converter convert = nullptr;
+};
+
+std::size_t to_rgb565(const Picture& picture, const Rect& area, std::uint8_t* to);
+std::size_t to_rgb666(const Picture& picture, const Rect& area, std::uint8_t* to);
+std::size_t to_rgb444(const Picture& picture, const Rect& area, std::uint8_t* to);
+std::size_t to_rgb332(const Picture& picture, const Rect& area, std::uint8_t* to);
+std::size_t to_grey4(const Picture& picture, const Rect& area, std::uint8_t* to);
+std::size_t to_mono(const Picture& picture, const Rect& area, std::uint8_t* to);
+
+namespace wires {
+
+inline constexpr Wire rgb565 = {WireFormat::rgb565, to_rgb565};
+inline constexpr Wire rgb666 = {WireFormat::rgb666, to_rgb666};
+inline constexpr Wire rgb444 = {WireFormat::rgb444, to_rgb444};
+inline constexpr Wire rgb332 = {WireFormat::rgb332, to_rgb332};
+inline constexpr Wire grey4 = {WireFormat::grey4, to_grey4};
+inline constexpr Wire mono = {WireFormat::mono, to_mono};
+
+} // namespace wires
+
+/// Luma of 8-bit components, in tenths as the kernel's drivers have it (drm_fb_xrgb8888_to_gray8).
+constexpr std::uint32_t luma(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+    return (3 * r + 6 * g + b) / 10;
+}
+
+} // namespace spangle::hal
