@@ -11,8 +11,8 @@ constexpr int size = 32;
 unsigned room_x, room_y;
 
 void setup(int width, int height) {
-    room_x = static_cast<unsigned>(width - size);
-    room_y = static_cast<unsigned>(height - size);
+    room_x = width > size ? static_cast<unsigned>(width - size) : 1;
+    room_y = height > size ? static_cast<unsigned>(height - size) : 1;
     clear_color();
     pixels(width, height);
     make_ball();

@@ -1,13 +1,49 @@
 #include "host_sim/board/module.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
+#include "host_sim/controller/mono_controller.hpp"
+#include "host_sim/controller/windowed_controller.hpp"
+
 namespace spangle::sim {
 
+std::unique_ptr<Controller> make_controller(const hal::PanelDesc& panel, hal::BusKind bus) {
+    const GlassMount mount = mount_of(panel);
+    const OledBus oled_bus = bus == hal::BusKind::i2c     ? OledBus::i2c
+                             : bus == hal::BusKind::i8080 ? OledBus::parallel
+                                                          : OledBus::serial;
+    const auto mono = [&](const MonoChip& chip) {
+        return std::make_unique<MonoController>(chip, mount, oled_bus);
+    };
+    const auto windowed = [&](const WindowedChip& chip) {
+        return std::make_unique<WindowedController>(chip, mount, oled_bus);
+    };
+    switch (panel.controller) {
+    case hal::Controller::ssd1306:
+        return mono(ssd1306);
+    case hal::Controller::sh1106:
+        return mono(sh1106);
+    case hal::Controller::ssd0303:
+        return mono(ssd0303);
+    case hal::Controller::ssd1327:
+        return windowed(ssd1327);
+    case hal::Controller::ssd0323:
+        return windowed(ssd0323);
+    case hal::Controller::ssd1351:
+        return windowed(ssd1351);
+    case hal::Controller::ssd1331:
+        return windowed(ssd1331);
+    default:
+        return std::make_unique<DcsController>(chip_of(panel), mount, bus == hal::BusKind::i8080);
+    }
+}
+
 Chip chip_of(const hal::PanelDesc& panel) {
+    const auto index = static_cast<std::size_t>(panel.controller);
     const Chip chip =
-        strapped(chips[static_cast<unsigned>(panel.controller)], {panel.memory.width, panel.memory.height});
+        index < std::size(chips) ? strapped(chips[index], {panel.memory.width, panel.memory.height}) : Chip{};
     if (chip.width == 0)
         throw std::invalid_argument(std::string(panel.name) + ": its controller has no such memory");
     return chip;

@@ -1,6 +1,7 @@
 // What a display module is made of, from the panel's data, and what is seen on it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <spangle/hal/orientation.hpp>
@@ -11,7 +12,9 @@
 
 namespace spangle::sim {
 
-/// The panel's controller, its memory as the module straps it.
+/// The panel's controller as the module is built, on this bus.
+std::unique_ptr<Controller> make_controller(const hal::PanelDesc& panel, hal::BusKind bus);
+/// A DCS panel's chip, its memory as the module straps it.
 Chip chip_of(const hal::PanelDesc& panel);
 /// How the module is built.
 GlassMount mount_of(const hal::PanelDesc& panel);

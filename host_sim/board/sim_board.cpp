@@ -49,16 +49,14 @@ struct Bookkeeping {
 
 struct SimBoard::Parts {
     hal::Board board;
-    DcsController controller;
+    std::unique_ptr<Controller> controller;
     SimBus bus;
     Bookkeeping books;
     hal::PanelDisplay display;
     std::unique_ptr<VcdFile> vcd;
 
     explicit Parts(const hal::Board& b)
-        : board(b),
-          controller(chip_of(*b.display.panel), mount_of(*b.display.panel), b.bus == hal::BusKind::i8080),
-          bus(controller, hal::bus_caps(b)),
+        : board(b), controller(make_controller(*b.display.panel, b.bus)), bus(*controller, hal::bus_caps(b)),
           books(b.display, hal::place(*b.display.panel, b.display.orientation).size),
           display(bus, board.display, books.memory()) {}
 };
@@ -75,7 +73,8 @@ hal::Bus& SimBoard::bus() {
 }
 
 Image SimBoard::glass() const {
-    Controller& c = parts_->controller;
+    Controller& c = *parts_->controller;
+    parts_->bus.settle();
     // Two refreshes later the glass shows what the memory holds.
     parts_->bus.pass(2 * c.refresh_time());
     const Image seen = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
@@ -83,7 +82,7 @@ Image SimBoard::glass() const {
 }
 
 Image SimBoard::memory() const {
-    const Controller& c = parts_->controller;
+    const Controller& c = *parts_->controller;
     return picture_of(c.cells(), c.memory_size().width, c.memory_size().height);
 }
 
@@ -93,11 +92,11 @@ BoardCounters SimBoard::counters() const {
 }
 
 const Violations& SimBoard::violations() const {
-    return parts_->controller.violations();
+    return parts_->controller->violations();
 }
 
 std::string SimBoard::violations_text() const {
-    return parts_->controller.violations_text();
+    return parts_->controller->violations_text();
 }
 
 Time SimBoard::now() const {

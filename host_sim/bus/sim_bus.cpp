@@ -36,10 +36,13 @@ hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
     watched_.clear();
     if (listener_ != nullptr)
         listener_->chip_select(wire_, true);
-    controller_.select(true, wire_);
+    if (!is_i2c())
+        controller_.select(true, wire_);
     for (std::size_t i = 0; i < sent; ++i)
         run(ops[i]);
-    controller_.select(false, wire_);
+    end_message();
+    if (!is_i2c())
+        controller_.select(false, wire_);
     if (listener_ != nullptr)
         listener_->chip_select(wire_, false);
     token_end_ = wire_;
@@ -57,6 +60,10 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
         failure_ = hal::Fault::none;
         now_ = std::max(now_, token_end_); // it is over, with half of it lost
         return hal::Error{hal::Fault::short_write, "SimBus: half of the transfer was made to be lost"};
+    }
+    if (std::exchange(unheard_, false)) {
+        now_ = std::max(now_, token_end_);
+        return hal::Error{hal::Fault::no_answer, "SimBus: nobody acknowledged the address"};
     }
     const Time deadline = now_ + static_cast<Time>(timeout_micros) * 1000;
     if (failure_ == hal::Fault::timeout || (token.id == last_token_ && token_end_ > deadline)) {
@@ -77,16 +84,49 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
     return {};
 }
 
+/// A message holds commands, or data.
+void SimBus::begin_message(bool data) {
+    if (in_message_ && data == message_data_)
+        return;
+    end_message();
+    constexpr std::uint8_t address = 0x3C << 1, data_follows = 0x40;
+    if (carry(address, false))
+        target_.start(wire_);
+    else
+        unheard_ = true;
+    in_message_ = true;
+    message_data_ = data;
+    carry(data ? data_follows : std::uint8_t{0}, data);
+}
+
+void SimBus::end_message() {
+    if (!in_message_)
+        return;
+    in_message_ = false;
+    target_.stop(wire_);
+}
+
 void SimBus::send(std::uint8_t byte, bool data) {
-    const unsigned period = period_ns();
-    const Time length = static_cast<Time>(period) * (8 / caps_.bits_per_cycle);
+    if (is_i2c())
+        begin_message(data);
+    carry(byte, data);
+}
+
+/// One byte on the wire; false when the wire lost it.
+bool SimBus::carry(std::uint8_t byte, bool data) {
+    const unsigned period = period_ns(), cycles = is_i2c() ? 9u : 8u / caps_.bits_per_cycle;
+    const Time length = static_cast<Time>(period) * cycles;
     if (listener_ != nullptr)
         listener_->byte(wire_, period, data, byte);
     wire_ += length;
     counters_.busy_ns += length;
     if (counters_.bytes++ == drop_at_)
-        return;
-    controller_.write(byte, data, wire_, period);
+        return false;
+    if (!is_i2c())
+        controller_.write(byte, data, wire_, period);
+    else if (in_message_)
+        target_.byte(byte, wire_, period);
+    return true;
 }
 
 void SimBus::run(const hal::Op& op) {
@@ -94,8 +134,10 @@ void SimBus::run(const hal::Op& op) {
     switch (op.kind) {
     case Kind::command:
         ++counters_.commands;
-        wire_ += caps_.command_cost_ns;
-        counters_.busy_ns += caps_.command_cost_ns;
+        if (!is_i2c()) { // whose messages cost what they are made of
+            wire_ += caps_.command_cost_ns;
+            counters_.busy_ns += caps_.command_cost_ns;
+        }
         send(op.command, false);
         for (std::uint32_t i = 0; i < op.length; ++i)
             send(op.data[i], !op.parameters_are_commands);
@@ -118,6 +160,7 @@ void SimBus::run(const hal::Op& op) {
         counters_.pixel_bytes += std::uint64_t{op.length} * op.rows;
         break;
     case Kind::delay:
+        end_message();
         wire_ += static_cast<Time>(op.micros) * 1000;
         break;
     case Kind::wait_te:

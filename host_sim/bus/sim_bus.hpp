@@ -7,6 +7,7 @@
 
 #include <spangle/hal/bus.hpp>
 
+#include "host_sim/bus/i2c_target.hpp"
 #include "host_sim/bus/trace.hpp"
 #include "host_sim/controller/controller.hpp"
 
@@ -34,6 +35,8 @@ class SimBus final : public hal::Bus {
     Time now() const { return now_; }
     /// The processor does something else for a while: drawing, mostly.
     void pass(Time ns) { now_ += ns; }
+    /// Until the wire has nothing left to carry.
+    void settle() { now_ = wire_ > now_ ? wire_ : now_; }
     void listen(Listener* listener) { listener_ = listener; }
 
     /// The next transfer fails this way; short_write loses its second half.
@@ -50,6 +53,7 @@ class SimBus final : public hal::Bus {
     };
 
     Controller& controller_;
+    I2cTarget target_{controller_};
     hal::BusCaps caps_;
     std::vector<std::unique_ptr<std::uint8_t[]>> buffers_;
     BusCounters counters_;
@@ -60,11 +64,19 @@ class SimBus final : public hal::Bus {
     std::vector<Watched> watched_;
     hal::Fault failure_ = hal::Fault::none;
     std::uint64_t drop_at_ = ~std::uint64_t{0};
+    bool in_message_ = false, message_data_ = false;
+    bool unheard_ = false; ///< nobody acknowledged an address
 
+    /// Of SCK, WRX, or SCL, which clocks each byte's acknowledge too.
     unsigned period_ns() const {
-        return static_cast<unsigned>((1'000'000'000ull + caps_.write_hz / 2) / caps_.write_hz);
+        const std::uint64_t second = is_i2c() ? 1'000'000'000ull * 8 / 9 : 1'000'000'000ull;
+        return static_cast<unsigned>((second + caps_.write_hz / 2) / caps_.write_hz);
     }
+    bool is_i2c() const { return caps_.kind == hal::BusKind::i2c; }
     void send(std::uint8_t byte, bool data);
+    bool carry(std::uint8_t byte, bool data);
+    void begin_message(bool data);
+    void end_message();
     void run(const hal::Op& op);
     void read(const hal::Op& op);
     void wait_te(const hal::Op& op);

@@ -8,7 +8,6 @@ namespace spangle::sim {
 namespace {
 
 constexpr unsigned i2c_major = 89;
-constexpr std::uint8_t co = 0x80, dc = 0x40;
 
 } // namespace
 
@@ -48,19 +47,28 @@ void I2cAdapter::attach(Kernel& kernel, const std::string& path) {
     kernel.add_device(path, *this, i2c_major, 1);
 }
 
+void I2cAdapter::Recorder::select(bool chip_select, Time now) {
+    if (panel != nullptr)
+        panel->select(chip_select, now);
+}
+
+void I2cAdapter::Recorder::write(std::uint8_t byte, bool data, Time now, unsigned period_ns) {
+    received.push_back({byte, data});
+    if (panel != nullptr)
+        panel->write(byte, data, now, period_ns);
+}
+
+/// Nine clocks a byte, the address's first.
 void I2cAdapter::take(const std::uint8_t* bytes, std::size_t count) {
-    kernel_->advance((count + 1) * 9 * 1'000'000'000u / hz);
+    const unsigned period = 1'000'000'000u / hz;
+    kernel_->advance(Time{9} * period);
     ++messages_;
-    for (std::size_t i = 0; i < count;) {
-        const std::uint8_t control = bytes[i++];
-        if ((control & ~(co | dc)) != 0) {
-            wrong_ += "rule 14: a message, or its next part, begins without a control byte\n";
-            return;
-        }
-        const std::size_t end = (control & co) != 0 && i < count ? i + 1 : count;
-        for (; i < end; ++i)
-            received_.push_back({bytes[i], (control & dc) != 0});
+    target_.start(kernel_->now());
+    for (std::size_t i = 0; i < count; ++i) {
+        kernel_->advance(Time{9} * period);
+        target_.byte(bytes[i], kernel_->now(), period);
     }
+    target_.stop(kernel_->now());
 }
 
 std::unique_ptr<OpenFile> I2cAdapter::open() {

@@ -1,10 +1,10 @@
-// An I2C adapter behind i2c-dev with one display controller on it, whose messages begin with control bytes
-// (SSD1306 datasheet, 8.1.5.2): Co = 1 one byte follows, Co = 0 the rest of the message; D/C says what it is.
+// An I2C adapter behind i2c-dev with one display controller on it.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "host_sim/bus/i2c_target.hpp"
 #include "host_sim/linux/kernel.hpp"
 
 namespace spangle::sim {
@@ -18,7 +18,9 @@ class I2cAdapter final : public Device {
         friend bool operator==(const Received&, const Received&) = default;
     };
 
-    explicit I2cAdapter(unsigned address) : address_(address) {}
+    /// `panel`: what hangs there; null: only the record below.
+    explicit I2cAdapter(unsigned address, Controller* panel = nullptr)
+        : address_(address), recorder_(panel) {}
     void attach(Kernel& kernel, const std::string& path);
 
     bool powered = true; ///< else nobody acknowledges
@@ -26,10 +28,16 @@ class I2cAdapter final : public Device {
     std::size_t longest_message = 8192;
     std::uint32_t hz = 400000;
 
-    const std::vector<Received>& received() const { return received_; }
-    void forget() { received_.clear(), wrong_.clear(), messages_ = 0; }
-    /// Rule 14 of the protocol: what came without its control byte, or with one that says nothing.
-    const std::string& wrong() const { return wrong_; }
+    const std::vector<Received>& received() const { return recorder_.received; }
+    void forget() {
+        recorder_.received.clear();
+        recorder_.forget_violations();
+        messages_ = 0;
+    }
+    /// What came without its control byte, or with one that says nothing.
+    std::string wrong() const { return recorder_.violations_text(); }
+    /// Another panel was soldered on; null: none.
+    void replace(Controller* panel) { recorder_.panel = panel; }
     std::uint64_t messages() const { return messages_; }
 
     std::unique_ptr<OpenFile> open() override;
@@ -37,10 +45,27 @@ class I2cAdapter final : public Device {
 
   private:
     friend class I2cFile;
+
+    /// Writes down what the controller is sent, and passes it on.
+    struct Recorder final : Controller {
+        explicit Recorder(Controller* to) : Controller("I2C", {}), panel(to) {}
+        Controller* panel;
+        std::vector<Received> received;
+
+        void reset(bool, Time) override {}
+        void select(bool chip_select, Time now) override;
+        void write(std::uint8_t byte, bool data, Time now, unsigned period_ns) override;
+        std::vector<Rgb666> glass(Time) override { return {}; }
+        std::vector<Rgb666> cells() const override { return {}; }
+        MemorySize memory_size() const override { return {}; }
+        Time line_time() const override { return 1; }
+        Time refresh_time() const override { return 0; }
+    };
+
     unsigned address_;
     Kernel* kernel_ = nullptr;
-    std::vector<Received> received_;
-    std::string wrong_;
+    Recorder recorder_;
+    I2cTarget target_{recorder_};
     std::uint64_t messages_ = 0;
 
     void take(const std::uint8_t* bytes, std::size_t count);

@@ -59,6 +59,8 @@ TEST(Orientation, EveryPixelOfEveryWindowLandsWhereItIsSeen) {
     std::mt19937 random(1);
     long checked = 0;
     for (const PanelDesc* panel : panels::all) {
+        if (panel->commands != &dcs::commands)
+            continue; // the model here knows no other address generation
         for (const Orientation o : orientations) {
             const Placement placed = place(*panel, o);
             hal_test::DcsModel model(panel->memory.width, panel->memory.height);

@@ -167,7 +167,7 @@ std::uint64_t plain_cost(const Masks& rows, std::int32_t columns, WindowCost cos
                 ++c;
             runs.insert({first, c});
             bytes +=
-                static_cast<std::uint64_t>(std::min(16 * c, columns) - 16 * first) * cost.bytes_per_pixel;
+                static_cast<std::uint64_t>(std::min(16 * c, columns) - 16 * first) * cost.pixel;
             bytes += above.count({first, c}) == 0 ? cost.window : 0;
         }
         above = runs;
@@ -192,7 +192,7 @@ void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, 
         top = w.y;
         ASSERT_TRUE(w.x >= 0 && w.w > 0 && w.h > 0 && w.x + w.w <= columns);
         ASSERT_LE(w.y + w.h, static_cast<std::int32_t>(rows.size()));
-        bytes += cost.window + static_cast<std::uint64_t>(w.w * w.h) * cost.bytes_per_pixel;
+        bytes += cost.window + static_cast<std::uint64_t>(w.w * w.h) * cost.pixel;
         for (std::int32_t y = w.y; y < w.y + w.h; ++y)
             for (std::int32_t c = w.x / 16; c * 16 < w.x + w.w; ++c)
                 covered[static_cast<std::size_t>(y)] |= 1u << c;
@@ -203,7 +203,7 @@ void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, 
     const std::uint64_t plain = plain_cost(rows, columns, cost);
     costs.planned += bytes;
     costs.plain += plain;
-    const bool cheap = cost.window < 16 * cost.bytes_per_pixel && columns % 16 == 0;
+    const bool cheap = cost.window < 16 * cost.pixel && columns % 16 == 0;
     if (cheap && windows.size() <= 48) { // none had to be cut
         EXPECT_EQ(bytes, plain);
     }

@@ -60,9 +60,10 @@ class PinBus : public hal::Bus {
         using Kind = hal::Op::Kind;
         switch (op.kind) {
         case Kind::command:
-            put(op.command, false, op.length != 0);
+            put(op.command, false, op.length != 0 && !op.parameters_are_commands);
             for (std::uint32_t i = 0; i < op.length; ++i)
-                put(op.data[i], true, i + 1 < op.length);
+                put(op.data[i], !op.parameters_are_commands,
+                    i + 1 < op.length && !op.parameters_are_commands);
             break;
         case Kind::pixels:
         case Kind::repeat:

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <spangle/hal/panel.hpp>
+#include <spangle/panels/oled_mono.hpp>
+#include <spangle/panels/oled_windowed.hpp>
 
 namespace spangle::hal::panels {
 
@@ -113,8 +115,8 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
         .mount = 0,
         .order = ColorOrder::rgb,
         .inverted = true,
-        .serial = {.rgb565 = 0x55, .rgb666 = 0x66},
-        .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
+        .serial = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
+        .parallel = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
         .setup = setup,
         .timing = {.serial_write_ns = 16, // VW; the V is rated 66
                    .serial_read_ns = 150,
@@ -185,8 +187,8 @@ consteval PanelDesc on_glass(const char* name, Extent memory, Extent glass, Offs
         .mount = dcs::MX | dcs::MY,
         .order = order,
         .inverted = inverted,
-        .serial = {.rgb565 = 0x05, .rgb666 = 0x06},
-        .parallel = {.rgb565 = 0x05, .rgb666 = 0x06},
+        .serial = {.rgb565 = 0x05, .rgb666 = 0x06, .rgb444 = 0x03},
+        .parallel = {.rgb565 = 0x05, .rgb666 = 0x06, .rgb444 = 0x03},
         .setup = setup,
         .timing = {.serial_write_ns = 66,
                    .serial_read_ns = 150,
@@ -468,8 +470,8 @@ inline constexpr PanelDesc gc9a01_240x240 = panel({
     .mount = 0,
     .order = ColorOrder::bgr,
     .inverted = true,
-    .serial = {.rgb565 = 0x55, .rgb666 = 0x66},
-    .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
+    .serial = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
+    .parallel = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
     .setup = gc9a01::setup,
     .timing = {.serial_write_ns = 10,
                .practical_serial_mhz = 80,
@@ -485,7 +487,9 @@ inline constexpr const PanelDesc* all[] = {
     &ili9341_240x320,    &st7789_240x320,  &st7789_240x280,   &st7789_240x240,       &st7789_172x320,
     &st7789_170x320,     &st7789_135x240,  &st7735_128x160,   &st7735_128x160_green, &st7735_128x128_green,
     &st7735_128x128_red, &st7735_80x160,   &st7735_80x160_26, &ili9342c_320x240,     &ili9486_320x480,
-    &ili9488_320x480,    &st7796s_320x480, &hx8357d_320x480,  &gc9a01_240x240,
+    &ili9488_320x480,    &st7796s_320x480, &hx8357d_320x480,  &gc9a01_240x240,       &ssd1306_128x64,
+    &ssd1306_128x32,     &sh1106_128x64,   &ssd0303_96x16,    &ssd1327_128x128,      &ssd0323_128x64,
+    &ssd1351_128x128,    &ssd1331_96x64,
 };
 
 } // namespace spangle::hal::panels

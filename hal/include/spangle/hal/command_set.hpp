@@ -40,9 +40,9 @@ struct Setting {
 struct CommandSet {
     bool parameters_are_commands = false; ///< D/C stays low for them
     Axis columns, rows;
-    std::uint8_t memory_write = 0;      ///< pixels follow it; 0: data are pixels at any time
-    bool rewinds = true;                ///< a full window leaves the pointer at its start
-    bool axes_stay = false;             ///< MV changes the order of writing, not what columns and rows name
+    std::uint8_t memory_write = 0; ///< pixels follow it; 0: data are pixels at any time
+    bool rewinds = false;   ///< it puts the pointer at the window's start: what stays need not be sent again
+    bool axes_stay = false; ///< MV changes the order of writing, not what columns and rows name
     bool mirrors_rows_on_glass = false; ///< MY turns the scan round, rows of memory keep their numbers
     bool status_registers = false;      ///< 09h to 0Fh answer
     Setting settings[4] = {};
@@ -80,6 +80,7 @@ inline constexpr CommandSet commands = {
     .columns = {Axis::Code::pair16, CASET},
     .rows = {Axis::Code::pair16, RASET},
     .memory_write = RAMWR,
+    .rewinds = true,
     .status_registers = true,
     .settings = {{.command = MADCTL, .mx = MX, .my = MY, .mv = MV, .bgr = BGR},
                  {.command = COLMOD, .format = true},

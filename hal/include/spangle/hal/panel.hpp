@@ -95,12 +95,12 @@ struct PanelDesc {
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
     WireFormats serial;    ///< on I2C too
-    WireFormats parallel;
+    WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep
     const CommandSet* commands = &dcs::commands;
     PanelTiming timing;
-    Identity identity;
-    Quirks quirks;
+    Identity identity{};
+    Quirks quirks{};
 };
 
 /// Whether and how the panel takes a wire format on this bus.

@@ -32,8 +32,8 @@ class SimBoard {
     hal::Display& display();
     hal::Bus& bus();
 
-    /// What the user sees, upright: the glass after the panel has scanned its memory out. Looking takes two
-    /// refreshes of virtual time.
+    /// What the user sees, upright: the glass after the panel was sent all that is on the wire and has
+    /// scanned its memory out. Looking takes that time and two refreshes (virtual).
     Image glass() const;
     /// The controller's whole frame memory as MADCTL 00h addresses it.
     Image memory() const;
