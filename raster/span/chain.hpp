@@ -46,7 +46,8 @@ SPANGLE_INLINE void for_fields(Px<N>& p, Packet<N>& k, std::int32_t i, Move move
 }
 
 /// `Check`: some fragment may be dead.
-template <bool Check, class N, class S> SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
+template <bool Check, class N, class S>
+SPANGLE_INLINE void run_stage(Packet<N>& k, const Span<typename N::Policy>& span, S& s, std::int32_t next) {
     const std::int32_t n = k.n, i0 = k.i, x0 = k.x;
     for (std::int32_t i = 0; i < n; ++i) {
         if constexpr (S::runs) {
@@ -54,7 +55,7 @@ template <bool Check, class N, class S> SPANGLE_INLINE void run_stage(Packet<N>&
                 next = s.begin(next);
         }
         if (!Check || k.live[i]) {
-            Px<N> p;
+            Px<N> p(span);
             p.i = i0 + i;
             p.live = true;
             for_fields<S::in>(p, k, i, [](auto& field, auto& stored) { field = stored; });
@@ -80,9 +81,9 @@ template <class N, class S> void chain_stage(Packet<N>& k, const Span<typename N
         next = s.begin(k.x);
     // Until something died, everything lives, and stages before the first test never ask.
     if ((S::kill || S::effect) && k.dead != 0)
-        detail::run_stage<true>(k, s, next);
+        detail::run_stage<true>(k, span, s, next);
     else
-        detail::run_stage<false>(k, s, next);
+        detail::run_stage<false>(k, span, s, next);
 }
 
 /// Runs the chain of the span's kind.

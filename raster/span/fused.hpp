@@ -18,9 +18,9 @@ inline constexpr int host_lanes = 1;
 #endif
 
 /// Fragments [i, stop), i < stop, one by one.
-template <bool Row, class N, class List>
-SPANGLE_INLINE void fused_loop(List& list, std::int32_t i, std::int32_t stop) {
-    Px<N> p;
+template <bool Row, class N, class List, class Place>
+SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, std::int32_t stop) {
+    Px<N> p(span);
     p.live = true;
     p.row = Row;
     do {
@@ -48,9 +48,9 @@ SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int3
             stop = next < n ? next : n;
         }
         if (List::rows && list.row(stop - i))
-            fused_loop<true, N>(list, i, stop);
+            fused_loop<true, N>(list, span, i, stop);
         else
-            fused_loop<false, N>(list, i, stop);
+            fused_loop<false, N>(list, span, i, stop);
         i = stop;
     } while (List::runs && i != n);
 }
@@ -72,7 +72,7 @@ template <class N, class List>
 SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                std::int32_t n) {
     static_assert(N::lanes == 8);
-    Px<N> p;
+    Px<N> p(span);
     std::int32_t i = 0, stop = n;
     do {
         if constexpr (List::runs) {
@@ -161,7 +161,7 @@ template <class Case> SPANGLE_INLINE void fused_plain_row(const Span<Fixed>& spa
     if constexpr (Case::tested)
         at.depth = place(target.depth, target.depth_stride, 2);
     typename Case::template List<1> list(at, 0);
-    fused_loop<false, typename Case::template System<1>>(list, row.first - row.last, 0);
+    fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
 }
 
 template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
@@ -280,7 +280,7 @@ template <class Case>
     span.color = target.color;
     span.depth = target.depth;
     span.x = span.y = span.anchor_x = span.anchor_y = 0;
-    Px<N> p;
+    Px<N> p(span);
     p.live = true;
     do {
         span.flat_word = path->word;

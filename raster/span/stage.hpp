@@ -42,13 +42,19 @@ enum Field : unsigned {
 /// The fragment(s) a list works on. Locals only: registers in a fused span, loaded and stored by field in the
 /// chain.
 template <class N> struct Px {
-    std::int32_t i; ///< first pixel of the group, counted from the span's `begin`
+    std::uint8_t *color_plane, *depth_plane; ///< where pixel 0 of the group's count lies
+    std::int32_t i;                          ///< first pixel of the group
     typename N::L::Mask live;
     bool row = false; ///< Seq::row said so; a constant of the loop
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
     typename N::Fog fog;                           ///< fog coordinate (draw_state.hpp)
+
+    Px() = default;
+    /// Of a span, or what stands for one row of it.
+    template <class S>
+    SPANGLE_INLINE explicit Px(const S& span) : color_plane(span.color), depth_plane(span.depth) {}
 };
 
 /// Defaults of a stage.

@@ -27,9 +27,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool kill = true;
     using L = typename N::L;
-    const std::uint8_t* plane;
-    SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
-    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t) { plane = s.color; }
+    SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const typename N::T a = s.a;
@@ -42,12 +40,12 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
             return false;
         }
         if constexpr (is_565(Format)) {
-            const typename L::U16 word = Words565<L, Format>::load(plane + 2 * p.i);
+            const typename L::U16 word = Words565<L, Format>::load(p.color_plane + 2 * p.i);
             s.r = N::template over<5>(s.r, a, word >> 11);
             s.g = N::template over<6>(s.g, a, (word >> 5) & 63);
             s.b = N::template over<5>(s.b, a, word & 31);
         } else {
-            const std::uint8_t* const at = plane + format_info(Format).bytes_per_pixel * p.i;
+            const std::uint8_t* const at = p.color_plane + format_info(Format).bytes_per_pixel * p.i;
             s.r = N::template over<8>(s.r, a, at[0]);
             s.g = N::template over<8>(s.g, a, at[1]);
             s.b = N::template over<8>(s.b, a, at[2]);
@@ -64,14 +62,12 @@ template <class N, PixelFormat Format> struct BlendPacked : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
-    std::uint8_t* plane;
-    SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : plane(s.color) {}
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
+    SPANGLE_INLINE BlendPacked(const Span<Fixed>&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.color.a == 0)
             return false;
         asm("" : "+r"(p.color.a)); // what follows is not begun before the branch
-        std::uint8_t* const at = plane + 2 * p.i;
+        std::uint8_t* const at = p.color_plane + 2 * p.i;
         Words::store(at, p.color.a == 255 ? N::opaque(p.color) : N::over(p.color, Words::load(at)));
         return true;
     }
@@ -82,13 +78,12 @@ template <class N, PixelFormat Format> struct Blend : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     using T = typename N::T;
-    const std::uint8_t* plane;
     BlendFactor src, dst;
     SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t)
-        : plane(s.color), src(s.state->fragment.blend_src), dst(s.state->fragment.blend_dst) {}
+        : src(s.state->fragment.blend_src), dst(s.state->fragment.blend_dst) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::Color s = p.color, d = load_color<N, Format>(plane, p.i);
+        const typename N::Color s = p.color, d = load_color<N, Format>(p.color_plane, p.i);
         p.color.r = combine(s, d, s.r, d.r, false);
         p.color.g = combine(s, d, s.g, d.g, false);
         p.color.b = combine(s, d, s.b, d.b, false);

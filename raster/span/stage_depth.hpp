@@ -55,16 +55,11 @@ template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
 template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, Func, Write> : DepthValue<N> {
     static constexpr bool kill = true, effect = Write;
     using L = typename N::L;
-    std::uint8_t* plane;
-    template <class S>
-    SPANGLE_INLINE Depth(const S& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
-        this->z.start(s, x, s.z);
-        plane = s.depth;
-    }
+    using DepthValue<N>::DepthValue;
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { this->z.start(s, x, s.z); }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        std::uint8_t* const at = plane + 2 * p.i;
+        std::uint8_t* const at = p.depth_plane + 2 * p.i;
         const typename L::U16 incoming = L::high_half(this->z.at);
         if constexpr (N::lanes == 1) {
             if (!compare<Func>(incoming, L::load(at)))
@@ -110,11 +105,10 @@ template <class N, Compare Func, bool Write>
 struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = Write;
-    std::uint8_t* plane;
-    SPANGLE_INLINE Depth(const Span<Fixed>& s, std::int32_t x) : DepthValue<N>(s, x), plane(s.depth) {}
+    using DepthValue<N>::DepthValue;
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
+        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));
         std::uint32_t stored;
         __builtin_memcpy(&stored, at, 4);
         if (!compare<Func>(this->word() >> 8, stored >> 8))
@@ -131,19 +125,17 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
 template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = true;
-    std::uint8_t* plane;
     Compare func;
     bool write;
     SPANGLE_INLINE DepthGeneral(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), plane(s.depth), func(s.state->fragment.depth_func),
-          write(s.state->fragment.depth_write) {}
+        : DepthValue<N>(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         using Word = std::conditional_t<Format == DepthFormat::z16, std::uint16_t, std::uint32_t>;
         constexpr int stencil_bits = Format == DepthFormat::z16 ? 0 : 8;
         constexpr Word stencil = (1u << stencil_bits) - 1;
         auto* const at = static_cast<std::uint8_t*>(
-            __builtin_assume_aligned(plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
+            __builtin_assume_aligned(p.depth_plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
         Word stored;
         __builtin_memcpy(&stored, at, sizeof stored);
         const auto word = static_cast<Word>(this->word() >> (32 - 8 * sizeof(Word)));

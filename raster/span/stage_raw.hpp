@@ -26,11 +26,9 @@ template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
     using L = typename N::L;
     static constexpr bool swaps =
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
-    std::uint8_t* plane;
-    template <class S> SPANGLE_INLINE StoreRaw(const S& s, std::int32_t) : plane(s.color) {}
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { plane = s.color; }
+    template <class S> SPANGLE_INLINE StoreRaw(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        std::uint8_t* const at = plane + 2 * p.i;
+        std::uint8_t* const at = p.color_plane + 2 * p.i;
         typename L::U16 word = p.color.word;
         if constexpr (swaps)
             word = L::swap_bytes(word);

@@ -41,20 +41,18 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
-    std::uint8_t* plane;
-    SPANGLE_INLINE Store(const Span<typename N::Policy>& s, std::int32_t) : plane(s.color) {}
-    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t) { plane = s.color; }
+    SPANGLE_INLINE Store(const Span<typename N::Policy>&, std::int32_t) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (is_565(Format)) {
-            std::uint8_t* const at = plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + 2 * p.i;
             typename L::U16 word = truncated565<N>(p.color);
             if constexpr (N::lanes > 1)
                 word = L::select(p.live, word, Words565<L, Format>::load(at));
             Words565<L, Format>::store(at, word);
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
-            std::uint8_t* const at = plane + bytes * p.i;
+            std::uint8_t* const at = p.color_plane + bytes * p.i;
             at[0] = static_cast<std::uint8_t>(N::to8(p.color.r));
             at[1] = static_cast<std::uint8_t>(N::to8(p.color.g));
             at[2] = static_cast<std::uint8_t>(N::to8(p.color.b));
@@ -100,7 +98,6 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     SPANGLE_INLINE StoreDithered(const Span<typename N::Policy>& s, std::int32_t x)
         : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
     SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t x) {
-        Store<N, Format>::start(s, x);
         dither = detail::DitherRow<L>(s.x + x, s.y);
     }
 
@@ -108,7 +105,7 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
         if constexpr (!is_565(Format)) {
             return Store<N, Format>::operator()(p);
         } else {
-            std::uint8_t* const at = this->plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + 2 * p.i;
             const typename L::U16 t = dither.threshold();
             typename L::U16 word =
                 pack565<N>(N::template dithered<5>(p.color.r, t), N::template dithered<6>(p.color.g, t),
@@ -128,18 +125,16 @@ template <class N, PixelFormat Format> struct StoreMasked : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
-    std::uint8_t* plane;
     detail::DitherRow<L> dither;
     bool dithers;
     std::uint8_t mask;
     SPANGLE_INLINE StoreMasked(const Span<typename N::Policy>& s, std::int32_t x)
-        : plane(s.color), dither(s.x + x, s.y), dithers(s.state->fragment.dither),
-          mask(s.state->fragment.color_mask) {}
+        : dither(s.x + x, s.y), dithers(s.state->fragment.dither), mask(s.state->fragment.color_mask) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto& c = p.color;
         if constexpr (is_565(Format)) {
-            std::uint8_t* const at = plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + 2 * p.i;
             const std::uint32_t bits = ((mask & 1) != 0 ? 0xF800u : 0) | ((mask & 2) != 0 ? 0x07E0u : 0) |
                                        ((mask & 4) != 0 ? 0x1Fu : 0);
             const std::uint32_t t = dither.threshold();
@@ -150,7 +145,7 @@ template <class N, PixelFormat Format> struct StoreMasked : StageBase {
             Words565<L, Format>::store(at, (word & bits) | (Words565<L, Format>::load(at) & ~bits));
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
-            std::uint8_t* const at = plane + bytes * p.i;
+            std::uint8_t* const at = p.color_plane + bytes * p.i;
             const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
             for (int i = 0; i < bytes; ++i)
                 if ((mask >> i & 1) != 0)

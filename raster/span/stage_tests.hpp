@@ -46,13 +46,12 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
 template <class N> struct StencilDepth : DepthValue<N> {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = true;
-    std::uint8_t* plane;
     const FragmentState& state;
     SPANGLE_INLINE StencilDepth(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), plane(s.depth), state(s.state->fragment) {}
+        : DepthValue<N>(s, x), state(s.state->fragment) {}
 
     bool operator()(Px<N>& p) const {
-        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(plane + 4 * p.i, 4));
+        auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));
         std::uint32_t word;
         __builtin_memcpy(&word, at, 4);
         const StencilState& stencil = state.stencil;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures every scene against Mesa's llvmpipe and the goals.
 
-usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind]
+usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callgrind] [--no-chain]
        ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
        ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
 
@@ -167,6 +167,25 @@ def instruction_table(build, scenes, goals, boards, with_callgrind, hashes):
         raise SystemExit("\n".join(bad))
 
 
+def chain_table(build):
+    """What every fused span saves: instructions of its fragments, without set-up, beside one lane of it and the chain."""
+    with tempfile.TemporaryDirectory() as folder:
+        names = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/out", "--dump-before=mark", str(build / "bench_chain")],
+                               capture_output=True, text=True, check=True).stdout.splitlines()
+        dumps = [int(re.search(r"^(?:summary|totals): (\d+)", pathlib.Path(f"{folder}/out.{i + 1}").read_text(), re.M).group(1))
+                 for i in range(8 * len(names))]
+    print("\nx86 instructions of the fragments of the same triangles: fused, one lane of it, and in the chain, which takes at most three times as many.")
+    print(f"{'state':<62}{'fused':>12}{'one lane':>12}{'chain':>12}{'chain/fused':>13}")
+    ratios = {}
+    for i, name in enumerate(names):
+        setup, *rest = dumps[8 * i + 1:8 * i + 8:2]
+        fused, narrow, chain = (n - setup for n in rest)
+        ratios[name] = chain / fused
+        print(f"{name:<62}{fused:>12,}{narrow:>12,}{chain:>12,}{ratios[name]:>12.2f}x")
+    slow = [name for name, ratio in ratios.items() if ratio > 3]
+    print(f"within three times: {len(ratios) - len(slow)} of {len(ratios)}; most: {max(ratios.values()):.1f}x")
+
+
 def compiler_of(build):
     cache = dict(line.split("=", 1) for line in (build / "CMakeCache.txt").read_text().splitlines() if "=" in line and not line.startswith(("#", "//")))
     compiler = cache.get("CMAKE_CXX_COMPILER:STRING") or cache.get("CMAKE_CXX_COMPILER:FILEPATH") or "c++"
@@ -192,6 +211,7 @@ def main():
     parser.add_argument("--no-wall", action="store_true")
     parser.add_argument("--no-mcu", action="store_true")
     parser.add_argument("--no-callgrind", action="store_true")
+    parser.add_argument("--no-chain", action="store_true", help="without the table of fused spans and their chains")
     parser.add_argument("--record", action="store_true", help="keep speed and memory for README.md")
     parser.add_argument("--update-golden", action="store_true", help="measure the counts that ./dev test --all guards, write them, and stop")
     arguments = parser.parse_args()
@@ -220,6 +240,8 @@ def main():
     boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
         instruction_table(build, scenes, goals, boards, not arguments.no_callgrind, hashes)
+    if not (arguments.no_chain or arguments.no_callgrind):
+        chain_table(build)
     return 0
 
 

@@ -2,53 +2,12 @@
 // lengths.
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "raster/span/fused_table.hpp"
-#include "tests/span/sweep.hpp"
+#include "tests/span/state_of_key.hpp"
 
 namespace spangle::raster::test {
 namespace {
 
 constexpr int width = 56, height = 12;
-
-/// The GL state a key stands for.
-struct StateOfKey {
-    FragmentState state;
-    std::vector<std::unique_ptr<TestTexture>> textures;
-    explicit StateOfKey(const Key& key) {
-        state.tier = key.number == Number::exact || key.cubic ? Tier::exact : Tier::balanced;
-        state.scissor = {0, 0, width, height};
-        state.dither = key.dither;
-        for (int i = 0; i < max_texture_units; ++i) {
-            const UnitKey& unit = key.unit[i];
-            if (!unit.on)
-                continue;
-            textures.push_back(std::make_unique<TestTexture>(unit.texels, unit.base, 6 - i, 5 + i));
-            textures.back()->texture.mag = textures.back()->texture.min = unit.filter;
-            state.unit[i].texture = &textures.back()->texture;
-            state.unit[i].env = unit.env;
-            for (auto& c : state.unit[i].env_color)
-                c = color_one / 3;
-        }
-        state.color_sum = key.color_sum;
-        state.fog = key.fog;
-        state.fog_mode = key.fog_mode;
-        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // 0.5 .. 4
-        state.fog_color[0] = color_one / 2, state.fog_color[1] = color_one / 5,
-        state.fog_color[2] = color_one;
-        state.alpha_test = key.alpha != Compare::always;
-        state.alpha_func = key.alpha;
-        state.alpha_ref = 128;
-        state.depth_test = key.depth != Compare::always || key.depth_write;
-        state.depth_func = key.depth;
-        state.depth_write = key.depth_write;
-        state.blend = key.blend;
-        state.blend_src = key.blend_src;
-        state.blend_dst = key.blend_dst;
-        state.color_mask = key.masked ? 5 : 0xF;
-    }
-};
 
 struct Hits {
     int draws = 0;
@@ -71,7 +30,7 @@ void note_and_draw(Span<Fixed>& span, const Row* row, const Row* end) {
 }
 
 void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* name) {
-    const StateOfKey of(fused.key);
+    const StateOfKey of(fused.key, width, height);
     const DepthFormat depth =
         fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
     Canvas chain_canvas(width, height, fused.key.format, depth),
@@ -80,9 +39,7 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
     const auto kind = static_cast<unsigned>(fused.key.kind);
     ASSERT_EQ(reinterpret_cast<RowsFunction<Fixed>>(state.variant[kind].run), fused.run)
         << "the key is not the state's: " << name;
-    DrawState chained = state;
-    for (int i = 0; i < kind_count; ++i)
-        chained.variant[i].run = chain_runner(fused.key.number);
+    DrawState chained = in_chain(state, fused.key.number);
     under_test = run;
     state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);
     hits = {};

@@ -43,7 +43,8 @@ struct RandomVertices {
     std::mt19937 random;
     explicit RandomVertices(std::uint32_t seed) : random(seed) {}
 
-    std::uint32_t below(std::uint32_t n) { return random() % n; }
+    std::uint32_t word() { return static_cast<std::uint32_t>(random()); }
+    std::uint32_t below(std::uint32_t n) { return word() % n; }
 
     FixedVertex vertex(int width, int height) {
         FixedVertex v{};
@@ -54,13 +55,13 @@ struct RandomVertices {
             c = below(4) == 0 ? (below(2) == 0 ? 0 : color_one) : below(color_one + 1);
         for (auto& c : v.secondary)
             c = below(color_one / 2);
-        v.w_mantissa = 0x80000000u | random();
+        v.w_mantissa = 0x80000000u | word();
         v.w_exponent = static_cast<std::int16_t>(-32 - static_cast<int>(below(3)));
-        v.fog_mantissa = 0x80000000u | random();
+        v.fog_mantissa = 0x80000000u | word();
         v.fog_exponent = -30;
         for (auto& tex : v.tex) {
-            tex.s = static_cast<std::int32_t>(random());
-            tex.t = static_cast<std::int32_t>(random());
+            tex.s = static_cast<std::int32_t>(word());
+            tex.t = static_cast<std::int32_t>(word());
             tex.exponent = -29;
             tex.q = 1 << 29;
             tex.q_is_one = 1;

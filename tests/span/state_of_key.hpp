@@ -1,0 +1,58 @@
+// What the tests and the benches of fused spans draw: the state of a key, by its fused span or in the chain.
+#pragma once
+
+#include <memory>
+
+#include "raster/span/fused_table.hpp"
+#include "tests/span/sweep.hpp"
+
+namespace spangle::raster::test {
+
+/// The GL state a key stands for.
+struct StateOfKey {
+    FragmentState state;
+    std::vector<std::unique_ptr<TestTexture>> textures;
+    StateOfKey(const Key& key, int width, int height) {
+        state.tier = key.number == Number::exact || key.cubic ? Tier::exact : Tier::balanced;
+        state.scissor = {0, 0, width, height};
+        state.dither = key.dither;
+        for (int i = 0; i < max_texture_units; ++i) {
+            const UnitKey& unit = key.unit[i];
+            if (!unit.on)
+                continue;
+            textures.push_back(std::make_unique<TestTexture>(unit.texels, unit.base, 6 - i, 5 + i));
+            textures.back()->texture.mag = textures.back()->texture.min = unit.filter;
+            state.unit[i].texture = &textures.back()->texture;
+            state.unit[i].env = unit.env;
+            for (auto& c : state.unit[i].env_color)
+                c = color_one / 3;
+        }
+        state.color_sum = key.color_sum;
+        state.fog = key.fog;
+        state.fog_mode = key.fog_mode;
+        state.fog_start = 0x3F000000, state.fog_end = 0x40800000; // 0.5 .. 4
+        state.fog_color[0] = color_one / 2, state.fog_color[1] = color_one / 5,
+        state.fog_color[2] = color_one;
+        state.alpha_test = key.alpha != Compare::always;
+        state.alpha_func = key.alpha;
+        state.alpha_ref = 128;
+        state.depth_test = key.depth != Compare::always || key.depth_write;
+        state.depth_func = key.depth;
+        state.depth_write = key.depth_write;
+        state.blend = key.blend;
+        state.blend_src = key.blend_src;
+        state.blend_dst = key.blend_dst;
+        state.color_mask = key.masked ? 5 : 0xF;
+    }
+};
+
+/// The same state without fused spans.
+inline DrawState in_chain(DrawState state, Number number) {
+    for (int i = 0; i < kind_count; ++i) {
+        state.variant[i].run = chain_runner(number);
+        state.variant[i].walk = nullptr;
+    }
+    return state;
+}
+
+} // namespace spangle::raster::test
