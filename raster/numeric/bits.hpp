@@ -16,6 +16,13 @@ namespace spangle::numeric {
 /// microcontrollers. Decides between forms of equal results.
 inline constexpr bool cheap_branches = sizeof(void*) == 4;
 
+/// 32-bit words are divided by an instruction. Decides likewise.
+#if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
+inline constexpr bool divides = false;
+#else
+inline constexpr bool divides = true;
+#endif
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);

@@ -114,9 +114,38 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
-/// The same for edges that cross a few columns: without a division, the column is found by walking there
-/// (numeric::cheap_branches).
-/// Within 15 pixels each call of at() and step() walks 15 columns at most, and all sums fit 32 bits.
+/// The same within 15 pixels, x counted from a column that near: one word, columns with 26 fraction bits. The
+/// slope is off by less than a unit, so the start, which `above` / 256 of them lie below, and 15 - above /
+/// 256 steps together by less than 15, and its two shifts by two. An edge meets a row at a multiple of 1 /
+/// (256 dy) > 2^-20, 64 units: a bias of 32 less than 1 makes floor() the exact ceil().
+class LowEdge {
+  public:
+    static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
+
+    SPANGLE_INLINE static LowEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
+                                     std::int32_t row) {
+        // dx 2^26 / dy in digits of 19 and 7 bits: |slope| above <= 2^19 |dx|, |fine| above < 2^7 dy. Where
+        // the slope is too large for the sum of both, dy < 256 and no other row is stepped to.
+        const std::int32_t dx = (x1 - x0) * (1 << 19), dy = y1 - y0;
+        const std::int32_t slope = dx / dy, fine = (dx - slope * dy) * (1 << 7) / dy;
+        const std::int32_t above = row * subpixel_one + subpixel_one / 2 - y0;
+        constexpr std::int32_t bias = (1 << 26) - 32;
+        LowEdge e;
+        e.step_ = (static_cast<std::uint32_t>(slope) << 7) + static_cast<std::uint32_t>(fine);
+        e.at_ = static_cast<std::uint32_t>((x0 - subpixel_one / 2) * (1 << (26 - subpixel_bits)) + bias) +
+                static_cast<std::uint32_t>(slope * above >> 1) +
+                static_cast<std::uint32_t>(fine * above >> 8);
+        return e;
+    }
+    SPANGLE_INLINE std::int32_t column() const { return static_cast<std::int32_t>(at_) >> 26; }
+    SPANGLE_INLINE void step() { at_ += step_; }
+
+  private:
+    std::uint32_t at_, step_; ///< mod 2^32
+};
+
+/// The same where divisions are calls (numeric::divides): the column is found by walking there. Within 15
+/// pixels each call of at() and step() walks 15 columns at most, and all sums fit 32 bits.
 class ShortEdge {
   public:
     static constexpr std::int32_t extent = 15 * subpixel_one; ///< largest |dx| and dy
@@ -176,9 +205,8 @@ template <class E> class TriangleRows {
     }
 
     /// Writes rows that hold a centre between columns `begin` and `end`, cut to these, until `to` is full or
-    /// the triangle is over; returns how many.
-    template <bool Cut> int fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
-        const Row* const first = to;
+    /// the triangle is over; returns their end.
+    template <bool Cut> Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
         const Row* const full = to + room;
         while (to != full) {
             if (row_ == stop_) {
@@ -207,7 +235,7 @@ template <class E> class TriangleRows {
             left_ = left;
             right_ = right;
         }
-        return static_cast<int>(to - first);
+        return to;
     }
 
   private:
@@ -222,46 +250,55 @@ template <class E> class TriangleRows {
 /// A triangle up to this high has 16 rows at most.
 inline constexpr std::int32_t low_extent = 15 * subpixel_one;
 
+namespace detail {
+
+/// Rows [y, stop) between two edges, columns counted from `base`.
+template <bool Cut, class E>
+SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& left, E& right,
+                                 std::int32_t base, const Rect& clip) {
+    for (;;) {
+        const std::int32_t l = base + left.column(), r = base + right.column();
+        std::int32_t first = l, last = r;
+        if constexpr (Cut) {
+            first = l < clip.x ? clip.x : l;
+            last = r < clip.x + clip.w ? r : clip.x + clip.w;
+        }
+        if (first < last)
+            *to++ = {y, l, r, first, last};
+        if (++y == stop)
+            return to;
+        left.step();
+        right.step();
+    }
+}
+
+} // namespace detail
+
 /// All rows of such a triangle at once, as TriangleRows::fill() gives them.
 template <class E, bool Cut>
-int low_rows(Row* to, const std::int32_t xs[3], const std::int32_t ys[3], bool middle_left,
-             const Rect& clip) {
-    const Row* const first = to;
+SPANGLE_INLINE Row* low_rows(Row* to, const std::int32_t (&xs)[3], const std::int32_t (&ys)[3],
+                             bool middle_left, const Rect& clip) {
     std::int32_t y = first_center(ys[0]), end = first_center(ys[2]);
     y = y < clip.y ? clip.y : y;
     end = end < clip.y + clip.h ? end : clip.y + clip.h;
     if (y >= end)
-        return 0;
-    E across = E::at(xs[0], ys[0], xs[2], ys[2], y);
+        return to;
+    const std::int32_t base = xs[0] >> subpixel_bits, from = base * subpixel_one;
+    E across = E::at(xs[0] - from, ys[0], xs[2] - from, ys[2], y);
+    std::int32_t x0 = xs[0] - from, y0 = ys[0], x1 = xs[1] - from, y1 = ys[1];
     std::int32_t stop = first_center(ys[1]);
-    int from = 0;
-    if (y >= stop)
-        from = 1, stop = end;
-    for (;; from = 1, stop = end) {
-        stop = stop < end ? stop : end;
-        E beside = E::at(xs[from], ys[from], xs[from + 1], ys[from + 1], y);
-        for (;;) {
-            std::int32_t left = across.column(), right = beside.column();
-            if (middle_left) {
-                const std::int32_t t = left;
-                left = right;
-                right = t;
-            }
-            if constexpr (Cut) {
-                const std::int32_t begin = left < clip.x ? clip.x : left;
-                const std::int32_t till = right < clip.x + clip.w ? right : clip.x + clip.w;
-                if (begin < till)
-                    *to++ = {y, left, right, begin, till};
-            } else if (left < right) {
-                *to++ = {y, left, right, left, right};
-            }
-            if (++y == stop)
-                break;
-            across.step();
-            beside.step();
+    for (bool upper = y >= stop;; upper = true) {
+        if (upper) {
+            x0 = xs[1] - from, y0 = ys[1], x1 = xs[2] - from, y1 = ys[2];
+            stop = end;
         }
-        if (y == end)
-            return static_cast<int>(to - first);
+        stop = stop < end ? stop : end;
+        E beside = E::at(x0, y0, x1, y1, y);
+        to = middle_left ? detail::rows_between<Cut>(to, y, stop, beside, across, base, clip)
+                         : detail::rows_between<Cut>(to, y, stop, across, beside, base, clip);
+        if (stop == end)
+            return to;
+        y = stop;
         across.step();
     }
 }

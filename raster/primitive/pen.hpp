@@ -50,11 +50,11 @@ template <class P> class Pen {
     /// Room for that many rows.
     Row* rows() { return rows_; }
 
-    /// The first `count` > 0 of them.
-    void draw(int count) {
-        note(count);
+    /// Those up to `end`, one at least.
+    void draw(const Row* end) {
+        note(end);
         const Variant& variant = span.state->variant[static_cast<unsigned>(span.kind)];
-        reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, rows_ + count);
+        reinterpret_cast<RowsFunction<P>>(variant.run)(span, rows_, end);
     }
 
     /// One row after the other: columns [left, right) of row y, y inside the scissor rectangle.
@@ -74,30 +74,30 @@ template <class P> class Pen {
     /// After the last of them.
     void flush() {
         if (count_ != 0)
-            draw(count_);
+            draw(rows_ + count_);
         count_ = 0;
     }
 
   private:
     /// What is about to be drawn, for those who asked.
-    void note(int count) {
+    void note(const Row* end) {
         const Surface& target = *span.target;
         if (target.touched != nullptr)
-            for (int i = 0; i < count; ++i)
-                touch(target, rows_[i].y, rows_[i].first, rows_[i].last);
+            for (const Row* row = rows_; row != end; ++row)
+                touch(target, row->y, row->first, row->last);
         Counters* const counters = span.state->counters;
         if (counters == nullptr)
             return;
-        for (int i = 0; i < count; ++i) {
-            counters->fragments += static_cast<std::uint32_t>(rows_[i].last - rows_[i].first);
+        for (const Row* row = rows_; row != end; ++row) {
+            counters->fragments += static_cast<std::uint32_t>(row->last - row->first);
 #ifndef SPANGLE_FIRMWARE
             if (counters->observer != nullptr && counters->observer->span != nullptr)
-                counters->observer->span(*counters->observer, rows_[i].y, rows_[i].first, rows_[i].last);
+                counters->observer->span(*counters->observer, row->y, row->first, row->last);
 #endif
         }
     }
 
-    Rect clip_;
+    const Rect& clip_;
     bool cuts_ = true; ///< some column may lie outside of the scissor rectangle
     int count_ = 0;
     Row rows_[batch];

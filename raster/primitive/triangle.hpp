@@ -1,6 +1,8 @@
 // Triangles: sorted by y, walked exactly, set up when the first row shows a pixel (GL 1.3, 3.5.1).
 #pragma once
 
+#include <type_traits>
+
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/edge.hpp"
 #include "raster/primitive/pen.hpp"
@@ -30,56 +32,67 @@ inline void observe([[maybe_unused]] const DrawState& state, [[maybe_unused]] co
 #endif
 }
 
+template <class V> struct Corner {
+    const V* vertex;
+    std::int32_t x, y;
+    explicit Corner(const V& v) : vertex(&v), x(position(v).x), y(position(v).y) {}
+};
+
 /// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
 /// in.
-template <class V> inline bool below(const V* a, const V* b) {
-    return position(*a).y != position(*b).y ? position(*a).y < position(*b).y
-                                            : position(*a).x < position(*b).x;
+template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int64_t& area2) {
+    if (high.y > low.y || (high.y == low.y && high.x >= low.x))
+        return;
+    // Member by member: registers.
+    const auto swap = [](auto& a, auto& b) {
+        const auto t = a;
+        a = b;
+        b = t;
+    };
+    swap(low.vertex, high.vertex);
+    swap(low.x, high.x);
+    swap(low.y, high.y);
+    area2 = -area2;
 }
 
-template <class V> inline void sort_pair(const V*& low, const V*& high, bool& odd) {
-    if (below(high, low)) {
-        const V* const t = low;
-        low = high;
-        high = t;
-        odd = !odd;
-    }
-}
-
-} // namespace detail
-
-namespace detail {
+template <class V> struct Sorted {
+    Corner<V> a, b, c; ///< upwards
+    std::int64_t area2;
+};
 
 template <class E, class P>
-void draw_rows(Pen<P>& pen, const typename P::Vertex* const corners[3], const typename P::Vertex& provoking,
-               const std::int32_t xs[3], const std::int32_t ys[3], std::int64_t area2) {
-    TriangleRows<E> rows(xs, ys, area2 < 0, pen.row_begin(), pen.row_end());
+void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename P::Vertex& provoking) {
+    const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
+    TriangleRows<E> rows(xs, ys, t.area2 < 0, pen.row_begin(), pen.row_end());
+    Row* const begin = pen.rows();
+    Row* const full = begin + pen.batch;
     const auto fill = [&] {
-        return pen.cuts()
-                   ? rows.template fill<true>(pen.rows(), pen.batch, pen.column_begin(), pen.column_end())
-                   : rows.template fill<false>(pen.rows(), pen.batch, 0, 0);
+        return pen.cuts() ? rows.template fill<true>(begin, pen.batch, pen.column_begin(), pen.column_end())
+                          : rows.template fill<false>(begin, pen.batch, 0, 0);
     };
-    int count = fill();
-    if (count == 0)
+    Row* end = fill();
+    if (end == begin)
         return;
-    Setup<P>(pen.span, *corners[0], *corners[1], *corners[2], provoking, area2);
+    Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
     pen.begin();
     do {
-        pen.draw(count);
-    } while (count == pen.batch && (count = fill()) != 0);
+        pen.draw(end);
+    } while (end == full && (end = fill()) != begin);
 }
 
 template <class E, class P>
-void draw_low(Pen<P>& pen, const typename P::Vertex* const corners[3], const typename P::Vertex& provoking,
-              const std::int32_t xs[3], const std::int32_t ys[3], std::int64_t area2) {
+SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
+                             const typename P::Vertex& provoking) {
     static_assert(low_extent <= (Pen<P>::batch - 1) * subpixel_one);
-    const int count = pen.cuts() ? low_rows<E, true>(pen.rows(), xs, ys, area2 < 0, pen.clip())
-                                 : low_rows<E, false>(pen.rows(), xs, ys, area2 < 0, pen.clip());
-    if (count == 0)
+    const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
+    Row* const begin = pen.rows();
+    const Row* const end = pen.cuts() ? low_rows<E, true>(begin, xs, ys, t.area2 < 0, pen.clip())
+                                      : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
+    if (end == begin)
         return;
-    Setup<P>(pen.span, *corners[0], *corners[1], *corners[2], provoking, area2);
+    Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
     pen.begin();
-    pen.draw(count);
+    pen.draw(end);
 }
 
 } // namespace detail
@@ -88,33 +101,29 @@ template <class P>
 void draw_triangle_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
                       const typename P::Vertex& b, const typename P::Vertex& c,
                       const typename P::Vertex& provoking, std::int64_t area2) {
-    const typename P::Vertex* corners[3] = {&a, &b, &c};
-    bool odd = false;
-    detail::sort_pair(corners[0], corners[1], odd);
-    detail::sort_pair(corners[1], corners[2], odd);
-    detail::sort_pair(corners[0], corners[1], odd);
-    if (odd)
-        area2 = -area2;
-    std::int32_t xs[3], ys[3];
-    for (int i = 0; i < 3; ++i)
-        xs[i] = position(*corners[i]).x, ys[i] = position(*corners[i]).y;
-    std::int32_t least = xs[0] < xs[1] ? xs[0] : xs[1], most = xs[0] < xs[1] ? xs[1] : xs[0];
-    least = xs[2] < least ? xs[2] : least;
-    most = xs[2] > most ? xs[2] : most;
+    detail::Corner low(a), middle(b), high(c);
+    detail::sort_pair(low, middle, area2);
+    detail::sort_pair(middle, high, area2);
+    detail::sort_pair(low, middle, area2);
+    std::int32_t least = low.x < middle.x ? low.x : middle.x, most = low.x < middle.x ? middle.x : low.x;
+    least = high.x < least ? high.x : least;
+    most = high.x > most ? high.x : most;
+    const auto sorted = [&] { return detail::Sorted<typename P::Vertex>{low, middle, high, area2}; };
 
-    detail::observe(state, corners);
+    detail::observe(state, {low.vertex, middle.vertex, high.vertex});
     Pen<P> pen(state, target);
     if (state.nothing || !pen.sees(first_center(least), first_center(most)))
         return;
-    const std::int32_t width = most - least, height = ys[2] - ys[0];
-    if (numeric::cheap_branches && width <= ShortEdge::extent && height <= low_extent)
-        detail::draw_low<ShortEdge>(pen, corners, provoking, xs, ys, area2);
+    const std::int32_t width = most - least, height = high.y - low.y;
+    using Low = std::conditional_t<numeric::divides, LowEdge, ShortEdge>;
+    if (width <= Low::extent && height <= low_extent)
+        detail::draw_low<Low>(pen, sorted(), provoking);
     else if (width <= SmallEdge::extent && height <= low_extent)
-        detail::draw_low<SmallEdge>(pen, corners, provoking, xs, ys, area2);
+        detail::draw_low<SmallEdge>(pen, sorted(), provoking);
     else if (width <= SmallEdge::extent && height <= SmallEdge::extent)
-        detail::draw_rows<SmallEdge>(pen, corners, provoking, xs, ys, area2);
+        detail::draw_rows<SmallEdge>(pen, sorted(), provoking);
     else
-        detail::draw_rows<Edge>(pen, corners, provoking, xs, ys, area2);
+        detail::draw_rows<Edge>(pen, sorted(), provoking);
 }
 
 } // namespace spangle::raster

@@ -21,10 +21,9 @@ TEST(Coverage, FiftyThousandFuzzedTrianglesMatchTheEdgeEquations) {
 TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
     struct Listed {
         std::vector<std::int32_t> words;
-        void add(const Row* rows, int count) {
-            for (int i = 0; i < count; ++i)
-                words.insert(words.end(),
-                             {rows[i].y, rows[i].left, rows[i].right, rows[i].first, rows[i].last});
+        void add(const Row* row, const Row* end) {
+            for (; row != end; ++row)
+                words.insert(words.end(), {row->y, row->left, row->right, row->first, row->last});
         }
     };
     std::mt19937 random(12);
@@ -53,18 +52,21 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
             TriangleRows<E> triangle(xs, ys, area < 0, clip.y, clip.y + clip.h);
             Row buffer[5];
             Listed out;
-            for (int n = 5; n == 5;)
-                out.add(buffer, n = triangle.template fill<true>(buffer, 5, clip.x, clip.x + clip.w));
+            for (const Row* end = buffer + 5; end == buffer + 5;)
+                out.add(buffer, end = triangle.template fill<true>(buffer, 5, clip.x, clip.x + clip.w));
             return out;
         };
         Row buffer[16];
         Listed at_once;
         at_once.add(buffer, low_rows<ShortEdge, true>(buffer, xs, ys, area < 0, clip));
+        Listed low_at_once;
+        low_at_once.add(buffer, low_rows<LowEdge, true>(buffer, xs, ys, area < 0, clip));
         Listed small_at_once;
         small_at_once.add(buffer, low_rows<SmallEdge, true>(buffer, xs, ys, area < 0, clip));
         const Listed exact = walked(std::type_identity<Edge>{});
         ASSERT_EQ(exact.words, walked(std::type_identity<SmallEdge>{}).words) << "round " << round;
         ASSERT_EQ(exact.words, at_once.words) << "round " << round;
+        ASSERT_EQ(exact.words, low_at_once.words) << "round " << round;
         ASSERT_EQ(exact.words, small_at_once.words) << "round " << round;
         rows += static_cast<long>(exact.words.size() / 5);
     }

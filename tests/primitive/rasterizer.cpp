@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <climits>
 #include <cstring>
 #include <string>
@@ -191,6 +192,38 @@ TEST(Rasterizer, BadArgumentsDrawNothing) {
     EXPECT_EQ(picture.at(9, 6), 0xF800u);
     EXPECT_EQ(picture.at(9, 0), 0x001Fu);
     EXPECT_EQ(picture.at(9, 1), 0xF800u);
+}
+
+/// Colours may be affine in the window only where perspective bends them less than a quarter of a step of the
+/// target, however much 1/w varies.
+TEST(Rasterizer, PerspectiveBendsColors) {
+    std::vector<std::uint8_t> pixels(width * height * 4);
+    Surface surface;
+    surface.color = pixels.data();
+    surface.color_stride = width * 4;
+    surface.width = width;
+    surface.height = height;
+    surface.format = PixelFormat::rgba8888;
+    FragmentState state = whole(surface);
+    state.tier = Tier::balanced;
+    const Rasterizer draw(state, surface);
+    constexpr int side = 12;
+    for (std::uint32_t nearer = 1u << 16; nearer < 1u << 31; nearer += nearer / 4) {
+        FixedVertex v[3] = {colored(at(0, 0), 0), colored(at(side, 0), 1), colored(at(0, side), 2)};
+        v[1].w_mantissa = v[0].w_mantissa + nearer;
+        std::fill(pixels.begin(), pixels.end(), std::uint8_t{0});
+        draw.triangle(v[0], v[1], v[2]);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x + y < side - 1; ++x) {
+                const double across = (x + .5) / side, up = (y + .5) / side;
+                const double weight[3] = {(1 - across - up) * v[0].w_mantissa, across * v[1].w_mantissa,
+                                          up * v[2].w_mantissa};
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(pixels[static_cast<std::size_t>(4 * (y * width + x) + c)],
+                                255 * weight[c] / (weight[0] + weight[1] + weight[2]), .5 + .25 + .05)
+                        << "1/w grows by " << nearer << " at " << x << ", " << y;
+            }
+    }
 }
 
 } // namespace
