@@ -47,7 +47,7 @@ struct Drawable {
     raster::Surface surface; ///< drawn to
     raster::Surface read;    ///< read from: the same, unless EGL was given two
     bool double_buffered = false, read_double_buffered = false;
-    void (*show)() = nullptr;  ///< what Flush and Finish call: a window without a back buffer is seen then
+    void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };
 

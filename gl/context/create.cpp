@@ -74,7 +74,8 @@ void destroy_context(Context* context) {
     arena.free(context);
 }
 
-void make_current(Context* context, const raster::Surface& surface, bool double_buffered, void (*show)()) {
+void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
+                  void (*show)(bool)) {
     set_current_context(context);
     if (context == nullptr)
         return;

@@ -20,9 +20,9 @@ void destroy_context(Context* context);
 
 /// MakeCurrent's half in GL. The first drawable gives viewport, scissor box, draw and read buffer
 /// (GL 1.3, 2.10.1, 4.1.2, 4.2.1). Null releases.
-/// `show` is what Flush does to it.
+/// `show` is what Flush (false) and Finish (true) do to it.
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
-                  void (*show)() = nullptr);
+                  void (*show)(bool finish) = nullptr);
 
 /// After that: pixels are read from another surface than they are drawn to (ReadPixels, ReadBuffer).
 void read_from(Context& context, const raster::Surface& surface, bool double_buffered);

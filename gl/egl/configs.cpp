@@ -75,8 +75,9 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_MAX_PBUFFER_PIXELS:
         return {true, largest * largest};
     case EGL_MIN_SWAP_INTERVAL:
+        return {true, least_swap_interval};
     case EGL_MAX_SWAP_INTERVAL:
-        return {true, 1};
+        return {true, most_swap_interval};
     case EGL_NATIVE_VISUAL_TYPE:
     case EGL_TRANSPARENT_TYPE:
         return {true, EGL_NONE};

@@ -12,6 +12,9 @@ namespace spangle::egl {
 /// The configuration behind a handle; id 0 when there is none.
 Config find_config(const Display& display, EGLConfig handle);
 
+/// A window waits for the last frame to be taken, or it does not (EGL 1.4, 3.9.3).
+inline constexpr EGLint least_swap_interval = 0, most_swap_interval = 1;
+
 /// Whether a window of this display may have the configuration: only in the panel's own format.
 bool fits_window(const Display& display, const Config& config);
 

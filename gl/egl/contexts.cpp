@@ -24,7 +24,7 @@ bool elsewhere(const Surface* surface) {
 
 void attach_surfaces() {
     const Thread& t = thread();
-    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_single_buffer);
+    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_window);
     if (t.read != t.draw)
         gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
 }
@@ -33,7 +33,7 @@ void release_current() {
     Thread& t = thread();
     if (t.context == nullptr)
         return;
-    show_single_buffer(); // changing the context flushes the old one (EGL 1.4, 3.7.3)
+    show_window(false); // changing the context flushes the old one (EGL 1.4, 3.7.3)
     Display& display = *t.display;
     Context* const context = t.context;
     Surface* const surfaces[2] = {t.draw, t.read};

@@ -225,7 +225,7 @@ EGLBoolean eglWaitGL() {
 }
 
 EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
-    show_single_buffer();
+    show_window(true);
     return succeed();
 }
 

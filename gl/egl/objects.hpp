@@ -81,8 +81,9 @@ void attach_surfaces();
 /// Presents what was drawn to a window of this thread and attaches the next frame's buffer.
 bool present(Display& display, Surface& surface);
 
-/// Shows the single-buffered window that is current on this thread, if there is one: Flush, WaitClient.
-void show_single_buffer();
+/// What Flush and Finish do to the window that is current on this thread, if there is one: shown when it has
+/// no back buffer; with `finish`, waited for.
+void show_window(bool finish);
 
 /// Undoes MakeCurrent on this thread.
 void release_current();

@@ -117,13 +117,17 @@ bool present(Display& display, Surface& surface) {
     return true;
 }
 
-/// What the panel refused it is sent by the next one: GL has no error for it, the message tells.
-void show_single_buffer() {
+/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
+void show_window(bool finish) {
     const Thread& t = thread();
-    if (t.draw == nullptr || !t.draw->window || t.draw->back_buffered || !t.display->initialized)
+    if (t.draw == nullptr || !t.draw->window || !t.display->initialized)
         return;
     const EGLint before = thread().error;
-    present(*t.display, *t.draw);
+    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
+        const hal::Result<void> shown = t.display->native->finish();
+        if (!shown.ok())
+            fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
+    }
     thread().error = before;
 }
 
@@ -288,14 +292,19 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
     return succeed();
 }
 
-EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint) {
-    if (find_display(dpy) == nullptr)
+EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
         return EGL_FALSE;
     if (thread().context == nullptr)
         return fail(EGL_BAD_CONTEXT);
     if (thread().draw == nullptr)
         return fail(EGL_BAD_SURFACE);
-    return succeed(); // clamped to 1..1
+    if (thread().draw->window)
+        display->native->swap_interval(interval < least_swap_interval  ? least_swap_interval
+                                       : interval > most_swap_interval ? most_swap_interval
+                                                                       : interval);
+    return succeed();
 }
 
 EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {

@@ -124,11 +124,12 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
 // one without here.
 void Flush(Context& context) {
     if (context.drawable.show != nullptr)
-        context.drawable.show();
+        context.drawable.show(false);
 }
 
 void Finish(Context& context) {
-    Flush(context);
+    if (context.drawable.show != nullptr)
+        context.drawable.show(true);
 }
 
 } // namespace spangle::gl::cmd

@@ -1,5 +1,7 @@
 #include <spangle/hal/op_list.hpp>
 
+#include <spangle/hal/dcs.hpp>
+
 namespace spangle::hal {
 
 Op* OpList::append(Op::Kind kind) {
@@ -78,6 +80,19 @@ void OpList::wait_te(std::uint32_t at_most_micros) {
         op->micros = at_most_micros;
 }
 
+void OpList::wait_line(std::uint8_t dummy_bits, std::int32_t first, std::int32_t count, std::int32_t lines,
+                       std::uint32_t at_most_micros) {
+    Op* op = append(Op::Kind::wait_line);
+    if (op == nullptr)
+        return;
+    op->command = dcs::RDSCANLINE;
+    op->dummy_bits = dummy_bits;
+    op->length = static_cast<std::uint32_t>(first);
+    op->rows = static_cast<std::uint32_t>(count);
+    op->stride = lines;
+    op->micros = at_most_micros;
+}
+
 void OpList::read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) {
     Op* op = append(Op::Kind::read);
     if (op == nullptr)
@@ -138,6 +153,7 @@ struct Work {
             break;
         case Op::Kind::delay:
         case Op::Kind::wait_te:
+        case Op::Kind::wait_line:
         case Op::Kind::reset:
             micros += op.micros;
             break;

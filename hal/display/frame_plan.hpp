@@ -13,6 +13,10 @@ class FramePlan {
 
     /// The next window from the top, or false after the last.
     bool next(Rect& window) { return by_spans_ ? spans_.next(window) : rows_.next(window); }
+    void rewind() {
+        rows_.rewind();
+        spans_.rewind();
+    }
     /// Bytes of all windows as planned.
     std::uint32_t total() const { return by_spans_ ? spans_.total() : rows_.total(); }
 

@@ -35,7 +35,7 @@ WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t
 WindowPlan::WindowPlan(const RowSpan* rows, std::int32_t height, WindowCost cost, std::uint16_t* links)
     : rows_(rows), links_(links), height_(height), cost_(cost) {
     plan();
-    next_group(pending_);
+    rewind();
 }
 
 std::uint32_t WindowPlan::payload(const Rect& r) const {

@@ -34,6 +34,10 @@ class WindowPlan {
 
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
+    void rewind() {
+        at_ = 0;
+        next_group(pending_);
+    }
     /// Cost of all windows as planned.
     std::uint32_t total() const { return total_; }
 

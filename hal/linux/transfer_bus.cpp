@@ -79,7 +79,7 @@ const char* TransferBus::refusal_of(const Op& op) const {
         return "bus: a repeated pattern has one to four bytes";
     if (op.kind == Kind::read && op.length != 0 && op.into == nullptr)
         return "bus: a read without room for the answer";
-    if (op.kind == Kind::read && caps().read_hz == 0)
+    if ((op.kind == Kind::read || op.kind == Kind::wait_line) && caps().read_hz == 0)
         return "bus: this bus cannot read";
     if (op.kind == Kind::wait_te && !has_te())
         return "bus: no tearing-effect line is wired";
@@ -194,10 +194,33 @@ Result<void> TransferBus::run(const Op& op) {
         const Result<std::uint64_t> edge = te_.next_edge(op.micros);
         return edge ? Result<void>{} : edge.error();
     }
+    case Kind::wait_line:
+        return wait_line(op);
     case Kind::read:
         return read(op);
     default:
         return pulse_reset(op.micros);
+    }
+}
+
+/// The calls of one read take longer than a line; nothing is gained by pausing between them.
+Result<void> TransferBus::wait_line(const Op& op) {
+    using Clock = std::chrono::steady_clock;
+    std::uint8_t answer[2] = {};
+    Op look;
+    look.kind = Op::Kind::read;
+    look.command = op.command;
+    look.dummy_bits = op.dummy_bits;
+    look.into = answer;
+    look.length = sizeof answer;
+    for (const auto end = Clock::now() + std::chrono::microseconds(op.micros);;) {
+        if (const auto r = read(look); !r)
+            return r;
+        if (line_reached(op, answer))
+            return {};
+        if (Clock::now() >= end)
+            return Error{Fault::timeout, "bus: the scanned line (45h) does not come; is the panel awake, and "
+                                         "its data output wired?"};
     }
 }
 

@@ -166,6 +166,9 @@ void SimBus::run(const hal::Op& op) {
     case Kind::wait_te:
         wait_te(op);
         break;
+    case Kind::wait_line:
+        wait_line(op);
+        break;
     case Kind::read:
         read(op);
         break;
@@ -200,6 +203,20 @@ void SimBus::read(const hal::Op& op) {
         controller_.read_byte(wire_ += period, period);
     for (std::uint32_t i = 0; i < op.length; ++i)
         op.into[i] = controller_.read_byte(wire_ += period, period);
+}
+
+void SimBus::wait_line(const hal::Op& op) {
+    std::uint8_t answer[2] = {};
+    hal::Op look;
+    look.kind = hal::Op::Kind::read;
+    look.command = op.command;
+    look.dummy_bits = op.dummy_bits;
+    look.into = answer;
+    look.length = sizeof answer;
+    const Time deadline = wire_ + static_cast<Time>(op.micros) * 1000;
+    do
+        read(look);
+    while (!hal::line_reached(op, answer) && wire_ < deadline);
 }
 
 void SimBus::wait_te(const hal::Op& op) {

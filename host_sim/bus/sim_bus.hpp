@@ -79,6 +79,7 @@ class SimBus final : public hal::Bus {
     void end_message();
     void run(const hal::Op& op);
     void read(const hal::Op& op);
+    void wait_line(const hal::Op& op);
     void wait_te(const hal::Op& op);
     static std::uint64_t checksum(const Watched& w);
 };

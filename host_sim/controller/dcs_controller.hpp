@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -48,6 +49,10 @@ class DcsController final : public Controller {
 
     std::uint64_t pixels_written() const { return pixels_written_; }
 
+    /// Called at the end of each refresh with what it showed, in the order of the memory. Refreshes long ago,
+    /// between which nothing was written, may be left out.
+    std::function<void(const std::vector<Rgb666>& shown)> watch_refreshes;
+
   private:
     Chip chip_;
     bool parallel_;
@@ -86,7 +91,7 @@ class DcsController final : public Controller {
 
     // time
     Time ready_at_ = 0, sleep_out_allowed_at_ = 0, sleep_in_allowed_at_ = 0, reset_fell_at_ = 0,
-         scanned_to_ = 0;
+         scanned_to_ = 0, next_row_at_ = 0;
 
     void power_on_registers();
     void check_write_clock(Time now, unsigned period_ns);

@@ -105,7 +105,7 @@ void DcsController::put_pixel(Rgb666 color, Time now) {
                        now);
             }
         }
-        if (stream_pixels_ % 64 == 0)
+        if (now >= next_row_at_) // a row is shown as it is when its scan begins, to the pixel
             scan_until(now);
         memory_[static_cast<std::size_t>(row * chip_.width + column)] = color;
         ++pixels_written_;

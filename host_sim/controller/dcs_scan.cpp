@@ -59,9 +59,13 @@ void DcsController::scan_until(Time now) {
     if (end - at > 2 * lines)
         at = end - 2 * lines; // older frames have been overwritten
     for (; at < end; ++at)
-        if (const auto row = static_cast<int>((at + 1) % lines); row < chip_.height)
+        if (const auto row = static_cast<int>((at + 1) % lines); row < chip_.height) {
             scan_row(row);
+            if (row + 1 == chip_.height && watch_refreshes)
+                watch_refreshes(shown_);
+        }
     scanned_to_ = now;
+    next_row_at_ = (end + 1) * line;
 }
 
 std::vector<Rgb666> DcsController::glass(Time now) {

@@ -46,8 +46,17 @@ class FakeDisplay final : public hal::Display {
         return {};
     }
 
+    hal::Result<void> finish() override {
+        ++finishes;
+        if (fail_present)
+            return hal::Error{hal::Fault::timeout, "fake: the transfer does not end"};
+        return {};
+    }
+    void swap_interval(std::int32_t interval) override { intervals.push_back(interval); }
+
     bool fail_init = false, fail_acquire = false, fail_present = false, two_buffers = false;
-    int inits = 0, acquires = 0, presents = 0;
+    int inits = 0, acquires = 0, presents = 0, finishes = 0;
+    std::vector<std::int32_t> intervals;
     std::vector<std::uint8_t> pixels, front, shown; ///< the buffer drawn into, the other, what was presented
     std::vector<RowSpan> rows, shown_extents;
     RowExtents extents;

@@ -303,12 +303,15 @@ TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
     glFlush();
     EXPECT_EQ(panel.presents, 1);
     EXPECT_EQ(panel.shown[0], 0xFF);
+    EXPECT_EQ(panel.finishes, 0);
     glFinish();
     EXPECT_EQ(panel.presents, 2);
+    EXPECT_EQ(panel.finishes, 1);
     EXPECT_EQ(eglWaitClient(), yes);
     EXPECT_EQ(panel.presents, 3);
     EXPECT_EQ(eglWaitGL(), yes);
     EXPECT_EQ(panel.presents, 4);
+    EXPECT_EQ(panel.finishes, 3);
 
     glEnable(GL_SCISSOR_TEST); // on what is there
     glScissor(0, 8, 2, 1);
@@ -327,6 +330,37 @@ TEST_F(Surfaces, ASingleBufferedWindowIsShownByFlush) {
     EXPECT_EQ(panel.shown_extents[0], (RowSpan{0, 2}));
     EXPECT_EQ(panel.shown[0], 0);
     EXPECT_EQ(panel.shown[2 * 2], 0xFF);
+}
+
+TEST_F(Surfaces, FinishWaitsForWhatWasPresented) {
+    EGLSurface surface;
+    current_window(surface);
+    glFlush();
+    EXPECT_EQ(panel.finishes, 0);
+    glFinish();
+    EXPECT_EQ(panel.finishes, 1);
+    EXPECT_EQ(panel.presents, 0) << "the back buffer is not shown by it";
+    EXPECT_EQ(eglWaitClient(), yes);
+    EXPECT_EQ(panel.finishes, 2);
+    panel.fail_present = true;
+    on_message(&remember);
+    last_message.clear();
+    glFinish();
+    EXPECT_EQ(last_message, "fake: the transfer does not end");
+    EXPECT_EQ(eglGetError(), EGL_SUCCESS);
+}
+
+TEST_F(Surfaces, SwapIntervalsAreClampedAndReachTheDisplay) {
+    EGLSurface surface;
+    current_window(surface);
+    EGLint least = -1, most = -1;
+    EXPECT_EQ(eglGetConfigAttrib(display, window_config(), EGL_MIN_SWAP_INTERVAL, &least), yes);
+    EXPECT_EQ(eglGetConfigAttrib(display, window_config(), EGL_MAX_SWAP_INTERVAL, &most), yes);
+    EXPECT_EQ(least, 0);
+    EXPECT_EQ(most, 1);
+    for (const EGLint interval : {0, 1, -5, 60})
+        EXPECT_EQ(eglSwapInterval(display, interval), yes);
+    EXPECT_EQ(panel.intervals, (std::vector<std::int32_t>{0, 1, 0, 1}));
 }
 
 TEST_F(Surfaces, ADisplayThatFlipsGrantsNoSingleBuffer) {

@@ -34,7 +34,7 @@ class FakePanelBus final : public Bus {
     DcsModel model;
     int madctl = -1, colmod = -1, submits = 0;
     bool inverted = false, awake = false, on = false, te_on = false;
-    long pixel_bytes = 0, command_bytes = 0, repeats = 0, delay_us = 0, te_waits = 0;
+    long pixel_bytes = 0, command_bytes = 0, repeats = 0, delay_us = 0, te_waits = 0, line_waits = 0;
     long cut_pixels = 0; ///< operations that end inside a pixel
     std::uint32_t longest_op = 0, last_timeout = 0;
     std::string log;
@@ -140,6 +140,11 @@ class FakePanelBus final : public Bus {
             ++te_waits;
             if (te_missing)
                 outcome_ = {Fault::timeout, "fake: no TE edge"};
+            return !te_missing;
+        case Op::Kind::wait_line:
+            ++line_waits;
+            if (te_missing)
+                outcome_ = {Fault::timeout, "fake: no such line"};
             return !te_missing;
         case Op::Kind::read:
             return run_read(op);

@@ -257,6 +257,16 @@ TEST(SpanPlan, BlocksBesideEachOtherStayApartAndDearCommandsJoinThem) {
     EXPECT_FALSE(dear.next(w));
 }
 
+/// A window that could still grow while a hundred others wait behind it is cut.
+TEST(SpanPlan, ManyWindowsBesideALongOneFitTheRing) {
+    Masks rows(300, 1);
+    for (std::size_t y = 0; y < rows.size(); ++y)
+        rows[y] |= y % 2 == 0 ? 0x10u : 0x400u;
+    Costs costs;
+    expect_good_plan(rows, 320, {11, 2}, costs);
+    EXPECT_LT(costs.planned, costs.plain + 8 * 11);
+}
+
 TEST(SpanPlan, NothingChangedIsNoWindow) {
     const Masks rows(5, 0);
     SpanPlan plan(rows.data(), 320, 5, {11, 2});

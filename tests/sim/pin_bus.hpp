@@ -79,6 +79,8 @@ class PinBus : public hal::Bus {
             for (const Time end = now + Time(op.micros) * 1000; now < end && !controller_.te(now);)
                 now += 1000;
             break;
+        case Kind::wait_line: // these buses have presents follow no beam
+            break;
         case Kind::read: // the chip lets go of the line, and counts bits anew, when CS rises
             put(op.command, false, true);
             turn_round(op.dummy_bits);

@@ -18,14 +18,17 @@ enum class BusKind : std::uint8_t {
 
 struct Op {
     enum class Kind : std::uint8_t {
-        command, ///< one command byte, then `length` parameter bytes from `data`
-        pixels,  ///< `rows` rows of `length` bytes, `stride` bytes apart, from `data` (bus-owned memory)
-        repeat,  ///< the `length` (<= 4) bytes at `data`, sent `rows` times
-        delay,   ///< wait `micros`
-        wait_te, ///< wait for the tearing-effect edge, at most `micros`
-        read,    ///< command byte, `dummy_bits` clocks, then `length` bytes into `into`, at the read clock;
-                 ///< a parallel bus takes `dummy_bits / 8` dummy read cycles instead
-        reset,   ///< hardware reset line low for `micros`, then high
+        command,   ///< one command byte, then `length` parameter bytes from `data`
+        pixels,    ///< `rows` rows of `length` bytes, `stride` bytes apart, from `data` (bus-owned memory)
+        repeat,    ///< the `length` (<= 4) bytes at `data`, sent `rows` times
+        delay,     ///< wait `micros`
+        wait_te,   ///< wait for the tearing-effect edge, at most `micros`
+        wait_line, ///< read the scanned line (`command`, `dummy_bits`, two bytes) again and again until it is
+                   ///< one of the `rows` lines from `length` on, of a refresh of `stride` lines; at most
+                   ///< `micros`
+        read,      ///< command byte, `dummy_bits` clocks, then `length` bytes into `into`, at the read clock;
+                   ///< a parallel bus takes `dummy_bits / 8` dummy read cycles instead
+        reset,     ///< hardware reset line low for `micros`, then high
     };
     Kind kind = Kind::delay;
     std::uint8_t command = 0;
@@ -38,6 +41,13 @@ struct Op {
     std::int32_t stride = 0;
     std::uint32_t micros = 0;
 };
+
+/// A wait_line has seen what it waits for.
+constexpr bool line_reached(const Op& op, const std::uint8_t (&answer)[2]) {
+    const std::int32_t line = answer[0] << 8 | answer[1];
+    const std::int32_t past = line - static_cast<std::int32_t>(op.length);
+    return (past < 0 ? past + op.stride : past) < static_cast<std::int32_t>(op.rows);
+}
 
 struct BusCaps {
     BusKind kind = BusKind::spi4;

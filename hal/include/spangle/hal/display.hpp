@@ -35,6 +35,10 @@ class Display {
     /// Sends what differs between the panel's memory and the surface. On an error nothing is forgotten: the
     /// next present sends it again.
     virtual Result<void> present() = 0;
+    /// Waits until the last frame presented is shown; what was drawn since stays where it is.
+    virtual Result<void> finish() { return {}; }
+    /// 0: presents do not wait (EGL 1.4, 3.9.3); 1: as the display was set up.
+    virtual void swap_interval(std::int32_t) {}
 
   protected:
     ~Display() = default;

@@ -90,6 +90,7 @@ class TransferBus : public Bus {
     void finish(const Result<void>& result);
     Result<void> run_list();
     Result<void> run(const Op& op);
+    Result<void> wait_line(const Op& op);
     Result<void> put_rows(const Op& op);
     Result<void> put_repeat(const Op& op);
     Result<void> pulse_reset(std::uint32_t micros);

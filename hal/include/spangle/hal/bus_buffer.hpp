@@ -1,0 +1,35 @@
+// Memory of the bus that a transfer may be reading: who draws into it asks first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/bus.hpp>
+
+namespace spangle::hal {
+
+/// The bytes are reached in two ways only: to send them, always; to draw into them, while no transfer reads
+/// them. Drawing into what is on the wire cannot be written down.
+class BusBuffer {
+  public:
+    BusBuffer() = default;
+    explicit BusBuffer(Buffer memory) : memory_(memory) {}
+
+    bool empty() const { return memory_.bytes == nullptr; }
+    /// Null while the transfer it was lent to is under way.
+    std::uint8_t* to_draw(const Bus& bus) const {
+        return lent_ && !bus.done(reader_) ? nullptr : memory_.bytes;
+    }
+    const std::uint8_t* to_send() const { return memory_.bytes; }
+    void lend(Token reader) {
+        reader_ = reader;
+        lent_ = true;
+    }
+
+  private:
+    Buffer memory_;
+    Token reader_;
+    bool lent_ = false;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,49 @@
+// The refresh of a panel, and when a frame may start so that none shows parts of two frames.
+#pragma once
+
+#include <cstdint>
+
+namespace spangle::hal {
+
+/// Times in nanoseconds. Row 0 of the memory is scanned first; blanking follows the last.
+struct Refresh {
+    std::int32_t line = 0;  ///< time of one
+    std::int32_t lines = 0; ///< porches included
+    std::int32_t porch = 0; ///< lines of blanking
+
+    std::int64_t period() const { return std::int64_t{line} * lines; }
+    /// TE rises.
+    std::int64_t blanking() const { return std::int64_t{line} * (lines - porch); }
+};
+
+/// The phases of the refresh at which a transfer may start. A row must be written after one scan of it and
+/// before the next, and all rows between the same two. So a transfer that is faster than the beam starts in
+/// the blanking and leads it; a slower one lags behind it, and must end before the beam comes round again:
+/// where that is impossible, no phase is left.
+class SafeStart {
+  public:
+    explicit SafeStart(const Refresh& refresh) : refresh_(refresh) {}
+
+    /// The row is written from `begin` to `end`, counted from the start of the transfer.
+    void write(std::int32_t row, std::int64_t begin, std::int64_t end) {
+        const std::int64_t after = (std::int64_t{row} + 1) * refresh_.line - begin;
+        const std::int64_t before = refresh_.period() + std::int64_t{row} * refresh_.line - end;
+        earliest_ = after > earliest_ ? after : earliest_;
+        latest_ = before < latest_ ? before : latest_;
+    }
+
+    /// Phases that are left, in lines, less one at each end: the moment itself is known to about a line.
+    std::int32_t slack_lines() const;
+    bool possible() const { return slack_lines() > 0; }
+    /// Nanoseconds to wait after TE rises.
+    std::int64_t after_blanking() const;
+    /// The line from which on it may start, for slack_lines() lines; it may be one of a later refresh.
+    std::int32_t first_line() const;
+
+  private:
+    Refresh refresh_;
+    /// After the scan of row 0 began. No row: any time.
+    std::int64_t earliest_ = INT64_MIN / 2, latest_ = INT64_MAX / 2;
+};
+
+} // namespace spangle::hal
