@@ -124,9 +124,9 @@ void show_window(bool finish) {
         return;
     const EGLint before = thread().error;
     if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
-        const hal::Result<void> shown = t.display->native->finish();
-        if (!shown.ok())
-            fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
+        const hal::Result<void> taken = t.display->native->finish();
+        if (!taken.ok())
+            fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
     }
     thread().error = before;
 }
