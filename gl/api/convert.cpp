@@ -1,5 +1,7 @@
 #include "gl/api/convert.hpp"
 
+#include <cstring>
+
 namespace spangle::gl::convert {
 
 Real cast_special(std::uint32_t bits) {
@@ -155,6 +157,47 @@ GLfixed to_fixed(Kind kind, Param value) {
 }
 GLboolean to_boolean(Kind kind, Param value) {
     return kind == Kind::integer ? value.word != 0 : numeric::to_bool(value.real());
+}
+
+namespace {
+
+template <class T> T element(const Values& array, std::size_t index) {
+    T value;
+    std::memcpy(&value, static_cast<const unsigned char*>(array.at) + index * sizeof(T), sizeof value);
+    return value;
+}
+
+template <class T> void store_element(const Values& array, std::size_t index, T value) {
+    std::memcpy(static_cast<unsigned char*>(const_cast<void*>(array.at)) + index * sizeof(T), &value,
+                sizeof value);
+}
+
+} // namespace
+
+Real array_value(const Values& array, std::size_t index) {
+    switch (array.type) {
+    case GL_FLOAT:
+        return numeric::from_float_bits(element<std::uint32_t>(array, index));
+    case GL_DOUBLE:
+        return numeric::from_double_bits(element<std::uint64_t>(array, index));
+    case GL_FIXED:
+        return cast_x(element<GLfixed>(array, index));
+    default:
+        return cast_i(element<GLint>(array, index));
+    }
+}
+
+void store_array_value(const Values& array, std::size_t index, Kind kind, Param value) {
+    switch (array.type) {
+    case GL_FLOAT:
+        return store_element(array, index, to_float(kind, value));
+    case GL_DOUBLE:
+        return store_element(array, index, to_double(kind, value));
+    case GL_FIXED:
+        return store_element(array, index, to_fixed(kind, value));
+    default:
+        return store_element(array, index, to_int(kind, value));
+    }
 }
 
 } // namespace spangle::gl::convert

@@ -58,4 +58,8 @@ GLint to_int(Kind kind, Param value);
 GLfixed to_fixed(Kind kind, Param value);
 GLboolean to_boolean(Kind kind, Param value);
 
+// Arrays of the client, of the type their entry point says; they need not be aligned.
+Real array_value(const Values& array, std::size_t index);
+void store_array_value(const Values& array, std::size_t index, Kind kind, Param value);
+
 } // namespace spangle::gl::convert

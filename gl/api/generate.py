@@ -13,6 +13,7 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   inside        legal between Begin and End
   list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
   feature       optional system it belongs to; "A|B": it is there with either
+  vector        of a plain family of reals: they come as an array, too
   digits        of components: false where the name does not tell their number
   pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try
 """
@@ -23,7 +24,7 @@ from pathlib import Path
 
 API = Path(__file__).resolve().parent
 ROOT = API.parent.parent
-CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list", "selection"]
+CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list", "selection", "evaluators"]
 NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, not this.\n"
 
 C_TYPES = {"b": "GLbyte", "s": "GLshort", "i": "GLint", "f": "GLfloat", "d": "GLdouble", "ub": "GLubyte",
@@ -135,6 +136,10 @@ class Family:
                     call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
                     tries.append((arg.type, arg))
             yield self.entry("gl" + self.name + suffix, params, call, tries)
+            if self.data.get("vector"):
+                vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg("real value", {})
+                yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
+                                 [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v")
 
     def entries_components(self):
         pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]

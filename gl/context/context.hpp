@@ -15,6 +15,7 @@
 #include "gl/texture/texture_state.hpp"
 #include "gl/vertex/arrays_state.hpp"
 #include "gl/vertex/current_state.hpp"
+#include "gl/vertex/eval_state.hpp"
 #include "gl/vertex/lighting_state.hpp"
 #include "gl/vertex/polygon_state.hpp"
 #include "gl/vertex/render_state.hpp"
@@ -69,6 +70,7 @@ struct Context {
     ListState list;
     AttribState attrib;
     RenderState render;
+    EvalState eval;
 
     FragmentCache fragments;
     Drawable drawable;

@@ -66,6 +66,7 @@ void destroy_context(Context* context) {
     list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
 #endif
     release_attributes(*context);
+    release_evaluators(*context);
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);

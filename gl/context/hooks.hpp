@@ -19,6 +19,9 @@ GLint stack_depth(const Context& context, GLenum pname);
 /// Enable(GL_COLOR_MATERIAL): the tracked properties become the current colour at once (GL 1.3, 2.13.3).
 void color_material_enabled(Context& context);
 
+/// Frees the maps of evaluators.
+void release_evaluators(Context& context);
+
 // gl/context
 /// Entries on the attribute stack of the server or of the client.
 GLint saved_attributes(const Context& context, bool client);

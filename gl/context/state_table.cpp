@@ -48,6 +48,12 @@ constexpr StateRow constant(GLenum name, std::int32_t value) {
         nullptr, false};
 }
 
+constexpr StateRow absent_switch(GLenum name) {
+    StateRow row = constant(name, 0);
+    row.toggle = Switch::server;
+    return row;
+}
+
 constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
                             void (*compute)(const Context&, GLenum, Param*)) {
     return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
@@ -99,6 +105,10 @@ constexpr StateRow of_attrib_stacks(StateRow row) {
 constexpr StateRow of_selection(StateRow row) {
     return of_feature(SPANGLE_FEATURE_SELECTION != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_SELECTION"), row);
+}
+constexpr StateRow of_evaluators(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_EVALUATORS != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_EVALUATORS"), row);
 }
 constexpr StateRow of_feedback(StateRow row) {
     return of_feature(SPANGLE_FEATURE_FEEDBACK != 0,
@@ -200,6 +210,16 @@ void bits(const Context& context, GLenum name, Param* out) {
 #else
 #define FEEDBACK_ROW(NAME, MEMBER) of_feedback(constant(NAME, 0))
 #endif
+
+#if SPANGLE_FEATURE_EVALUATORS
+#define EVAL_ROW(NAME, MEMBER) STORED(NAME, eval.MEMBER)
+#define EVAL_SWITCH(NAME, MEMBER) SWITCH(NAME, eval.MEMBER)
+#else
+#define EVAL_ROW(NAME, MEMBER) of_evaluators(constant(NAME, 0))
+#define EVAL_SWITCH(NAME, MEMBER) of_evaluators(absent_switch(NAME))
+#endif
+#define MAP_SWITCH(TARGET, INDEX)                                                                            \
+    EVAL_SWITCH(GL_MAP1_##TARGET, enabled[0][INDEX]), EVAL_SWITCH(GL_MAP2_##TARGET, enabled[1][INDEX])
 
 // By attribute group (GL 1.3, 6.2).
 constexpr auto unsorted = std::to_array<StateRow>({
@@ -347,6 +367,21 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_PACK_ALIGNMENT, pixel_store.pack.alignment),
     in(Group::pixel_mode),
     STORED(GL_READ_BUFFER, fragment_ops.read_buffer),
+    in(Group::eval),
+    EVAL_SWITCH(GL_AUTO_NORMAL, auto_normal),
+    MAP_SWITCH(COLOR_4, eval_color),
+    MAP_SWITCH(INDEX, eval_index),
+    MAP_SWITCH(NORMAL, eval_normal),
+    MAP_SWITCH(TEXTURE_COORD_1, eval_texture_1),
+    MAP_SWITCH(TEXTURE_COORD_2, eval_texture_1 + 1),
+    MAP_SWITCH(TEXTURE_COORD_3, eval_texture_1 + 2),
+    MAP_SWITCH(TEXTURE_COORD_4, eval_texture_4),
+    MAP_SWITCH(VERTEX_3, eval_vertex_3),
+    MAP_SWITCH(VERTEX_4, eval_vertex_4),
+    EVAL_ROW(GL_MAP1_GRID_DOMAIN, domain_1),
+    EVAL_ROW(GL_MAP1_GRID_SEGMENTS, segments_1),
+    EVAL_ROW(GL_MAP2_GRID_DOMAIN, domain_2),
+    EVAL_ROW(GL_MAP2_GRID_SEGMENTS, segments_2),
     in(Group::list),
     of_lists(STORED(GL_LIST_BASE, list.base)),
     in(Group::none),
@@ -365,6 +400,7 @@ constexpr auto unsorted = std::to_array<StateRow>({
     SELECTION_ROW(GL_NAME_STACK_DEPTH, depth),
     SELECTION_ROW(GL_SELECTION_BUFFER_SIZE, size),
     SELECTION_ROW(GL_SELECTION_BUFFER_POINTER, buffer),
+    of_evaluators(constant(GL_MAX_EVAL_ORDER, max_eval_order)),
     of_selection(constant(GL_MAX_NAME_STACK_DEPTH, name_stack_entries)),
     FEEDBACK_ROW(GL_FEEDBACK_BUFFER_SIZE, size),
     FEEDBACK_ROW(GL_FEEDBACK_BUFFER_TYPE, type),
@@ -410,6 +446,9 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef SWITCH
 #undef CLIENT_SWITCH
 #undef HELD
+#undef EVAL_ROW
+#undef EVAL_SWITCH
+#undef MAP_SWITCH
 #undef SELECTION_ROW
 #undef FEEDBACK_ROW
 #undef LIGHT

@@ -84,6 +84,14 @@ std::map<GLenum, GLbitfield> server_state() {
         groups[GL_EDGE_FLAG] = GL_CURRENT_BIT;
         groups[GL_POLYGON_MODE] = GL_POLYGON_BIT;
     }
+    if (SPANGLE_FEATURE_EVALUATORS) {
+        for (GLenum cap = GL_MAP1_COLOR_4; cap <= GL_MAP1_VERTEX_4; ++cap)
+            groups[cap] = groups[cap - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4] = GL_EVAL_BIT | GL_ENABLE_BIT;
+        groups[GL_AUTO_NORMAL] = GL_EVAL_BIT | GL_ENABLE_BIT;
+        for (GLenum name :
+             {GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS})
+            groups[name] = GL_EVAL_BIT;
+    }
     if (SPANGLE_FEATURE_COLOR_INDEX)
         groups[GL_CURRENT_INDEX] = GL_CURRENT_BIT;
     return groups;
@@ -224,6 +232,10 @@ class Attrib : public RecordingContext {
 #if SPANGLE_FEATURE_POLYGON_MODE
         glEdgeFlag(k != 0);
         glPolygonMode(GL_FRONT, either(GL_LINE, GL_POINT));
+#endif
+#if SPANGLE_FEATURE_EVALUATORS
+        glMapGrid1f(k + 2, f(1), f(2));
+        glMapGrid2f(k + 2, f(1), f(2), k + 3, f(3), f(4));
 #endif
 #if SPANGLE_FEATURE_COLOR_INDEX
         glIndexf(f(7));

@@ -11,6 +11,7 @@
 
 #include <spangle/GL/gl.h>
 
+#include "tests/gl_api/command_stream.hpp"
 #include "tests/gl_api/command_table.hpp"
 
 namespace spangle::test {
@@ -82,7 +83,7 @@ class Writer {
     /// else.
     template <class Is> unsigned choice(std::size_t entries, unsigned avoid, Is is_wanted) {
         for (unsigned how = 1; how < 256; ++how)
-            if (how % avoid != 0 && is_wanted(how % entries))
+            if (how % avoid != 0 && is_wanted(choice_of(static_cast<std::uint8_t>(how), avoid, entries)))
                 return how;
         std::abort(); // not in this table
     }

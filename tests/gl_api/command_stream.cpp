@@ -152,12 +152,12 @@ class Run {
             break;
         case Kind::enum_:
             if (!arg.accepted.empty() && how % 8 != 0)
-                v.integer = arg.accepted[how % arg.accepted.size()];
+                v.integer = arg.accepted[choice_of(how, 8, arg.accepted.size())];
             else
                 v.integer = how % 16 == 0 ? in.word() : in.word() % 0x9000;
             break;
         case Kind::pname:
-            pname = how % 16 != 0 ? &c.pnames[how % c.pnames.size()] : nullptr;
+            pname = how % 16 != 0 ? &c.pnames[choice_of(how, 16, c.pnames.size())] : nullptr;
             v.integer = pname != nullptr ? pname->name : in.word() % 0x9000;
             break;
         case Kind::real:
@@ -178,9 +178,8 @@ class Run {
                 v.integer = internal_formats[how % std::size(internal_formats)];
                 break;
             }
-            v.integer = how % 8 == 0 && family != "ArrayElement" && family != "DrawArrays"
-                            ? static_cast<std::int32_t>(in.word())
-                            : how % 68 - 3;
+            v.integer = how % 8 == 0 && !reads_by_number(family) ? static_cast<std::int32_t>(in.word())
+                                                                 : how % 68 - 3;
             break;
         case Kind::boolean:
             v.integer = how % 2;
@@ -194,6 +193,12 @@ class Run {
     /// Sizes that no client memory depends on.
     static bool free_size(std::string_view family) {
         return family == "Viewport" || family == "Scissor" || family == "GenLists" || family == "DeleteLists";
+    }
+
+    /// Elements of client memory, or of a mesh, by a number that must stay small.
+    static bool reads_by_number(std::string_view family) {
+        return family == "ArrayElement" || family == "DrawArrays" || family.starts_with("Map") ||
+               family.starts_with("EvalMesh");
     }
 
     double number(const Command& c, std::uint8_t how) {

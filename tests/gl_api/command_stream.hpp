@@ -12,4 +12,9 @@ namespace spangle::test {
 /// sizes that are given. Aborts when the arena is damaged or something is left in it.
 void run_command_stream(const std::uint8_t* data, std::size_t bytes);
 
+/// Which of `entries` a byte names, where multiples of `other` mean something else.
+constexpr std::size_t choice_of(std::uint8_t how, unsigned other, std::size_t entries) {
+    return (how - how / other - 1) % entries;
+}
+
 } // namespace spangle::test

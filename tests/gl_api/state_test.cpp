@@ -184,6 +184,18 @@ std::vector<Expected> initial_state() {
         table.insert(
             table.end(),
             {{GL_NAME_STACK_DEPTH, {0}}, {GL_MAX_NAME_STACK_DEPTH, {64}}, {GL_SELECTION_BUFFER_SIZE, {0}}});
+    if (SPANGLE_FEATURE_EVALUATORS) {
+        for (GLenum cap = GL_MAP1_COLOR_4; cap <= GL_MAP1_VERTEX_4; ++cap) {
+            table.push_back({cap, {0}});
+            table.push_back({cap - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4, {0}});
+        }
+        table.insert(table.end(), {{GL_AUTO_NORMAL, {0}},
+                                   {GL_MAP1_GRID_DOMAIN, {0, 1}},
+                                   {GL_MAP1_GRID_SEGMENTS, {1}},
+                                   {GL_MAP2_GRID_DOMAIN, {0, 1, 0, 1}},
+                                   {GL_MAP2_GRID_SEGMENTS, {1, 1}},
+                                   {GL_MAX_EVAL_ORDER, {8}}});
+    }
     if (SPANGLE_FEATURE_FEEDBACK)
         table.insert(table.end(), {{GL_FEEDBACK_BUFFER_SIZE, {0}}, {GL_FEEDBACK_BUFFER_TYPE, {GL_2D}}});
     if (SPANGLE_FEATURE_ATTRIB_STACKS)
@@ -255,6 +267,7 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
             }
             const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
                               e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
+                              e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN ||
                               e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS ||
                               e.name == GL_CURRENT_INDEX;
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;

@@ -142,6 +142,19 @@ void LoadName(Context& context, GLuint name);
 void FeedbackBuffer(Context& context, GLsizei size, GLenum type, const Values& buffer);
 void PassThrough(Context& context, Real token);
 
+// Evaluators (GL 1.3, 5.1).
+void Map1(Context& context, GLenum target, Real u1, Real u2, GLint stride, GLint order, const Values& points);
+void Map2(Context& context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1, Real v2, GLint vstride, GLint vorder, const Values& points);
+void GetMap(Context& context, GLenum target, GLenum query, const Values& v);
+void EvalCoord1(Context& context, Real u);
+void EvalCoord2(Context& context, Real u, Real v);
+void MapGrid1(Context& context, GLint un, Real u1, Real u2);
+void MapGrid2(Context& context, GLint un, Real u1, Real u2, GLint vn, Real v1, Real v2);
+void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2);
+void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
+void EvalPoint1(Context& context, GLint i);
+void EvalPoint2(Context& context, GLint i, GLint j);
+
 } // namespace spangle::gl::cmd
 
 /// Handwritten encoders of display lists, in gl/list.
@@ -159,6 +172,8 @@ void TexImage2D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void CallList(Context& context, GLuint list);
 void CallLists(Context& context, GLsizei n, GLenum type, const void* lists);
+void Map1(Context& context, GLenum target, Real u1, Real u2, GLint stride, GLint order, const Values& points);
+void Map2(Context& context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1, Real v2, GLint vstride, GLint vorder, const Values& points);
 
 } // namespace spangle::gl::encode
 
@@ -968,6 +983,83 @@ struct PassThrough {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glPassThrough between glBegin and glEnd");
+};
+struct Map1 {
+    static constexpr auto run = &cmd::Map1;
+    static constexpr auto encode = &encode::Map1;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMap1 between glBegin and glEnd");
+};
+struct Map2 {
+    static constexpr auto run = &cmd::Map2;
+    static constexpr auto encode = &encode::Map2;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMap2 between glBegin and glEnd");
+};
+struct GetMap {
+    static constexpr auto run = &cmd::GetMap;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetMap between glBegin and glEnd");
+};
+struct EvalCoord1 {
+    static constexpr auto run = &cmd::EvalCoord1;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalCoord1 between glBegin and glEnd");
+};
+struct EvalCoord2 {
+    static constexpr auto run = &cmd::EvalCoord2;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalCoord2 between glBegin and glEnd");
+};
+struct MapGrid1 {
+    static constexpr auto run = &cmd::MapGrid1;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMapGrid1 between glBegin and glEnd");
+};
+struct MapGrid2 {
+    static constexpr auto run = &cmd::MapGrid2;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMapGrid2 between glBegin and glEnd");
+};
+struct EvalMesh1 {
+    static constexpr auto run = &cmd::EvalMesh1;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalMesh1 between glBegin and glEnd");
+};
+struct EvalMesh2 {
+    static constexpr auto run = &cmd::EvalMesh2;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalMesh2 between glBegin and glEnd");
+};
+struct EvalPoint1 {
+    static constexpr auto run = &cmd::EvalPoint1;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalPoint1 between glBegin and glEnd");
+};
+struct EvalPoint2 {
+    static constexpr auto run = &cmd::EvalPoint2;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEvalPoint2 between glBegin and glEnd");
 };
 
 } // namespace spangle::gl::family

@@ -1,0 +1,217 @@
+// EvalCoord, grids and meshes (GL 1.3, 5.1).
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_EVALUATORS
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/vertex/bernstein.hpp"
+#include "gl/vertex/color_tracking.hpp"
+#include "gl/vertex/maps.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// The larger of the targets from `first` to `last` that is on, or eval_targets.
+unsigned largest(const bool (&enabled)[eval_targets], unsigned first, unsigned last) {
+    for (unsigned t = last; t >= first; --t)
+        if (enabled[t])
+            return t;
+    return eval_targets;
+}
+
+/// The vertices of one EvalCoord command.
+class Evaluation {
+  public:
+    Evaluation(Context& context, unsigned dimension, Real u, Real v)
+        : context_(context), dimension_(dimension), at_{u, v} {}
+
+    /// A vertex with what the maps say instead of current values, which stay (GL 1.3, 5.1).
+    void run() {
+        const bool(&on)[eval_targets] = context_.eval.enabled[dimension_];
+        const unsigned vertex = largest(on, eval_vertex_3, eval_vertex_4);
+        if (vertex == eval_targets || !context_.inside_begin_end())
+            return;
+        const CurrentState before = context_.current;
+        attributes(on, vertex);
+        Real p[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+        values(vertex, p);
+        cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
+        context_.current = before;
+        if (on[eval_color]) // the material goes back, too
+            follow_color(context_);
+    }
+
+  private:
+    Context& context_;
+    unsigned dimension_;
+    Real at_[2];
+
+    void attributes(const bool (&on)[eval_targets], unsigned vertex) {
+        CurrentState& current = context_.current;
+        if (on[eval_color]) {
+            values(eval_color, current.color);
+            follow_color(context_);
+        }
+        if (on[eval_index])
+            values(eval_index, &current.index);
+        if (dimension_ == 1 && context_.eval.auto_normal)
+            auto_normal(vertex);
+        else if (on[eval_normal])
+            values(eval_normal, current.normal);
+        if (const unsigned texture = largest(on, eval_texture_1, eval_texture_4); texture != eval_targets) {
+            Real(&strq)[4] = current.tex_coord[0].v;
+            strq[1] = strq[2] = numeric::zero; // what smaller maps leave out
+            strq[3] = numeric::one;
+            values(texture, strq);
+        }
+    }
+
+    EvalSurface component(unsigned target, unsigned c) const {
+        const EvalMap& map = map_of(context_, dimension_, target);
+        const Real v = dimension_ == 0 ? map.side[1].from : at_[1];
+        return evaluate_surface(map, c, components_of(target), place_in(map.side[0], at_[0]),
+                                place_in(map.side[1], v));
+    }
+
+    void values(unsigned target, Real* out) const {
+        for (unsigned c = 0; c < components_of(target); ++c)
+            out[c] = numeric::to_real(component(target, c).value);
+    }
+
+    /// dq/du x dq/dv, normalised, with q = p, or xyz / w of four components: there the derivative of the
+    /// quotient without its positive factor 1 / w^2.
+    void auto_normal(unsigned vertex) {
+        EvalSurface p[4];
+        for (unsigned c = 0; c < components_of(vertex); ++c)
+            p[c] = component(vertex, c);
+        numeric::Block u[3], v[3];
+        for (int c = 0; c < 3; ++c) {
+            u[c] = vertex == eval_vertex_4 ? quotient_slope(p[c], p[c].u, p[3], p[3].u) : p[c].u;
+            v[c] = vertex == eval_vertex_4 ? quotient_slope(p[c], p[c].v, p[3], p[3].v) : p[c].v;
+        }
+        const EvalMap& map = map_of(context_, dimension_, vertex);
+        // Slopes are of places from 0 to 1: they turn with a domain that runs backwards.
+        const bool turned = (map.side[0].to < map.side[0].from) != (map.side[1].to < map.side[1].from);
+        const numeric::Block3 along_u = numeric::to_block(u[0], u[1], u[2]),
+                              along_v = numeric::to_block(v[0], v[1], v[2]);
+        const numeric::Unit3 n =
+            numeric::normalize(turned ? numeric::cross(along_v, along_u) : numeric::cross(along_u, along_v));
+        for (int c = 0; c < 3; ++c)
+            context_.current.normal[c] = numeric::to_real(numeric::make_block(n.m[c], -numeric::block_bits));
+    }
+
+    static numeric::Block quotient_slope(const EvalSurface& p, numeric::Block slope, const EvalSurface& w,
+                                         numeric::Block w_slope) {
+        return numeric::sub(numeric::mul(slope, w.value), numeric::mul(p.value, w_slope));
+    }
+};
+
+/// Point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
+Real grid_point(Real from, Real to, GLint n, std::int64_t i) {
+    if (i == 0)
+        return from;
+    if (i == n)
+        return to;
+    const numeric::Block start = numeric::to_block(from),
+                         step = numeric::div(numeric::sub(numeric::to_block(to), start),
+                                             numeric::make_block(n, 0));
+    return numeric::to_real(numeric::add(start, numeric::mul(step, numeric::make_block(i, 0))));
+}
+
+void grid_vertex(Context& context, std::int64_t i) {
+    const EvalState& e = context.eval;
+    Evaluation(context, 0, grid_point(e.domain_1[0], e.domain_1[1], e.segments_1, i), numeric::zero).run();
+}
+
+void grid_vertex(Context& context, std::int64_t i, std::int64_t j) {
+    const EvalState& e = context.eval;
+    Evaluation(context, 1, grid_point(e.domain_2[0], e.domain_2[1], e.segments_2[0], i),
+               grid_point(e.domain_2[2], e.domain_2[3], e.segments_2[1], j))
+        .run();
+}
+
+/// A primitive of the points first to last, f(i) each.
+template <class F> void primitive(Context& context, GLenum mode, GLint first, GLint last, F f) {
+    cmd::Begin(context, mode);
+    for (std::int64_t i = first; i <= last; ++i)
+        f(i);
+    cmd::End(context);
+}
+
+} // namespace
+
+namespace cmd {
+
+void EvalCoord1(Context& context, Real u) {
+    Evaluation(context, 0, u, numeric::zero).run();
+}
+
+void EvalCoord2(Context& context, Real u, Real v) {
+    Evaluation(context, 1, u, v).run();
+}
+
+void EvalPoint1(Context& context, GLint i) {
+    grid_vertex(context, i);
+}
+
+void EvalPoint2(Context& context, GLint i, GLint j) {
+    grid_vertex(context, i, j);
+}
+
+void MapGrid1(Context& context, GLint un, Real u1, Real u2) {
+    if (un < 1)
+        return error(context, GL_INVALID_VALUE);
+    EvalState& e = context.eval;
+    e.segments_1 = un;
+    e.domain_1[0] = u1;
+    e.domain_1[1] = u2;
+}
+
+void MapGrid2(Context& context, GLint un, Real u1, Real u2, GLint vn, Real v1, Real v2) {
+    if (un < 1 || vn < 1)
+        return error(context, GL_INVALID_VALUE);
+    EvalState& e = context.eval;
+    e.segments_2[0] = un;
+    e.segments_2[1] = vn;
+    e.domain_2[0] = u1;
+    e.domain_2[1] = u2;
+    e.domain_2[2] = v1;
+    e.domain_2[3] = v2;
+}
+
+void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
+    if (mode != GL_POINT && mode != GL_LINE)
+        return error(context, GL_INVALID_ENUM);
+    primitive(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP, i1, i2,
+              [&](std::int64_t i) { grid_vertex(context, i); });
+}
+
+void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL)
+        return error(context, GL_INVALID_ENUM);
+    if (mode == GL_POINT)
+        return primitive(context, GL_POINTS, j1, j2, [&](std::int64_t j) {
+            for (std::int64_t i = i1; i <= i2; ++i)
+                grid_vertex(context, i, j);
+        });
+    if (mode == GL_FILL) {
+        for (std::int64_t j = j1; j < j2; ++j)
+            primitive(context, GL_QUAD_STRIP, i1, i2, [&](std::int64_t i) {
+                grid_vertex(context, i, j);
+                grid_vertex(context, i, j + 1);
+            });
+        return;
+    }
+    for (std::int64_t j = j1; j <= j2; ++j)
+        primitive(context, GL_LINE_STRIP, i1, i2, [&](std::int64_t i) { grid_vertex(context, i, j); });
+    for (std::int64_t i = i1; i <= i2; ++i)
+        primitive(context, GL_LINE_STRIP, j1, j2, [&](std::int64_t j) { grid_vertex(context, i, j); });
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl
+
+#endif
