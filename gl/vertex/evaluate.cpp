@@ -97,7 +97,7 @@ class Evaluation {
         const numeric::Block3 along_u = numeric::to_block(u[0], u[1], u[2]),
                               along_v = numeric::to_block(v[0], v[1], v[2]);
         const numeric::Unit3 n =
-            numeric::normalize(turned ? numeric::cross(along_v, along_u) : numeric::cross(along_u, along_v));
+            numeric::normalize(numeric::cross(turned ? along_v : along_u, turned ? along_u : along_v));
         for (int c = 0; c < 3; ++c)
             context_.current.normal[c] = numeric::to_real(numeric::make_block(n.m[c], -numeric::block_bits));
     }
@@ -206,7 +206,7 @@ void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLin
     }
     for (std::int64_t j = j1; j <= j2; ++j)
         primitive(context, GL_LINE_STRIP, i1, i2, [&](std::int64_t i) { grid_vertex(context, i, j); });
-    for (std::int64_t i = i1; i <= i2; ++i)
+    for (std::int64_t i = i1, last = i2; i <= last; ++i)
         primitive(context, GL_LINE_STRIP, j1, j2, [&](std::int64_t j) { grid_vertex(context, i, j); });
 }
 
