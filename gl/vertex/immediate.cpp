@@ -19,6 +19,14 @@ void color(Context& context, const Real (&rgba)[4]) {
     follow_color(context);
 }
 
+void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r, Real q) {
+    Real(&v)[4] = context.current.tex_coord[unit].v;
+    v[0] = s;
+    v[1] = t;
+    v[2] = r;
+    v[3] = q;
+}
+
 /// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
     const ElementReader reader(context.arrays);
@@ -66,21 +74,13 @@ void Vertex(Context& context, Real x, Real y, Real z, Real w) {
 }
 
 void TexCoord(Context& context, Real s, Real t, Real r, Real q) {
-    Real(&v)[4] = context.current.tex_coord[0].v;
-    v[0] = s;
-    v[1] = t;
-    v[2] = r;
-    v[3] = q;
+    set_tex_coord(context, 0, s, t, r, q);
 }
 
 void MultiTexCoord(Context& context, GLenum target, Real s, Real t, Real r, Real q) {
     if (unit_of(target) >= texture_units)
         return error(context, GL_INVALID_ENUM);
-    Real(&v)[4] = context.current.tex_coord[unit_of(target)].v;
-    v[0] = s;
-    v[1] = t;
-    v[2] = r;
-    v[3] = q;
+    set_tex_coord(context, unit_of(target), s, t, r, q);
 }
 
 void Normal(Context& context, Real x, Real y, Real z) {

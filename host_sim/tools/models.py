@@ -3,8 +3,8 @@
 
 usage: models.py SPANGLE [--check] [--models FOLDER]
 
---check writes nothing: it fails when a file makes spangle crash, hang or write anything but one clear line, or when the
-list in docs/models.md is not the one that this build gives.
+--check writes nothing: it fails when a file makes spangle crash, hang or write anything but one clear line, or when
+docs/models.md or docs/models.png is not what this build gives.
 """
 import argparse
 import collections
@@ -142,6 +142,9 @@ def main():
             print("docs/models.md is not what this build gives; run ./dev models")
             theirs, ours = LIST.read_text().splitlines(), text.splitlines()
             print("\n".join(["now: " + line for line in ours if line not in theirs] + ["then: " + line for line in theirs if line not in ours])[:2000])
+            return 1
+        if png.write(sheet(shown)) != SHEET.read_bytes():
+            print("docs/models.png is not what this build draws; run ./dev models")
             return 1
     else:
         LIST.write_text(text)

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Draws the pictures of the documents, docs/pictures/*.png, with the command line.
+
+usage: pictures.py SPANGLE [--check]
+
+--check writes nothing: it fails when a picture is not, pixel by pixel, the one that this build draws.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import png
+
+PICTURES = pathlib.Path(__file__).resolve().parents[2] / "docs/pictures"
+MODEL = pathlib.Path("/usr/share/assimp/models/Collada/duck.dae")
+DRAWN_BY = {
+    "gears": ["S5", "--frames", "30"],
+    "torus": ["S9", "--frames", "20"],
+    "dashboard": ["HUD", "--frames", "20"],
+    "duck": ["--model", str(MODEL)],
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("spangle")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    if not MODEL.exists():
+        print(f"pictures: there is no {MODEL}; install assimp-testmodels", file=sys.stderr)
+        return 2
+    stale = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, words in DRAWN_BY.items():
+            shot, kept = pathlib.Path(folder) / f"{name}.png", PICTURES / f"{name}.png"
+            subprocess.run([options.spangle, "run", *words, "--shot", str(shot)], check=True, stdout=subprocess.DEVNULL)
+            if not options.check:
+                kept.write_bytes(shot.read_bytes())
+            elif not kept.exists() or png.read(kept.read_bytes()) != png.read(shot.read_bytes()):
+                stale.append(str(kept.relative_to(PICTURES.parents[1])))
+    if stale:
+        print(f"{', '.join(stale)}: not what this build draws; run ./dev pictures")
+    return 1 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
