@@ -310,7 +310,7 @@ struct FixedMath {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
     }
     static std::int32_t high_word(std::int32_t a, std::int32_t b) {
-        return static_cast<std::int32_t>((numeric::mul_s32(a, b) + (std::int64_t{1} << 31)) >> 32);
+        return numeric::high_rounded(numeric::mul_s32(a, b));
     }
     /// The planes that quotients, negated, lie beyond.
     static unsigned planes_of(std::int32_t minus_x, std::int32_t minus_y, std::int32_t minus_z,

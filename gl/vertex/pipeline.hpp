@@ -62,13 +62,15 @@ template <class M, class L> class Pipeline {
         const auto next = [&](Vertex& v) {
             corner_[held_] = &v;
             if (++held_ == full_)
-                mode_ == GL_TRIANGLE_STRIP ? strip() : primitive();
+                primitive();
         };
         if (!usual)
             for (std::uint32_t i = 0; i < count; ++i)
                 next(unusual_element(context, reader, indices.at(i)));
         else if (mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP)
             line_elements(reader, count, indices, normals);
+        else if (mode_ == GL_TRIANGLE_STRIP)
+            strip_elements(reader, count, indices, normals);
         else
             for (std::uint32_t i = 0; i < count; ++i)
                 next(usual_element(reader, indices.at(i), normals,
@@ -379,6 +381,25 @@ template <class M, class L> class Pipeline {
         }
     }
 
+    /// A strip of elements: its corners stay in registers.
+    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                        bool normals) {
+        Vertex *older = nullptr, *old = nullptr;
+        const auto place = [&](Vertex& cached) -> Vertex& {
+            Vertex* v = &cached;
+            for (Vertex* slot = slot_; v == older || v == old; ++slot) // of three, one is free
+                v = slot;
+            return *v;
+        };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            Vertex* const v = &usual_element(reader, indices.at(i), normals, place);
+            if (i >= 2)
+                usual_triangle((i & 1) == 0 ? *older : *old, (i & 1) == 0 ? *old : *older, *v);
+            older = old;
+            old = v;
+        }
+    }
+
     /// Draws the lines among n vertices and lets go of these, but for the last where the next line starts
     /// from it: that is the first of those that are left.
     [[gnu::noinline]] int pending_lines(Vertex** vertex, int n) {
@@ -577,7 +598,7 @@ template <class M, class L> class Pipeline {
     }
 
     /// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
-    SPANGLE_INLINE void strip() {
+    void strip() {
         Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
         corner_[0] = middle;
         corner_[1] = last;
@@ -733,6 +754,9 @@ template <class M, class L> class Pipeline {
     /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
     /// goes the way of polygons.
     [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c) {
+        usual_triangle(a, b, c);
+    }
+    SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c) {
         const unsigned any = a.flags | b.flags | c.flags;
         if ((a.flags & b.flags & c.flags & outside_mask) != 0)
             return;

@@ -75,6 +75,15 @@ SPANGLE_INLINE constexpr std::int32_t mul_high_s32(std::int32_t a, std::int32_t 
     return static_cast<std::int32_t>(mul_s32(a, b) >> 32);
 }
 
+/// The high word of v, nearest, halves up, mod 2^32.
+SPANGLE_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
+    const auto u = static_cast<std::uint64_t>(v);
+    if constexpr (sizeof(void*) == 4) // two words: one addition
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(u >> 32) +
+                                         (static_cast<std::uint32_t>(u) >> 31));
+    return static_cast<std::int32_t>((u + (1u << 31)) >> 32);
+}
+
 /// Nearest to v / 2^n, halves up; n <= 0 leaves v as it is, no n overflows.
 SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
     if (n <= 0)

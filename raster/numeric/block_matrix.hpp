@@ -170,7 +170,7 @@ SPANGLE_INLINE constexpr std::int64_t row_sum(const std::int32_t* row, const std
 /// Its high word, rounded, below 2^29.
 template <int N>
 SPANGLE_INLINE constexpr std::int32_t row_times(const std::int32_t* row, const std::int32_t (&v)[N]) {
-    return static_cast<std::int32_t>(row_sum<N>(row, v, std::int64_t{1} << 31) >> 32);
+    return high_rounded(row_sum<N>(row, v, 0));
 }
 
 /// The elements as blocks, 30 bits each.

@@ -48,10 +48,9 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     const std::uint32_t r = reciprocal_1(a);
     const std::uint64_t product = mul_u32(a, r); // Q.62, 1 - 2^-17.9 .. 1 + 2^-30
     const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>( // Q.48
-        ((std::uint64_t{1} << 62) - product) >> 14));
+        (0 - product) >> 14));                                                  // 2^62 has no bit among them
     // r < 2^31, |residual| < 2^30.2: the correction with 8 fraction bits, rounded to whole ulps.
-    const std::int64_t step =
-        (mul_s32(static_cast<std::int32_t>(r), residual) + (std::int64_t{1} << 47)) >> 48;
+    const std::int32_t step = (mul_high_s32(static_cast<std::int32_t>(r), residual) + (1 << 15)) >> 16;
     return r + static_cast<std::uint32_t>(step);
 }
 

@@ -98,9 +98,10 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
 } // namespace detail
 
 template <class P>
-void draw_triangle_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
-                      const typename P::Vertex& b, const typename P::Vertex& c,
-                      const typename P::Vertex& provoking, std::int64_t area2) {
+SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& target,
+                                     const typename P::Vertex& a, const typename P::Vertex& b,
+                                     const typename P::Vertex& c, const typename P::Vertex& provoking,
+                                     std::int64_t area2) {
     detail::Corner low(a), middle(b), high(c);
     detail::sort_pair(low, middle, area2);
     detail::sort_pair(middle, high, area2);
