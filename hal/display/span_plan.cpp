@@ -93,8 +93,7 @@ void SpanPlan::open_windows(std::uint32_t cells) {
         cells = without(cells, run);
         while (cells != 0) {
             const Run next = first_run(cells);
-            const std::int32_t gap =
-                (next.begin - run.end) * static_cast<std::int32_t>(cost_.pixel);
+            const std::int32_t gap = (next.begin - run.end) * static_cast<std::int32_t>(cost_.pixel);
             if (spare + saved(next) < gap)
                 break;
             spare += saved(next) - gap;

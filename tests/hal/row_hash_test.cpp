@@ -166,8 +166,7 @@ std::uint64_t plain_cost(const Masks& rows, std::int32_t columns, WindowCost cos
             while (c < 32 && (mask >> c & 1u) != 0)
                 ++c;
             runs.insert({first, c});
-            bytes +=
-                static_cast<std::uint64_t>(std::min(16 * c, columns) - 16 * first) * cost.pixel;
+            bytes += static_cast<std::uint64_t>(std::min(16 * c, columns) - 16 * first) * cost.pixel;
             bytes += above.count({first, c}) == 0 ? cost.window : 0;
         }
         above = runs;
