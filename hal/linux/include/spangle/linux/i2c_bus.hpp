@@ -2,6 +2,7 @@
 // whether commands or data follow (SSD1306 datasheet, 8.1.5.2).
 #pragma once
 
+#include <spangle/hal/board.hpp>
 #include <spangle/linux/transfer_bus.hpp>
 
 namespace spangle::hal {
@@ -14,6 +15,17 @@ struct I2cConfig {
     PanelPins pins;
     bool asynchronous = true;
 };
+
+/// The bus a board describes, on this adapter.
+constexpr I2cConfig i2c_config(const Board& board, const char* device, std::uint8_t address,
+                               PanelPins pins = {}) {
+    I2cConfig config;
+    config.device = device;
+    config.address = address;
+    config.clock_hz = board.write_hz;
+    config.pins = pins;
+    return config;
+}
 
 class I2cBus final : public TransferBus {
   public:

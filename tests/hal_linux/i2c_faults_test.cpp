@@ -1,0 +1,187 @@
+// An OLED on I2C under faults of the bus: the right error, and the glass right again afterwards.
+#include <cerrno>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <spangle/boards/ssd1306_i2c.hpp>
+#include <spangle/linux/i2c_bus.hpp>
+
+#include "host_sim/board/module.hpp"
+#include "host_sim/linux/i2c_adapter.hpp"
+
+namespace {
+
+using namespace spangle;
+using hal::Fault;
+
+constexpr char path[] = "/dev/i2c-1";
+
+struct Random {
+    std::uint32_t state;
+    std::uint32_t below(std::uint32_t n) {
+        state = state * 1664525u + 1013904223u;
+        return static_cast<std::uint32_t>((std::uint64_t{state >> 8} * n) >> 24);
+    }
+};
+
+struct I2cFaults : testing::Test {
+    sim::Kernel& kernel = sim::Kernel::instance();
+    std::unique_ptr<sim::Controller> oled =
+        sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c);
+    sim::I2cAdapter adapter{0x3C, oled.get()};
+    std::optional<hal::I2cBus> bus;
+    std::optional<hal::BoardDisplay<boards::ssd1306_i2c>> display;
+
+    void start(bool asynchronous, std::uint16_t message_bytes = 1024) {
+        adapter.attach(kernel, path);
+        hal::I2cConfig config = hal::i2c_config(boards::ssd1306_i2c, path, 0x3C);
+        config.asynchronous = asynchronous;
+        config.message_bytes = message_bytes;
+        bus.emplace(config);
+        ASSERT_TRUE(bus->open().ok());
+        display.emplace(*bus);
+        ASSERT_TRUE(display->init().ok());
+    }
+    ~I2cFaults() override {
+        display.reset();
+        bus.reset();
+        EXPECT_EQ(kernel.open_files(), 0);
+        kernel.forget_all();
+    }
+
+    /// Black and white, which dithering leaves alone.
+    bool draw(unsigned seed, Rect area) {
+        const auto frame = display->acquire();
+        if (!frame.ok())
+            return false;
+        for (int y = area.y; y < area.y + area.h; ++y) {
+            for (int x = area.x; x < area.x + area.w; ++x) {
+                const unsigned noise = (static_cast<unsigned>(x * 131 + y * 977) + seed) * 2654435761u;
+                const auto byte = static_cast<std::uint8_t>((noise >> 20 & 1) != 0 ? 0xFF : 0);
+                std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + 2 * x;
+                at[0] = at[1] = byte;
+            }
+            RowSpan& row = frame.value().extents->rows[y];
+            row = {std::min(row.begin, static_cast<std::int16_t>(area.x)),
+                   std::max(row.end, static_cast<std::int16_t>(area.x + area.w))};
+        }
+        return true;
+    }
+    /// The first pixel that differs from the surface; empty: none.
+    std::string difference() {
+        const auto frame = display->acquire();
+        if (!frame.ok())
+            return frame.error().rule;
+        const auto glass = oled->glass(kernel.now());
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 128; ++x) {
+                const bool wanted = frame.value().pixels[y * frame.value().stride + 2 * x] != 0;
+                if ((glass[static_cast<std::size_t>(y * 128 + x)].g != 0) != wanted)
+                    return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " differs";
+            }
+        return "";
+    }
+    /// A present, then another that waits for it.
+    hal::Result<void> show() {
+        const auto sent = display->present();
+        return sent ? display->finish() : sent;
+    }
+};
+
+TEST_F(I2cFaults, EachErrorIsSaidAndMended) {
+    start(false);
+    const struct {
+        int error;
+        Fault fault;
+        const char* says;
+    } table[] = {{ENXIO, Fault::no_answer, "no acknowledge"},
+                 {EREMOTEIO, Fault::no_answer, "no acknowledge"},
+                 {EIO, Fault::no_answer, "Input/output error"},
+                 {ETIMEDOUT, Fault::timeout, "timed out"}};
+    unsigned seed = 1;
+    for (const auto& row : table)
+        for (const int skip : {0, 1, 2}) { // the window, the first data, the rest
+            ASSERT_TRUE(draw(++seed, {0, 0, 128, 64}));
+            kernel.set_judge([&, left = skip](const sim::Call& call) mutable {
+                const bool hit = call.kind == sim::Call::Kind::write && left-- == 0;
+                return sim::Verdict{hit ? row.error : 0};
+            });
+            const auto failed = show();
+            EXPECT_EQ(failed.error().fault, row.fault) << row.error;
+            EXPECT_NE(std::string(failed.error().rule).find(row.says), std::string::npos)
+                << failed.error().rule;
+            kernel.set_judge(nullptr);
+            oled->forget_violations(); // half a transfer breaks rules
+            EXPECT_TRUE(show().ok());
+            EXPECT_EQ(difference(), "") << row.error << " after " << skip;
+        }
+}
+
+TEST_F(I2cFaults, PulledAndPluggedAgain) {
+    start(false);
+    ASSERT_TRUE(draw(1, {0, 0, 128, 64}));
+    kernel.unplug(path);
+    EXPECT_EQ(show().error().fault, Fault::gone);
+    EXPECT_EQ(show().error().fault, Fault::gone) << "as long as it is away";
+    kernel.plug(path);
+    oled = sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c); // it lost its power
+    adapter.replace(oled.get());
+    ASSERT_TRUE(bus->open().ok());
+    ASSERT_TRUE(display->init().ok());
+    ASSERT_TRUE(show().ok());
+    EXPECT_EQ(difference(), "");
+    EXPECT_EQ(oled->violations_text(), "");
+}
+
+TEST_F(I2cFaults, AThousandSequencesAtRandom) {
+    start(true, 64);
+    const int files = kernel.open_files();
+    int failures = 0;
+    for (std::uint32_t sequence = 1; sequence <= 1000; ++sequence) {
+        Random random{sequence * 2654435761u};
+        const std::uint32_t one_in = 24u >> random.below(3);
+        kernel.set_judge([&, one_in, faults = random](const sim::Call& call) mutable {
+            constexpr int errors[] = {EINTR, EAGAIN, EIO, ETIMEDOUT, ENXIO, EREMOTEIO, EBUSY, ENOMEM};
+            sim::Verdict verdict;
+            if (call.kind != sim::Call::Kind::write || faults.below(one_in) != 0)
+                return verdict;
+            if (faults.below(12) == 0)
+                kernel.unplug(path);
+            else if (faults.below(4) == 0)
+                verdict.limit = faults.below(64);
+            else
+                verdict.error = errors[faults.below(8)];
+            return verdict;
+        });
+        for (unsigned frame = 0; frame < 3; ++frame) {
+            const auto x = static_cast<std::int32_t>(random.below(120)),
+                       y = static_cast<std::int32_t>(random.below(60));
+            (void)draw(sequence * 3 + frame, {x, y, 8, 4});
+            if (const auto sent = show(); !sent.ok()) {
+                ++failures;
+                ASSERT_NE(sent.error().rule[0], '\0');
+                if (sent.error().fault == Fault::gone) {
+                    kernel.plug(path);
+                    if (bus->open().ok())
+                        (void)display->init();
+                }
+            }
+        }
+        kernel.set_judge(nullptr);
+        kernel.plug(path);
+        oled->forget_violations();
+        hal::Result<void> sent = show();
+        for (int i = 0; i < 5 && !sent.ok(); ++i) { // gone, or a slow machine missed a deadline
+            ASSERT_TRUE(bus->open().ok()) << sequence;
+            const auto ready = display->init();
+            sent = ready ? show() : ready;
+        }
+        ASSERT_TRUE(sent.ok()) << sequence << ": " << sent.error().rule;
+        ASSERT_EQ(difference(), "") << "sequence " << sequence;
+        ASSERT_EQ(kernel.open_files(), files) << "sequence " << sequence;
+        adapter.forget();
+    }
+    EXPECT_GT(failures, 300) << "the faults reach the program";
+}
+
+} // namespace
