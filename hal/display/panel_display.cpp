@@ -226,7 +226,8 @@ Result<void> PanelDisplay::append_registers() {
         return r;
     if (const auto r = make_room(1); !r)
         return r;
-    ops_.delay(panel.timing.sleep_out_wait_us);
+    if (panel.timing.sleep_out_wait_us != 0)
+        ops_.delay(panel.timing.sleep_out_wait_us);
     return {};
 }
 

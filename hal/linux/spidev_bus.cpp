@@ -51,8 +51,9 @@ SpidevBus::~SpidevBus() {
 
 BusCaps SpidevBus::caps() const {
     BusCaps caps;
+    caps.kind = config_.start_bytes ? BusKind::spi_start : BusKind::spi4;
     caps.write_hz = three_wire() ? static_cast<std::uint32_t>(std::uint64_t{actual_hz_} * 8 / 9) : actual_hz_;
-    caps.read_hz = packed_ ? 0 : config_.read_hz;
+    caps.read_hz = packed_ || config_.start_bytes ? 0 : config_.read_hz;
     caps.has_te = has_te();
     caps.command_cost_ns = three_wire() ? 0 : config_.command_cost_ns;
     return caps;
@@ -75,6 +76,8 @@ Result<void> SpidevBus::open() {
         return Error{Fault::bad_argument, "spidev: display controllers take SPI mode 0 or 3"};
     if (config_.write_hz == 0)
         return Error{Fault::bad_argument, "spidev: no write clock"};
+    if (config_.start_bytes && has_dc())
+        return Error{Fault::bad_argument, "spidev: start bytes stand for D/C, which has a line too"};
     close_device();
     dc_.close();
     device_ = persist([&] { return ::open(config_.device, O_RDWR | O_CLOEXEC); });
@@ -92,9 +95,11 @@ Result<void> SpidevBus::open_rest() {
     stage_.assign(kernel_bufsiz(), 0);
     if (packed_)
         stage_.resize(stage_.size() - stage_.size() % packed_unit);
+    constexpr std::size_t whole_pixels = 6; // of two bytes, and of three
+    longest_ = config_.start_bytes ? 1 + (stage_.size() - 1) / whole_pixels * whole_pixels : stage_.size();
     staged_ = bit_count_ = 0;
     dc_level_ = -1;
-    if (!three_wire()) {
+    if (has_dc()) {
         const unsigned offsets[] = {config_.dc.offset};
         if (const auto r = dc_.open_outputs(config_.dc.chip, offsets, 0); !r)
             return r;
@@ -152,6 +157,8 @@ const char* SpidevBus::refusal(const Op& op) const {
 
 Result<void> SpidevBus::put(Byte kind, const std::uint8_t* bytes, std::size_t count) {
     const bool data = kind != Byte::command;
+    if (config_.start_bytes)
+        return put_messages(data, bytes, count);
     return three_wire() ? put_three_wire(data, bytes, count) : put_four_wire(data, bytes, count);
 }
 
@@ -174,6 +181,28 @@ Result<void> SpidevBus::put_four_wire(bool data, const std::uint8_t* bytes, std:
                 if (const auto r = flush(); !r)
                     return r;
         }
+        bytes += taken;
+        count -= taken;
+    }
+    return {};
+}
+
+/// What stands for D/C is the first byte of a message; an index is one by itself.
+Result<void> SpidevBus::put_messages(bool data, const std::uint8_t* bytes, std::size_t count) {
+    constexpr std::uint8_t index = 0x70, value = 0x72;
+    if (!data || !staged_data_)
+        if (const auto r = flush(); !r)
+            return r;
+    staged_data_ = data;
+    while (count != 0) {
+        if (staged_ == 0)
+            stage_[staged_++] = data ? value : index;
+        const std::size_t room = longest_ - staged_, taken = count < room ? count : room;
+        std::memcpy(&stage_[staged_], bytes, taken);
+        staged_ += taken;
+        if (staged_ == longest_)
+            if (const auto r = flush(); !r)
+                return r;
         bytes += taken;
         count -= taken;
     }
@@ -214,7 +243,7 @@ Result<void> SpidevBus::flush() {
 }
 
 Result<void> SpidevBus::send(bool data, const std::uint8_t* bytes, std::size_t count) {
-    if (!three_wire())
+    if (has_dc())
         if (const auto r = set_dc(data); !r)
             return r;
     while (count != 0) {
@@ -226,8 +255,9 @@ Result<void> SpidevBus::send(bool data, const std::uint8_t* bytes, std::size_t c
         if (sent < 0)
             return failed("write");
         const auto taken = static_cast<std::size_t>(sent);
-        // Whole bytes may go on in another message; a cut nine-bit word may not.
-        if (taken == 0 || taken > count || (three_wire() && taken != count))
+        // Where a line is D/C whole bytes may go on in another message; a cut word, or one without its start
+        // byte, may not.
+        if (taken == 0 || taken > count || (!has_dc() && taken != count))
             return error_.say(Fault::short_write, config_.device, "write", "the message was cut short");
         bytes += taken;
         count -= taken;

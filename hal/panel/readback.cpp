@@ -23,9 +23,25 @@ Result<BusCaps> readable(const Bus& bus, const PanelDesc& panel) {
     const BusCaps caps = bus.caps();
     if (caps.read_hz == 0)
         return Error{Fault::unsupported, "panel: this bus cannot read"};
-    if (panel.quirks.no_read_back || !panel.commands->status_registers)
+    if (panel.quirks.no_read_back)
         return Error{Fault::unsupported, "panel: the controller never drives its data line"};
     return caps;
+}
+
+/// Of the status registers and the memory, which only DCS describes.
+Result<BusCaps> readable_as_dcs(const Bus& bus, const PanelDesc& panel) {
+    if (!panel.commands->status_registers)
+        return Error{Fault::unsupported, "panel: this controller has no status registers (09h to 0Fh)"};
+    return readable(bus, panel);
+}
+
+/// Appends the read of the identity; returns its bytes.
+std::uint32_t read_identity(OpList& ops, const BusCaps& caps, const Identity& identity,
+                            ReadScratch& scratch) {
+    const std::uint32_t bytes = identity.bytes < sizeof scratch.id ? identity.bytes : sizeof scratch.id;
+    const std::uint8_t dummies = caps.bits_per_cycle > 1 ? identity.parallel_dummy_bits : identity.dummy_bits;
+    ops.read(identity.command, dummies, scratch.id, bytes);
+    return bytes;
 }
 
 std::uint32_t big_endian(const std::uint8_t* bytes, int count) {
@@ -53,7 +69,7 @@ std::uint32_t ones(const Identity& identity) {
 } // namespace
 
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
-    const Result<BusCaps> caps = readable(bus, panel);
+    const Result<BusCaps> caps = readable_as_dcs(bus, panel);
     if (!caps)
         return caps.error();
     const std::uint8_t wide = dummy_bits(caps.value(), panel.identity.register_dummy_bits);
@@ -61,9 +77,7 @@ Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& s
     scratch = {};
     Op storage[8];
     OpList ops(storage, nullptr, 8);
-    const Identity& identity = panel.identity;
-    const std::uint32_t id_bytes = identity.bytes < sizeof scratch.id ? identity.bytes : sizeof scratch.id;
-    ops.read(identity.command, dummy_bits(caps.value(), identity.dummy_bits), scratch.id, id_bytes);
+    const std::uint32_t id_bytes = read_identity(ops, caps.value(), panel.identity, scratch);
     ops.read(dcs::RDDST, wide, scratch.status, 4);
     for (unsigned i = 0; i < 6; ++i)
         ops.read(static_cast<std::uint8_t>(dcs::RDDPM + i), narrow, &scratch.registers[i], 1);
@@ -81,7 +95,7 @@ Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& s
 }
 
 Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
-    const Result<BusCaps> caps = readable(bus, panel);
+    const Result<BusCaps> caps = readable_as_dcs(bus, panel);
     if (!caps)
         return caps.error();
     scratch = {};
@@ -96,7 +110,7 @@ Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratc
 
 Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& placement, PixelFormat written,
                          const Rect& area, std::uint8_t* rgb, ReadScratch& scratch) {
-    const Result<BusCaps> caps = readable(bus, panel);
+    const Result<BusCaps> caps = readable_as_dcs(bus, panel);
     if (!caps)
         return caps.error();
     if (area.w <= 0 || area.h <= 0 || area.x < 0 || area.y < 0 || area.w > placement.size.width - area.x ||
@@ -116,8 +130,27 @@ Result<void> read_pixels(Bus& bus, const PanelDesc& panel, const Placement& plac
     return {};
 }
 
+/// Of controllers without status registers.
+static Result<PanelStatus> read_identity_alone(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
+    const Result<BusCaps> caps = readable(bus, panel);
+    if (!caps)
+        return caps.error();
+    scratch = {};
+    Op storage[1];
+    OpList ops(storage, nullptr, 1);
+    const std::uint32_t bytes = read_identity(ops, caps.value(), panel.identity, scratch);
+    if (const Result<void> done = run(bus, caps.value(), ops); !done)
+        return done.error();
+    PanelStatus status;
+    status.id = big_endian(scratch.id, static_cast<int>(bytes));
+    status.status = status.id == ones(panel.identity) ? 0xFFFFFFFF : 0;
+    return status;
+}
+
 Result<void> check_identity(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
-    const Result<PanelStatus> answer = read_status(bus, panel, scratch);
+    const bool alone = !panel.commands->status_registers;
+    const Result<PanelStatus> answer =
+        alone ? read_identity_alone(bus, panel, scratch) : read_status(bus, panel, scratch);
     if (!answer)
         return answer.error();
     const std::uint32_t id = answer.value().id, status = answer.value().status;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host_sim/controller/hx8347_controller.hpp"
 #include "host_sim/controller/mono_controller.hpp"
 #include "host_sim/controller/windowed_controller.hpp"
 
@@ -35,6 +36,9 @@ std::unique_ptr<Controller> make_controller(const hal::PanelDesc& panel, hal::Bu
         return windowed(ssd1351);
     case hal::Controller::ssd1331:
         return windowed(ssd1331);
+    case hal::Controller::hx8347:
+        return std::make_unique<Hx8347Controller>(
+            mount, bus == hal::BusKind::i8080 ? RegisterBus::parallel : RegisterBus::start_byte);
     default:
         return std::make_unique<DcsController>(chip_of(panel), mount, bus == hal::BusKind::i8080);
     }

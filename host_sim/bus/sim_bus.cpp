@@ -36,12 +36,12 @@ hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
     watched_.clear();
     if (listener_ != nullptr)
         listener_->chip_select(wire_, true);
-    if (!is_i2c())
+    if (!is_framed())
         controller_.select(true, wire_);
     for (std::size_t i = 0; i < sent; ++i)
         run(ops[i]);
     end_message();
-    if (!is_i2c())
+    if (!is_framed())
         controller_.select(false, wire_);
     if (listener_ != nullptr)
         listener_->chip_select(wire_, false);
@@ -84,18 +84,26 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
     return {};
 }
 
-/// A message holds commands, or data.
+/// A message holds commands, or data; one of start bytes holds one index, or data.
 void SimBus::begin_message(bool data) {
-    if (in_message_ && data == message_data_)
+    if (in_message_ && data == message_data_ && (data || is_i2c()))
         return;
     end_message();
+    in_message_ = true;
+    message_data_ = data;
+    if (!is_i2c()) { // an index ends with CS
+        constexpr std::uint8_t index = 0x70, value = 0x72;
+        controller_.select(true, wire_);
+        carry(data ? value : index, data);
+        return;
+    }
+    in_message_ = false;
     constexpr std::uint8_t address = 0x3C << 1, data_follows = 0x40;
     if (carry(address, false))
         target_.start(wire_);
     else
         unheard_ = true;
     in_message_ = true;
-    message_data_ = data;
     carry(data ? data_follows : std::uint8_t{0}, data);
 }
 
@@ -103,11 +111,14 @@ void SimBus::end_message() {
     if (!in_message_)
         return;
     in_message_ = false;
-    target_.stop(wire_);
+    if (is_i2c())
+        target_.stop(wire_);
+    else
+        controller_.select(false, wire_);
 }
 
 void SimBus::send(std::uint8_t byte, bool data) {
-    if (is_i2c())
+    if (is_framed())
         begin_message(data);
     carry(byte, data);
 }

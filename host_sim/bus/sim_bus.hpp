@@ -73,6 +73,8 @@ class SimBus final : public hal::Bus {
         return static_cast<unsigned>((second + caps_.write_hz / 2) / caps_.write_hz);
     }
     bool is_i2c() const { return caps_.kind == hal::BusKind::i2c; }
+    /// Bytes travel in messages that begin with what stands for D/C.
+    bool is_framed() const { return is_i2c() || caps_.kind == hal::BusKind::spi_start; }
     void send(std::uint8_t byte, bool data);
     bool carry(std::uint8_t byte, bool data);
     void begin_message(bool data);

@@ -24,7 +24,7 @@ PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring
 }
 
 void PanelModule::power_cycle() {
-    controller_.emplace(chip_of(panel_), mount_of(panel_), is_parallel());
+    controller_ = make_controller(panel_, is_parallel() ? hal::BusKind::i8080 : panel_.serial_bus);
     serial_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::spi3);
     parallel_.emplace(*controller_, wiring_.bus == ModuleWiring::Bus::parallel16 ? 16u : 8u);
     if (!wired(wiring_.select) && is_parallel())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include <spangle/hal/board.hpp>
@@ -34,7 +35,9 @@ class PanelModule {
     PanelModule(const PanelModule&) = delete;
     PanelModule& operator=(const PanelModule&) = delete;
 
-    DcsController& controller() { return *controller_; }
+    Controller& controller() { return *controller_; }
+    /// A DCS panel's, which tells more.
+    DcsController& dcs() { return dynamic_cast<DcsController&>(*controller_); }
     /// For an SPI controller that drives clock, select and data itself.
     SerialPins& serial() { return *serial_; }
     bool backlit() const { return backlit_; }
@@ -51,7 +54,7 @@ class PanelModule {
     const hal::PanelDesc& panel_;
     ModuleWiring wiring_;
     Kernel& kernel_;
-    std::optional<DcsController> controller_;
+    std::unique_ptr<Controller> controller_;
     std::optional<SerialPins> serial_;
     std::optional<ParallelPins> parallel_;
     bool backlit_ = false, te_cut_ = false;

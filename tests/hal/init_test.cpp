@@ -221,6 +221,99 @@ TEST(Init, AnIdentityOfOneByteIsToldFromAFloatingLine) {
     EXPECT_EQ(fault(0x00, 0x00), Fault::no_answer);
 }
 
+TEST(Init, AnIdentityMayBeTheOnlyThingThatAnswers) {
+    FakePanelBus bus(panels::hx8347_240x320, spi());
+    bus.id_command = 0x00;
+    ReadScratch scratch;
+    const auto fault = [&](std::uint8_t id) {
+        bus.log.clear();
+        std::fill(bus.id, bus.id + 3, id);
+        return check_identity(bus, panels::hx8347_240x320, scratch).error().fault;
+    };
+    EXPECT_EQ(fault(0x47), Fault::none);
+    EXPECT_EQ(bus.log, "r00/0 ") << "no status registers are asked for";
+    EXPECT_EQ(fault(0x75), Fault::wrong_device);
+    EXPECT_EQ(fault(0xFF), Fault::no_answer);
+    EXPECT_EQ(fault(0x00), Fault::no_answer);
+    EXPECT_EQ(read_status(bus, panels::hx8347_240x320, scratch).error().fault, Fault::unsupported);
+    EXPECT_EQ(read_scanline(bus, panels::hx8347_240x320, scratch).error().fault, Fault::unsupported);
+}
+
+/// The bytes of the window and set-up commands of each command set, on a piece of the picture.
+TEST(Init, EachCommandSetNamesAWindowItsWay) {
+    const struct {
+        const PanelDesc& panel;
+        const Wire* wire;
+        Orientation orientation;
+        const char* window;
+    } table[] = {
+        {panels::ssd1306_128x64, &wires::mono, {}, "21 10 17 22 02 02 "},
+        {panels::ssd1306_128x64, &wires::mono, {Rotation::r90}, "21 10 17 22 02 02 "},
+        {panels::sh1106_128x64, &wires::mono, {}, "02 11 B2 "},
+        {panels::ssd0303_96x16, &wires::mono, {}, "04 13 B1 "},
+        {panels::ssd1327_128x128, &wires::grey4, {}, "15 08 0b 75 10 17 "},
+        {panels::ssd1351_128x128, nullptr, {}, "15 10 17 75 10 17 5C "},
+        {panels::ssd1331_96x64, nullptr, {}, "15 10 17 75 10 17 "},
+        {panels::hx8347_240x320, nullptr, {}, "02 00 03 10 04 00 05 17 06 00 07 10 08 00 09 17 22 "},
+    };
+    for (const auto& row : table) {
+        PanelConfig config = on(row.panel, row.orientation);
+        config.wire = row.wire;
+        BusCaps caps = spi(4000000);
+        caps.kind = row.panel.serial_bus;
+        FakePanelBus bus(row.panel, caps);
+        PanelStorage<320, 2> storage;
+        PanelDisplay display(bus, config, storage.memory());
+        ASSERT_TRUE(display.init().ok()) << row.panel.name;
+        ASSERT_TRUE(display.present().ok() && display.finish().ok()); // everything, the first time
+        bus.log.clear();
+        const auto frame = display.acquire();
+        const int top = &row.panel == &panels::ssd0303_96x16 ? 8 : 16;
+        for (int y = top; y < top + 8; ++y)
+            frame.value().extents->rows[y] = {16, 24};
+        ASSERT_TRUE(display.present().ok());
+        ASSERT_TRUE(display.finish().ok());
+        EXPECT_EQ(bus.log, row.window) << row.panel.name;
+        const bool low = row.panel.commands->parameters_are_commands;
+        EXPECT_EQ(bus.last_list.front().parameters_are_commands, low) << row.panel.name;
+    }
+}
+
+TEST(Init, OledsAreSetUpByTheirCommandSet) {
+    const struct {
+        const PanelDesc& panel;
+        const Wire* wire;
+        Orientation orientation;
+        const char* settings;
+    } table[] = {
+        {panels::ssd1306_128x64, &wires::mono, {}, "A1 C8 20 00 A6 21 00 7f 22 00 07 rep1024 AF "},
+        {panels::ssd1306_128x64,
+         &wires::mono,
+         {Rotation::r90, true},
+         "A0 C0 20 01 A6 21 00 7f 22 00 07 rep1024 AF "},
+        {panels::ssd1306_128x32,
+         &wires::mono,
+         {Rotation::r180},
+         "A0 C0 20 00 A6 21 00 7f 22 00 03 rep512 AF "},
+        {panels::ssd0323_128x64, &wires::grey4, {}, "A0 52 A4 15 00 3f 75 00 3f rep4096 AF "},
+        {panels::ssd1351_128x128, nullptr, {}, "A0 74 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
+        {panels::ssd1351_128x128, &wires::rgb332, {}, "A0 34 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
+        {panels::ssd1331_96x64, nullptr, {}, "A0 72 A4 15 00 5f 75 00 3f rep6144 AF "},
+        {panels::ssd1331_96x64, nullptr, {Rotation::r90}, "A0 71 A4 15 00 5f 75 00 3f rep6144 AF "},
+    };
+    for (const auto& row : table) {
+        PanelConfig config = on(row.panel, row.orientation);
+        config.wire = row.wire;
+        FakePanelBus bus(row.panel, spi(4000000));
+        PanelStorage<320, 2> storage;
+        PanelDisplay display(bus, config, storage.memory());
+        ASSERT_TRUE(display.init().ok()) << row.panel.name;
+        const std::string end = row.settings;
+        ASSERT_GT(bus.log.size(), end.size());
+        EXPECT_EQ(bus.log.substr(bus.log.size() - end.size()), end) << row.panel.name;
+    }
+}
+
 TEST(Init, EveryNamedBoardComesUp) {
     for (const Board* board : boards::all) {
         const Extent size = place(*board->display.panel, board->display.orientation).size;

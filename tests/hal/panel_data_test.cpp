@@ -173,7 +173,7 @@ TEST(PanelData, TheTableIsUniqueAndSound) {
         EXPECT_GT(panel->timing.scan_lines, panel->memory.height) << panel->name;
         EXPECT_EQ(panel->timing.scan_lines - panel->timing.porch_lines, panel->memory.height) << panel->name;
     }
-    EXPECT_EQ(names.size(), 27u);
+    EXPECT_EQ(names.size(), 28u);
 }
 
 TEST(BoardData, NamesAreUniqueAndSound) {

@@ -110,7 +110,7 @@ TEST(GpioBus, WithoutChipSelectItIsTiedLow) {
     hal::PanelStorage<16> storage;
     OwnedDisplay display(bus, {.panel = &tiny_panel}, storage.memory());
     ASSERT_TRUE(display.init().ok());
-    EXPECT_TRUE(module.controller().display_on());
+    EXPECT_TRUE(module.dcs().display_on());
     EXPECT_EQ(module.violations_text(), "");
 }
 

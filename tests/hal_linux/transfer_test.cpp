@@ -194,7 +194,7 @@ TEST(Transfer, RepeatsAndRowsArriveWhole) {
         ASSERT_TRUE(token.ok());
         ASSERT_TRUE(rig.bus().wait(token.value(), 5000000).ok());
         const sim::Rgb666 want = {0x20, 0x01, 0x3F};
-        for (const sim::Rgb666& pixel : rig.module.controller().memory())
+        for (const sim::Rgb666& pixel : rig.module.dcs().memory())
             ASSERT_EQ(pixel, want);
         // Four rows of eight bytes, ten apart, the picture upside down in memory: the stride is negative.
         std::vector<std::uint8_t> picture(4 * 10);
@@ -212,8 +212,7 @@ TEST(Transfer, RepeatsAndRowsArriveWhole) {
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 4; ++x) {
                 const std::uint8_t* const p = picture.data() + 30 - 10 * y + 2 * x;
-                const auto got =
-                    rig.module.controller().memory()[static_cast<std::size_t>((20 + y) * 132 + 10 + x)];
+                const auto got = rig.module.dcs().memory()[static_cast<std::size_t>((20 + y) * 132 + 10 + x)];
                 EXPECT_EQ(got.g, (p[0] << 8 | p[1]) >> 5 & 63);
             }
     }
@@ -246,7 +245,7 @@ TEST(Transfer, ThePinsBesideTheBus) {
     EXPECT_GE(rose - fell, 25000u);
     EXPECT_LT(rose - fell, 40000u);
     EXPECT_TRUE(level(25));
-    EXPECT_FALSE(rig.module.controller().display_on()) << "the controller was reset";
+    EXPECT_FALSE(rig.module.dcs().display_on()) << "the controller was reset";
 }
 
 TEST(Transfer, InvertedPinsDriveTheOtherLevel) {

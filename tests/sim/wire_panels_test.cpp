@@ -31,7 +31,7 @@ std::vector<Case> cases() {
     std::vector<Case> out;
     for (const hal::PanelDesc* panel : hal::panels::all)
         for (const hal::Wire* wire : every_wire)
-            for (const auto bus : {hal::BusKind::spi4, hal::BusKind::i8080, hal::BusKind::i2c})
+            for (const auto bus : {panel->serial_bus, hal::BusKind::i8080, hal::BusKind::i2c})
                 if (hal::format_code(*panel, bus, wire->format).taken)
                     out.push_back({panel, wire, bus});
     return out;
@@ -39,7 +39,7 @@ std::vector<Case> cases() {
 
 std::string name_of(const Case& c) {
     constexpr const char* wires[] = {"565", "666", "444", "332", "grey4", "mono"};
-    constexpr const char* buses[] = {"spi", "8080", "i2c"};
+    constexpr const char* buses[] = {"spi", "8080", "i2c", "spi_start"};
     std::string name = std::string(c.panel->name) + "_" + wires[static_cast<unsigned>(c.wire->format)] + "_" +
                        buses[static_cast<unsigned>(c.bus)];
     for (char& letter : name)
@@ -51,9 +51,9 @@ hal::Board board_of(const Case& c, hal::Orientation o, PixelFormat surface) {
     hal::Board board{.name = c.panel->name,
                      .display = {.panel = c.panel, .orientation = o, .format = surface, .wire = c.wire},
                      .bus = c.bus};
-    board.write_hz = c.bus == hal::BusKind::i2c    ? std::min(c.panel->timing.i2c_hz, 400000u)
-                     : c.bus == hal::BusKind::spi4 ? c.panel->timing.practical_serial_mhz * 1000000u
-                                                   : 1000000000u / c.panel->timing.parallel_write_ns;
+    board.write_hz = c.bus == hal::BusKind::i2c     ? std::min(c.panel->timing.i2c_hz, 400000u)
+                     : c.bus == hal::BusKind::i8080 ? 1000000000u / c.panel->timing.parallel_write_ns
+                                                    : c.panel->timing.practical_serial_mhz * 1000000u;
     EXPECT_EQ(hal::flaw(board), nullptr);
     return board;
 }
@@ -134,7 +134,7 @@ TEST_P(WirePanels, ShowTheSurfaceInTheirSteps) {
     std::vector<const scenes::Scene*> every;
     for (const scenes::Scene& scene : scenes::all())
         every.push_back(&scene);
-    const bool large = GetParam().panel->commands == &hal::dcs::commands;
+    const bool large = GetParam().panel->commands->status_registers;
     unsigned turn =
         static_cast<unsigned>(GetParam().panel->glass.width) + static_cast<unsigned>(GetParam().bus);
     for (const hal::Orientation o : hal::orientations) {

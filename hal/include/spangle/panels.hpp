@@ -3,6 +3,7 @@
 #pragma once
 
 #include <spangle/hal/panel.hpp>
+#include <spangle/panels/hx8347.hpp>
 #include <spangle/panels/oled_mono.hpp>
 #include <spangle/panels/oled_windowed.hpp>
 
@@ -489,7 +490,7 @@ inline constexpr const PanelDesc* all[] = {
     &st7735_128x128_red, &st7735_80x160,   &st7735_80x160_26, &ili9342c_320x240,     &ili9486_320x480,
     &ili9488_320x480,    &st7796s_320x480, &hx8357d_320x480,  &gc9a01_240x240,       &ssd1306_128x64,
     &ssd1306_128x32,     &sh1106_128x64,   &ssd0303_96x16,    &ssd1327_128x128,      &ssd0323_128x64,
-    &ssd1351_128x128,    &ssd1331_96x64,
+    &ssd1351_128x128,    &ssd1331_96x64,   &hx8347_240x320,
 };
 
 } // namespace spangle::hal::panels

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "gc9a01.hpp"
+#include "hx8347_8080.hpp"
+#include "hx8347_spi.hpp"
 #include "hx8357d_spi.hpp"
 #include "ili9341_8080.hpp"
 #include "ili9341_spi.hpp"
@@ -36,7 +38,7 @@ inline constexpr const hal::Board* all[] = {
     &st7789_240x280, &st7789_170x320, &st7789_172x320, &st7735_128x128, &st7735_80x160,  &ili9342c,
     &ili9486_8080,   &ili9488_spi,    &st7796s_spi,    &hx8357d_spi,    &gc9a01,         &ssd1306_i2c,
     &ssd1306_128x32, &ssd1306_spi,    &sh1106_i2c,     &ssd1327_spi,    &ssd1327_i2c,    &ssd0323_spi,
-    &ssd0303_i2c,    &ssd1351_spi,    &ssd1331_spi,
+    &ssd0303_i2c,    &ssd1351_spi,    &ssd1331_spi,    &hx8347_8080,    &hx8347_spi,
 };
 
 } // namespace spangle::boards

@@ -30,8 +30,7 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return broken("board: one or two buffers", on);
     if (display.wire != nullptr && display.buffers != 1)
         return broken("board: a picture that is turned into another format needs one buffer", on);
-    if (display.read_back &&
-        (board.read_hz == 0 || panel.quirks.no_read_back || !panel.commands->status_registers))
+    if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
         return broken("board: reading back needs a read clock and a panel that answers", on);
     if (display.wait_te && !board.has_te)
         return broken("board: waiting for TE without a TE line", on);
@@ -66,7 +65,7 @@ constexpr BusCaps bus_caps(const Board& board) {
     caps.kind = board.bus;
     caps.write_hz = board.write_hz;
     caps.read_hz = board.read_hz;
-    caps.bits_per_cycle = board.bus == BusKind::spi4 ? 1 : 8;
+    caps.bits_per_cycle = board.bus == BusKind::i8080 ? 8 : 1;
     caps.command_cost_ns = board.command_cost_ns;
     return caps;
 }

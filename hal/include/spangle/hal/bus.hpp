@@ -11,9 +11,10 @@
 namespace spangle::hal {
 
 enum class BusKind : std::uint8_t {
-    spi4,  ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
-    i8080, ///< 8-bit parallel: CS, D/C, WR, RD, D[7:0] (DBI-B)
-    i2c,   ///< SCL, SDA; a control byte stands for D/C (SSD1306 datasheet, 8.1.5)
+    spi4,      ///< 4-wire serial: CS, D/C, SCK, SDA (DBI-C option 3)
+    i8080,     ///< 8-bit parallel: CS, D/C, WR, RD, D[7:0] (DBI-B)
+    i2c,       ///< SCL, SDA; a control byte stands for D/C (SSD1306 datasheet, 8.1.5)
+    spi_start, ///< 3-wire serial: CS, SCK, SDA; behind CS a start byte stands for D/C, 70h or 72h
 };
 
 struct Op {

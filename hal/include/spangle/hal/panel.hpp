@@ -59,7 +59,8 @@ struct Identity {
     std::uint8_t command = dcs::RDDID; ///< or a register of the maker's
     std::uint8_t bytes = 3;            ///< of its answer, 3 at most
     std::uint8_t dummy_bits = 1;
-    std::uint32_t id = 0; ///< the first byte highest
+    std::uint8_t parallel_dummy_bits = 8; ///< dummy read cycles, eight bits each
+    std::uint32_t id = 0;                 ///< the first byte highest
     std::uint32_t mask = 0xFFFFFF;
     std::uint8_t register_dummy_bits = 1; ///< 09h 45h; the one-byte reads have none
     std::uint8_t pixel_dummy_bits = 8;    ///< 2Eh
@@ -94,7 +95,8 @@ struct PanelDesc {
     std::uint8_t mount = 0; ///< MADCTL's MX, MY that show a picture upright on this glass
     ColorOrder order = ColorOrder::rgb;
     bool inverted = false; ///< IPS glass: INVON shows true colours
-    WireFormats serial;    ///< on I2C too
+    BusKind serial_bus = BusKind::spi4;
+    WireFormats serial; ///< on that bus, and on I2C
     WireFormats parallel{};
     Program setup; ///< registers beyond the command set's, sent while asleep
     const CommandSet* commands = &dcs::commands;
@@ -105,7 +107,10 @@ struct PanelDesc {
 
 /// Whether and how the panel takes a wire format on this bus.
 constexpr FormatCode format_code(const PanelDesc& panel, BusKind bus, WireFormat format) {
-    if (bus == BusKind::i2c && panel.timing.i2c_hz == 0)
+    const bool reached = bus == BusKind::i2c     ? panel.timing.i2c_hz != 0
+                         : bus == BusKind::i8080 ? true
+                                                 : bus == panel.serial_bus;
+    if (!reached)
         return {};
     const WireFormats& f = bus == BusKind::i8080 ? panel.parallel : panel.serial;
     const FormatCode codes[] = {f.rgb565, f.rgb666, f.rgb444, f.rgb332, f.grey4, f.mono, FormatCode{}};
@@ -139,7 +144,7 @@ constexpr const char* flaw(const PanelDesc& p, OnFlaw on = OnFlaw::tell) {
         return broken("panel: the glass is taller than the memory behind it", on);
     for (const WireFormat shared : {WireFormat::grey4, WireFormat::mono}) {
         const WireInfo info = wire_info(shared);
-        if (!format_code(p, BusKind::spi4, shared).taken && !format_code(p, BusKind::i8080, shared).taken)
+        if (!format_code(p, p.serial_bus, shared).taken && !format_code(p, BusKind::i8080, shared).taken)
             continue;
         if ((p.memory.width | p.glass.width | p.offset.x) % info.columns != 0 ||
             (p.memory.height | p.glass.height | p.offset.y) % info.rows != 0)

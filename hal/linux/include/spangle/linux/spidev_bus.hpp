@@ -12,7 +12,8 @@ struct SpidevConfig {
     std::uint32_t write_hz = 0;
     std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
     std::uint8_t mode = 0;     ///< SPI mode 0 or 3
-    LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1)
+    LineRef dc;                ///< not wired: 3-wire, nine bits a byte (DBI-C option 1), or:
+    bool start_bytes = false;  ///< each message begins with 70h, an index follows, or 72h, values do
     PanelPins pins;
     bool asynchronous = true;
     /// What a command costs beyond its bytes: two D/C changes and two messages, 10 to 30 us on a Raspberry
@@ -27,6 +28,7 @@ constexpr SpidevConfig spidev_config(const Board& board, const char* device, Lin
     config.write_hz = board.write_hz;
     config.read_hz = board.read_hz;
     config.dc = dc;
+    config.start_bytes = board.bus == BusKind::spi_start;
     config.pins = pins;
     return config;
 }
@@ -52,6 +54,7 @@ class SpidevBus final : public TransferBus {
     // Bytes that wait for their message, all with the same D/C in 4-wire mode.
     std::vector<std::uint8_t> stage_;
     std::size_t staged_ = 0;
+    std::size_t longest_ = 0; ///< message; with start bytes one that ends with whole pixels
     bool staged_data_ = false;
 
     // 3-wire: nine bits as the kernel's 16-bit words, or eight words in nine bytes where the controller only
@@ -60,7 +63,8 @@ class SpidevBus final : public TransferBus {
     std::uint32_t bits_ = 0; ///< not yet staged
     unsigned bit_count_ = 0;
 
-    bool three_wire() const { return !config_.dc.wired(); }
+    bool has_dc() const { return config_.dc.wired(); }
+    bool three_wire() const { return !has_dc() && !config_.start_bytes; }
     void close_device();
     Result<void> open_rest();
     Result<void> configure();
@@ -74,6 +78,7 @@ class SpidevBus final : public TransferBus {
     Result<void> end() override;
 
     Result<void> put_four_wire(bool data, const std::uint8_t* bytes, std::size_t count);
+    Result<void> put_messages(bool data, const std::uint8_t* bytes, std::size_t count);
     Result<void> put_three_wire(bool data, const std::uint8_t* bytes, std::size_t count);
     void stage_word(unsigned nine_bits);
     Result<void> send(bool data, const std::uint8_t* bytes, std::size_t count);
