@@ -5,7 +5,7 @@ the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail
 
 One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   name, row     the family and its row of the feature matrix
-  kind          plain (default), components, matrix, rect, flag, params, get_params
+  kind          plain (default), components, matrix, plane, rect, flag, params, get_params
   args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
                 A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
   types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
@@ -181,6 +181,14 @@ class Family:
             yield self.entry(f"gl{self.name}{suffix}", [(f"const {C_TYPES[code]}*", "m")],
                              [f"convert::matrix_{code}(m)"], [("values", Arg("real m", {}))], "m")
 
+    def entries_plane(self):
+        leading = [(a.c_type, a.name) for a in self.args]
+        call = [n for _, n in leading]
+        for code, suffix in self.types:
+            yield self.entry(f"gl{self.name}{suffix}", leading + [(f"const {C_TYPES[code]}*", "equation")],
+                             call + [cast(code, f"equation[{i}]") for i in range(4)],
+                             [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))], "equation")
+
     def entries_params(self):
         leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
         call = [n for _, n in leading]
@@ -221,6 +229,8 @@ class Family:
             return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in self.component_names]
         if self.kind == "flag":
             return [("bool", "flag")]
+        if self.kind == "plane":
+            return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in "abcd"]
         if self.kind == "rect":
             return [("Real", n) for n in ("x1", "y1", "x2", "y2")]
         if self.kind == "matrix":

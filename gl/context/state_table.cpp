@@ -98,6 +98,10 @@ constexpr StateRow of_color_index(StateRow row) {
     return of_feature(SPANGLE_FEATURE_COLOR_INDEX != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"), row);
 }
+constexpr StateRow of_clip_planes(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_CLIP_PLANES != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_CLIP_PLANES"), row);
+}
 constexpr StateRow of_attrib_stacks(StateRow row) {
     return of_feature(SPANGLE_FEATURE_ATTRIB_STACKS != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_ATTRIB_STACKS"), row);
@@ -197,6 +201,7 @@ void bits(const Context& context, GLenum name, Param* out) {
 #define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
 #define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
 #define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
+#define PLANE(I) of_clip_planes(SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I]))
 #define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
 
 // Builds without a system may have no member for it.
@@ -275,6 +280,13 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_MATRIX_MODE, transform.matrix_mode),
     SWITCH(GL_NORMALIZE, transform.normalize),
     SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
+    PLANE(0),
+    PLANE(1),
+    PLANE(2),
+    PLANE(3),
+    PLANE(4),
+    PLANE(5),
+    HELD(transform.clip_plane),
     in(Group::viewport),
     STORED(GL_VIEWPORT, transform.viewport),
     linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
@@ -410,6 +422,7 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_attrib_stacks(constant(GL_MAX_ATTRIB_STACK_DEPTH, attrib_stack_entries)),
     of_attrib_stacks(constant(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, attrib_stack_entries)),
     of_lighting(constant(GL_MAX_LIGHTS, max_lights)),
+    of_clip_planes(constant(GL_MAX_CLIP_PLANES, max_clip_planes)),
     constant(GL_MAX_MODELVIEW_STACK_DEPTH, modelview_stack_entries),
     constant(GL_MAX_PROJECTION_STACK_DEPTH, projection_stack_entries),
     constant(GL_MAX_TEXTURE_STACK_DEPTH, texture_stack_entries),
@@ -452,6 +465,7 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef SELECTION_ROW
 #undef FEEDBACK_ROW
 #undef LIGHT
+#undef PLANE
 
 constexpr std::size_t count_sections() {
     std::size_t n = 0;

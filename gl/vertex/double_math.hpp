@@ -85,10 +85,34 @@ struct DoubleMath {
     }
     static bool in_front(const Clip& c) { return c.v[3] > 0.0; }
 
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        const double a = distance(inside, plane, band), b = distance(outside, plane, band);
-        return a / (a - b);
+    struct Plane {
+        double at[4] = {};
+        bool turned = false; ///< the plane is its complement
+    };
+    using Distance = double;
+
+    static Plane plane(const Real (&equation)[4]) {
+        Plane p{{number(equation[0]), number(equation[1]), number(equation[2]), number(equation[3])}, false};
+        for (const double c : p.at)
+            if (c != 0.0) {
+                p.turned = c < 0.0;
+                break;
+            }
+        if (p.turned)
+            for (double& c : p.at)
+                c = -c;
+        return p;
     }
+    static Distance distance(const Plane& p, const Eye& eye) {
+        return p.at[0] * eye.v[0] + p.at[1] * eye.v[1] + p.at[2] * eye.v[2] + p.at[3] * eye.v[3];
+    }
+    static bool turned(const Plane& p) { return p.turned; }
+    static bool outside(const Plane& p, Distance d) { return p.turned ? d > 0.0 : d < 0.0; }
+
+    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
+        return intersect(distance(inside, plane, band), distance(outside, plane, band));
+    }
+    static Parameter intersect(Distance a, Distance b) { return a / (a - b); }
 
     static double mix(double a, double b, double t) { return a + (b - a) * t; }
     static Clip mix(const Clip& a, const Clip& b, Parameter t) {

@@ -140,10 +140,36 @@ struct FixedMath {
     /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
     static bool in_front(const Clip& c) { return c.m[3] > 0; }
 
+    /// A user clip plane and its complement are one plane, turned: what is computed of it is the same to the
+    /// bit (GL 1.3, 2.11: each pixel belongs to one side).
+    struct Plane {
+        numeric::Block4 at{};
+        bool turned = false;
+    };
+    using Distance = numeric::Block;
+
+    static Plane plane(const Real (&equation)[4]) {
+        bool turned = false;
+        for (const Real c : equation)
+            if (!numeric::is_zero(c)) {
+                turned = numeric::is_negative(c);
+                break;
+            }
+        // Turned before it is rounded: halves go up.
+        const auto at = [&](int i) { return turned ? -equation[i] : equation[i]; };
+        return {numeric::to_block(at(0), at(1), at(2), at(3)), turned};
+    }
+    static Distance distance(const Plane& p, const Eye& eye) { return numeric::dot(p.at, eye); }
+    static bool turned(const Plane& p) { return p.turned; }
+    static bool outside(const Plane& p, Distance d) { return p.turned ? d.m > 0 : d.m < 0; }
+
     /// Where the edge from `inside` to `outside` meets a plane.
     static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        const numeric::Block a = numeric::make_block(distance(inside, plane, band), inside.e);
-        const numeric::Block b = numeric::make_block(distance(outside, plane, band), outside.e);
+        return intersect(numeric::make_block(distance(inside, plane, band), inside.e),
+                         numeric::make_block(distance(outside, plane, band), outside.e));
+    }
+    /// The same from distances of different signs.
+    static Parameter intersect(Distance a, Distance b) {
         const std::int32_t t = numeric::to_fixed(numeric::div(a, numeric::sub(a, b)), 30);
         return numeric::clamp<std::int32_t>(t, 0, 1 << 30);
     }

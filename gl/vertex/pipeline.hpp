@@ -9,6 +9,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
+#include "gl/vertex/user_planes.hpp"
 #include "raster/primitive/draw.hpp"
 
 namespace spangle::gl {
@@ -96,6 +97,7 @@ template <class M, class L> class Pipeline {
   private:
     /// Vertex::flags: bits 0..5 the view-volume planes it lies outside of, from bit 8 on the planes (guard
     /// band, near, far) it must be clipped by, then what is still to be done.
+    static constexpr unsigned user_shift = 6; ///< the user's planes behind those of the view volume
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
                               unprojected = 1 << 14, ///< has no window coordinates yet
         uncolored = 1 << 15,
@@ -122,7 +124,10 @@ template <class M, class L> class Pipeline {
         typename M::Eye texture{}; ///< while primitives are fed back
 #endif
     };
-    static constexpr int slot_count = 4, clip_vertices = 16, cut_count = 4 + clip_vertices;
+    /// A quad gets a corner more at each plane of the volume and of the user; those a plane took away stay
+    /// among the Cuts.
+    static constexpr int slot_count = 4, clip_vertices = SPANGLE_FEATURE_CLIP_PLANES ? 20 : 16,
+                         cut_count = SPANGLE_FEATURE_CLIP_PLANES ? 28 : 20;
     static constexpr int line_batch = numeric::cheap_branches ? 8 : 16; ///< lines under way, even
 
     Context* context_ = nullptr;
@@ -147,6 +152,7 @@ template <class M, class L> class Pipeline {
     std::int32_t point_size_ = 1, line_width_ = 1;
     typename M::Transforms transforms_;
     L lighting_;
+    UserPlanes<M> planes_;
     Window unlit_{};           ///< holds the current colour in the rasterizer's units
     Real unlit_color_[4] = {}; ///< of which this was converted
     bool has_unlit_color_ = false;
@@ -161,6 +167,7 @@ template <class M, class L> class Pipeline {
         if ((context.dirty & dirty_vertex) != 0) {
             M::derive(context.transform, transforms_);
             lighting_.derive(context);
+            planes_.derive(context.transform);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
             forget();
         }
@@ -181,7 +188,7 @@ template <class M, class L> class Pipeline {
         outlines_ =
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         each_vertex_ = lighting_.tracks_color() || outlined() || captures();
-        whole_polygons_ = two_sided_ || exactly_clipped();
+        whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any();
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }
@@ -485,6 +492,11 @@ template <class M, class L> class Pipeline {
             color(v);
     }
 
+    /// The user's planes that a vertex, as it was given, is outside of.
+    [[gnu::noinline]] unsigned outside(const Vertex& v) const {
+        return planes_.outside(M::to_eye(transforms_, v.position));
+    }
+
     void color(Vertex& v) {
         if ((v.flags & uncolored) != 0)
             light(v);
@@ -611,7 +623,7 @@ template <class M, class L> class Pipeline {
     // --- primitives
 
     void point(Vertex& v) {
-        if ((v.flags & outside_mask) != 0 || !project(v))
+        if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || !project(v))
             return;
         color(v);
         draw_point(v, v.window);
@@ -724,7 +736,7 @@ template <class M, class L> class Pipeline {
                     color(a);
                 color(b);
             }
-            if ((any & (beyond_mask | unprojected)) == 0) [[likely]] {
+            if ((any & (beyond_mask | unprojected)) == 0 && !planes_.any()) [[likely]] {
                 ready[count++] = {&a.window, &b.window};
                 continue;
             }
@@ -737,7 +749,7 @@ template <class M, class L> class Pipeline {
     /// A line that is beyond a plane, or whose ends have no window coordinates yet.
     [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b) {
         Vertex* ends[2] = {&a, &b};
-        if (clip_planes(a.flags | b.flags) != 0 && !clip_line(ends))
+        if ((clip_planes(a.flags | b.flags) != 0 || planes_.any()) && !clip_line(ends))
             return;
         if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 &&
             (!project(*ends[0]) || !project(*ends[1])))
@@ -792,7 +804,18 @@ template <class M, class L> class Pipeline {
             return;
         if (outlined())
             flag_edges(corners, n);
-        const unsigned planes = clip_planes(any);
+        unsigned planes = clip_planes(any);
+        if (planes_.any()) {
+            unsigned all_user = ~0u, any_user = 0;
+            for (int i = 0; i < n; ++i) {
+                const unsigned user = outside(*corners[i]);
+                all_user &= user;
+                any_user |= user;
+            }
+            if (all_user != 0)
+                return;
+            planes |= any_user << user_shift;
+        }
         if (planes == 0)
             return visible(corners, n, provoking);
         Vertex* work[2][clip_vertices];
@@ -880,6 +903,10 @@ template <class M, class L> class Pipeline {
 
     // --- clipping (GL 1.3, 2.11)
 
+    bool needs_eye() const {
+        return planes_.any() || (lit_ && lighting_.needs_eye());
+    }
+
     /// The vertex with all that clipping mixes; colours come first.
     [[gnu::noinline]] Cut& to_be_cut(Vertex& v, int i) {
         color(v);
@@ -889,7 +916,7 @@ template <class M, class L> class Pipeline {
         out.clip = M::to_clip(transforms_, v.position);
         if (fog_)
             out.eye_z = M::depth(transforms_, v.position);
-        if (lit_ && lighting_.needs_eye())
+        if (needs_eye())
             out.eye = M::to_eye(transforms_, v.position);
         out.light = L::input(v.normal);
 #if SPANGLE_FEATURE_FEEDBACK
@@ -899,73 +926,104 @@ template <class M, class L> class Pipeline {
         return out;
     }
 
-    /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
-    void cut(const Vertex& from, const Vertex& to, int plane, Cut& out) {
-        const Cut &inside = static_cast<const Cut&>(from), &outside = static_cast<const Cut&>(to);
-        const typename M::Parameter t = M::intersect(inside.clip, outside.clip, plane, band());
-        M::mix(inside.window, outside.window, t, units_, out.window);
+    /// A vertex at t of the edge from a to b.
+    void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
+        M::mix(a.window, b.window, t, units_, out.window);
         if (fog_) {
-            out.eye_z = M::mix(inside.eye_z, outside.eye_z, t);
+            out.eye_z = M::mix(a.eye_z, b.eye_z, t);
             M::set_fog(out.eye_z, out.window);
         }
-        if (lit_ && lighting_.needs_eye())
-            out.eye = M::mix(inside.eye, outside.eye, t);
-        L::mix(inside.light, outside.light, t, out.light);
+        if (needs_eye())
+            out.eye = M::mix(a.eye, b.eye, t);
+        L::mix(a.light, b.light, t, out.light);
 #if SPANGLE_FEATURE_FEEDBACK
         if (captures())
-            out.texture = M::mix(inside.texture, outside.texture, t);
+            out.texture = M::mix(a.texture, b.texture, t);
 #endif
-        out.clip = M::mix(inside.clip, outside.clip, t);
+        out.clip = M::mix(a.clip, b.clip, t);
         out.flags = flags_of(out.clip) | is_cut;
-        // Rounding must not leave it outside of the plane it lies on.
-        out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
     }
 
     int band() const {
         return exactly_clipped() ? 1 : M::guard_band;
     }
-    auto distance(const Vertex& v, int plane) const {
-        return M::distance(static_cast<const Cut&>(v).clip, plane, band());
+
+    /// A plane of the view volume.
+    struct VolumePlane {
+        Pipeline& pipeline;
+        int plane;
+
+        bool keeps(const Cut& v) const { return M::distance(v.clip, plane, pipeline.band()) >= 0; }
+        /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
+        void cut(const Cut& inside, const Cut& outside, Cut& out) const {
+            pipeline.mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, pipeline.band()),
+                         out);
+            // Rounding must not leave it outside of the plane it lies on.
+            out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
+        }
+    };
+
+    /// A plane of the user's. They come last, so that they cut the same polygon as their complements do.
+    struct UserPlane {
+        Pipeline& pipeline;
+        typename M::Plane plane;
+
+        bool keeps(const Cut& v) const { return !M::outside(plane, M::distance(plane, v.eye)); }
+        /// From the side where distances are positive, whichever is kept: the same integers for a plane and
+        /// its complement.
+        void cut(const Cut& inside, const Cut& outside, Cut& out) const {
+            const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
+            pipeline.mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
+        }
+    };
+
+    /// Calls f(plane) for those that are to be cut by, bits as in `planes`, until it returns false.
+    template <class F> bool each_plane(unsigned planes, F f) {
+        for (int plane = 0; plane < 6; ++plane)
+            if ((planes >> plane & 1) != 0 && !f(VolumePlane{*this, plane}))
+                return false;
+        for (int plane = 0; plane < planes_.count(); ++plane)
+            if ((planes >> (plane + user_shift) & 1) != 0 && !f(UserPlane{*this, planes_[plane]}))
+                return false;
+        return true;
     }
 
     bool clip_line(Vertex* (&ends)[2]) {
         int made = 2;
-        ends[0] = &to_be_cut(*ends[0], 0);
-        ends[1] = &to_be_cut(*ends[1], 1);
-        for (int plane = 0; plane < 6; ++plane) {
-            const bool first_out = distance(*ends[0], plane) < 0, second_out = distance(*ends[1], plane) < 0;
-            if (first_out && second_out)
-                return false;
-            if (!first_out && !second_out)
-                continue;
+        Cut* end[2] = {&to_be_cut(*ends[0], 0), &to_be_cut(*ends[1], 1)};
+        const bool left = each_plane(~0u, [&](const auto& plane) {
+            const bool first_in = plane.keeps(*end[0]), second_in = plane.keeps(*end[1]);
+            if (first_in == second_in)
+                return first_in;
             Cut& fresh = cut_[made++];
-            cut(first_out ? *ends[1] : *ends[0], first_out ? *ends[0] : *ends[1], plane, fresh);
-            ends[first_out ? 0 : 1] = &fresh;
-        }
-        return true;
+            plane.cut(first_in ? *end[0] : *end[1], first_in ? *end[1] : *end[0], fresh);
+            end[first_in ? 1 : 0] = &fresh;
+            return true;
+        });
+        ends[0] = end[0];
+        ends[1] = end[1];
+        return left;
     }
 
     /// Sutherland and Hodgman, plane by plane; the polygon ends up in work[0].
     int clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes) {
         int used = n;
-        for (int plane = 0; plane < 6; ++plane) {
-            if ((planes & (1u << plane)) == 0)
-                continue;
+        const bool left = each_plane(planes, [&](const auto& plane) {
             int m = 0;
             for (int i = 0; i < n; ++i) {
                 // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
                 // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
                 if (used == cut_count || m + 2 > clip_vertices)
-                    return 0;
-                Vertex& here = *work[0][i];
-                Vertex& next = *work[0][i + 1 == n ? 0 : i + 1];
-                const bool here_in = distance(here, plane) >= 0, next_in = distance(next, plane) >= 0;
+                    return false;
+                Cut& here = static_cast<Cut&>(*work[0][i]);
+                Cut& next = static_cast<Cut&>(*work[0][i + 1 == n ? 0 : i + 1]);
+                const bool here_in = plane.keeps(here), next_in = plane.keeps(next);
                 if (here_in)
                     work[1][m++] = &here;
                 if (here_in == next_in)
                     continue;
                 Cut& fresh = cut_[used++];
-                cut(here_in ? here : next, here_in ? next : here, plane, fresh);
+                plane.cut(here_in ? here : next, here_in ? next : here, fresh);
                 // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
                 // cut (GL 1.3, 2.11).
                 fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
@@ -974,10 +1032,9 @@ template <class M, class L> class Pipeline {
             n = m;
             for (int i = 0; i < n; ++i)
                 work[0][i] = work[1][i];
-            if (n < 3)
-                return 0;
-        }
-        return n;
+            return n >= 3;
+        });
+        return left ? n : 0;
     }
 };
 

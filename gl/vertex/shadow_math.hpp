@@ -51,11 +51,24 @@ struct ShadowMath {
     }
     static bool in_front(const Clip& c) { return FixedMath::in_front(c.fixed); }
 
-    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
+    using Plane = Both<FixedMath::Plane, DoubleMath::Plane>;
+    using Distance = Both<FixedMath::Distance, DoubleMath::Distance>;
+
+    static Plane plane(const Real (&equation)[4]) {
+        return {FixedMath::plane(equation), DoubleMath::plane(equation)};
+    }
+    static Distance distance(const Plane& p, const Eye& eye) {
+        return {FixedMath::distance(p.fixed, eye.fixed), DoubleMath::distance(p.twin, eye.twin)};
+    }
+    static bool turned(const Plane& p) { return p.fixed.turned; }
+    static bool outside(const Plane& p, const Distance& d) { return FixedMath::outside(p.fixed, d.fixed); }
+
     static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        const FixedMath::Parameter fixed = FixedMath::intersect(inside.fixed, outside.fixed, plane, band);
-        const double twin = DoubleMath::intersect(inside.twin, outside.twin, plane, band);
-        return {fixed, twin >= 0.0 && twin <= 1.0 ? twin : fixed * 0x1p-30};
+        return both(FixedMath::intersect(inside.fixed, outside.fixed, plane, band),
+                    DoubleMath::intersect(inside.twin, outside.twin, plane, band));
+    }
+    static Parameter intersect(const Distance& a, const Distance& b) {
+        return both(FixedMath::intersect(a.fixed, b.fixed), DoubleMath::intersect(a.twin, b.twin));
     }
     static Clip mix(const Clip& a, const Clip& b, const Parameter& t) {
         return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
@@ -134,6 +147,11 @@ struct ShadowMath {
     }
 
   private:
+    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
+    static Parameter both(FixedMath::Parameter fixed, double twin) {
+        return {fixed, twin >= 0.0 && twin <= 1.0 ? twin : fixed * 0x1p-30};
+    }
+
     static double inverse_w(const raster::FixedVertex& v) {
         return std::ldexp(static_cast<double>(v.w_mantissa), v.w_exponent);
     }

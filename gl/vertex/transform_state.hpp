@@ -13,6 +13,8 @@ template <int Depth> struct MatrixStack {
     int top = 0;
 };
 
+inline constexpr int max_clip_planes = 6;
+
 struct TransformState {
     GLenum matrix_mode = GL_MODELVIEW;
     MatrixStack<32> modelview;
@@ -22,6 +24,8 @@ struct TransformState {
     Real depth_range[2] = {numeric::zero, numeric::one};
     bool normalize = false;
     bool rescale_normal = false;
+    bool clip_plane_on[max_clip_planes] = {};
+    Real clip_plane[max_clip_planes][4] = {}; ///< in eye space
 };
 
 } // namespace spangle::gl

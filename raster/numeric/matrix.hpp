@@ -133,6 +133,15 @@ constexpr Element sum_of_products(const Element (&a)[4], const Element (&b)[4]) 
 
 } // namespace detail
 
+/// The row v times a.
+constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
+    const Element row[4] = {to_element(v[0]), to_element(v[1]), to_element(v[2]), to_element(v[3])};
+    for (int j = 0; j < 4; ++j) {
+        const Element column[4] = {a.at(0, j), a.at(1, j), a.at(2, j), a.at(3, j)};
+        out[j] = to_real(detail::sum_of_products(row, column));
+    }
+}
+
 /// a * b (GL 1.3, 2.10.2: MultMatrix makes C * M). Each element is within 2^-31 of itself plus 2^-58 of its
 /// largest term.
 constexpr Matrix multiply(const Matrix& a, const Matrix& b) {

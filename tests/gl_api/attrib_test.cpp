@@ -94,6 +94,9 @@ std::map<GLenum, GLbitfield> server_state() {
     }
     if (SPANGLE_FEATURE_COLOR_INDEX)
         groups[GL_CURRENT_INDEX] = GL_CURRENT_BIT;
+    if (SPANGLE_FEATURE_CLIP_PLANES)
+        for (GLenum cap = GL_CLIP_PLANE0; cap <= GL_CLIP_PLANE5; ++cap)
+            groups[cap] = GL_TRANSFORM_BIT | GL_ENABLE_BIT;
     return groups;
 }
 
@@ -154,6 +157,14 @@ class Attrib : public RecordingContext {
         for (GLenum face : {GL_FRONT, GL_BACK})
             note(GL_LIGHTING_BIT, [face](GLenum n, GLfloat* f) { glGetMaterialfv(face, n, f); },
                  {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS});
+#endif
+#if SPANGLE_FEATURE_CLIP_PLANES
+        const auto equation = [](GLenum plane, GLfloat* f) {
+            GLdouble d[4];
+            glGetClipPlane(plane, d);
+            std::copy(d, d + 4, f);
+        };
+        note(GL_TRANSFORM_BIT, equation, {GL_CLIP_PLANE0, GL_CLIP_PLANE3, GL_CLIP_PLANE5});
 #endif
         note(GL_TEXTURE_BIT, [](GLenum n, GLfloat* f) { glGetTexEnvfv(GL_TEXTURE_ENV, n, f); },
              {GL_TEXTURE_ENV_MODE, GL_TEXTURE_ENV_COLOR});
@@ -228,6 +239,10 @@ class Attrib : public RecordingContext {
         for (GLenum name : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
             glFogf(name, f(2));
         glFogi(GL_FOG_MODE, k != 0 ? GL_LINEAR : GL_EXP2);
+#endif
+#if SPANGLE_FEATURE_CLIP_PLANES
+        for (GLenum plane = GL_CLIP_PLANE0; plane <= GL_CLIP_PLANE5; ++plane)
+            glClipPlanefOES(plane, four);
 #endif
 #if SPANGLE_FEATURE_POLYGON_MODE
         glEdgeFlag(k != 0);

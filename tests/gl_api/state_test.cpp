@@ -170,6 +170,11 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG, {1}},
                                    {GL_EDGE_FLAG_ARRAY, {0}},
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    if (SPANGLE_FEATURE_CLIP_PLANES) {
+        table.push_back({GL_MAX_CLIP_PLANES, {6}});
+        for (GLenum i = 0; i < 6; ++i)
+            table.push_back({GL_CLIP_PLANE0 + i, {0}});
+    }
     if (SPANGLE_FEATURE_COLOR_INDEX)
         table.insert(table.end(), {{GL_CURRENT_INDEX, {1}},
                                    {GL_INDEX_ARRAY, {0}},
@@ -327,6 +332,9 @@ TEST_F(State, EveryCapabilityToggles) {
             caps.push_back(cap);
     if (SPANGLE_FEATURE_FOG)
         caps.push_back(GL_FOG);
+    if (SPANGLE_FEATURE_CLIP_PLANES)
+        for (GLenum i = 0; i < 6; ++i)
+            caps.push_back(GL_CLIP_PLANE0 + i);
     for (GLenum cap : caps) {
         std::vector<bool> others;
         for (GLenum other : caps)
@@ -357,6 +365,7 @@ TEST_F(State, AbsentSystemsAreNamed) {
     said.clear();
     const std::pair<GLenum, bool> caps[] = {{GL_FOG, SPANGLE_FEATURE_FOG != 0},
                                             {GL_LIGHTING, SPANGLE_FEATURE_LIGHTING != 0},
+                                            {GL_CLIP_PLANE5, SPANGLE_FEATURE_CLIP_PLANES != 0},
                                             {GL_LIGHT7, SPANGLE_FEATURE_LIGHTING != 0},
                                             {GL_COLOR_MATERIAL, SPANGLE_FEATURE_LIGHTING != 0}};
     for (const auto& [cap, present] : caps) {

@@ -7,7 +7,7 @@
 namespace spangle::oracle {
 
 scenes::SceneList probes() {
-    static const scenes::Scene all[] = {outlines, two_units};
+    static const scenes::Scene all[] = {outlines, two_units, cut_torus};
     return {all, sizeof all / sizeof all[0]};
 }
 

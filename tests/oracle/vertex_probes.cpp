@@ -91,8 +91,66 @@ void draw_two_units(int) {
     glEnd();
 }
 
+/// A camera above a unit sphere of things; lit, both sides.
+void in_perspective(int width, int height) {
+    const double aspect = static_cast<double>(width) / height;
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-0.5 * aspect, 0.5 * aspect, -0.5, 0.5, 1, 10);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    glTranslatef(0, 0, -3.2f);
+    glRotatef(35, 1, 0.3f, 0);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void light(bool two_sided) {
+    const float front[4] = {0.9f, 0.6f, 0.2f, 1}, back[4] = {0.2f, 0.5f, 0.9f, 1}, white[4] = {1, 1, 1, 1},
+                from[4] = {0.5f, 0.6f, 1, 0};
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glLightfv(GL_LIGHT0, GL_POSITION, from);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, two_sided ? 1 : 0);
+    glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, front);
+    glMaterialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, back);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, white);
+    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 20);
+}
+
+void torus(int sides, int rings) {
+    const float turn = 6.2831853f;
+    for (int i = 0; i < rings; ++i) {
+        glBegin(GL_QUAD_STRIP);
+        for (int k = 0; k <= sides; ++k)
+            for (int next = 1; next >= 0; --next) {
+                const float a = turn * static_cast<float>(i + next) / static_cast<float>(rings),
+                            b = turn * static_cast<float>(k) / static_cast<float>(sides);
+                const float nx = std::cos(a) * std::cos(b), ny = std::sin(a) * std::cos(b), nz = std::sin(b);
+                glNormal3f(nx, ny, nz);
+                glVertex3f(0.9f * std::cos(a) + 0.4f * nx, 0.9f * std::sin(a) + 0.4f * ny, 0.4f * nz);
+            }
+        glEnd();
+    }
+}
+
+void set_up_cut_torus(int width, int height) {
+    in_perspective(width, height);
+    light(true);
+    const double planes[3][4] = {{0.8, 0.4, 0.2, 0.3}, {-0.3, 0.7, -0.5, 0.6}, {0, -1, 0, 0.95}};
+    for (int i = 0; i < 3; ++i) {
+        glClipPlane(GL_CLIP_PLANE0 + static_cast<GLenum>(2 * i), planes[i]);
+        glEnable(GL_CLIP_PLANE0 + static_cast<GLenum>(2 * i));
+    }
+}
+
+void draw_torus(int) {
+    clear();
+    torus(16, 32);
+}
+
 } // namespace
 
+const scenes::Scene cut_torus = {"P-clip-planes", "a torus cut open", set_up_cut_torus, draw_torus};
 const scenes::Scene outlines = {"P-outlines", "PolygonMode and edge flags", pixels, draw_outlines};
 const scenes::Scene two_units = {"P-two-units", "two textures", set_up_two_units, draw_two_units};
 

@@ -5,6 +5,6 @@
 
 namespace spangle::oracle {
 
-extern const scenes::Scene outlines, two_units;
+extern const scenes::Scene outlines, two_units, cut_torus;
 
 } // namespace spangle::oracle

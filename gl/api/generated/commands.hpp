@@ -70,6 +70,8 @@ void Frustum(Context& context, Real left, Real right, Real bottom, Real top, Rea
 void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val);
 void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
 void DepthRange(Context& context, Real near_val, Real far_val);
+void ClipPlane(Context& context, GLenum plane, Real a, Real b, Real c, Real d);
+void GetClipPlane(Context& context, GLenum plane, GLdouble* equation);
 
 // Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5).
 void Light(Context& context, GLenum light, GLenum pname, const Params& params);
@@ -556,6 +558,20 @@ struct DepthRange {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glDepthRange between glBegin and glEnd");
+};
+struct ClipPlane {
+    static constexpr auto run = &cmd::ClipPlane;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glClipPlane between glBegin and glEnd");
+};
+struct GetClipPlane {
+    static constexpr auto run = &cmd::GetClipPlane;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetClipPlane between glBegin and glEnd");
 };
 struct Light {
     static constexpr auto run = &cmd::Light;

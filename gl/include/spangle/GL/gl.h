@@ -385,6 +385,13 @@ GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const v
 #define GL_MAX_VIEWPORT_DIMS 0x0D3A
 #define GL_DEPTH_RANGE 0x0B70
 #define GL_SUBPIXEL_BITS 0x0D50
+#define GL_CLIP_PLANE0 0x3000
+#define GL_CLIP_PLANE1 0x3001
+#define GL_CLIP_PLANE2 0x3002
+#define GL_CLIP_PLANE3 0x3003
+#define GL_CLIP_PLANE4 0x3004
+#define GL_CLIP_PLANE5 0x3005
+#define GL_MAX_CLIP_PLANES 0x0D32
 #define GL_NORMALIZE 0x0BA1
 #define GL_RESCALE_NORMAL 0x803A
 GLAPI void GLAPIENTRY glMatrixMode(GLenum mode);
@@ -420,6 +427,10 @@ GLAPI void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height
 GLAPI void GLAPIENTRY glDepthRange(GLclampd near_val, GLclampd far_val);
 GLAPI void GLAPIENTRY glDepthRangef(GLclampf near_val, GLclampf far_val);
 GLAPI void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val);
+GLAPI void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation);
+GLAPI void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation);
+GLAPI void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation);
+GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 
 /* Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5) */
 #define GL_FRONT 0x0404

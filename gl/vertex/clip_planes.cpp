@@ -1,0 +1,37 @@
+// ClipPlane and its query (GL 1.3, 2.11).
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_CLIP_PLANES
+
+#include "gl/api/convert.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "raster/numeric/matrix_build.hpp"
+
+namespace spangle::gl::cmd {
+
+/// Planes are kept in eye space: p' = p M^-1 with the modelview matrix of this moment. With a singular one,
+/// which GL leaves open, they are taken as if they were given in eye space.
+void ClipPlane(Context& context, GLenum plane, Real a, Real b, Real c, Real d) {
+    if (plane - GL_CLIP_PLANE0 >= max_clip_planes)
+        return error(context, GL_INVALID_ENUM);
+    TransformState& transform = context.transform;
+    numeric::Matrix inverse;
+    numeric::inverse(transform.modelview.entry[transform.modelview.top], inverse);
+    numeric::row_times({a, b, c, d}, inverse, transform.clip_plane[plane - GL_CLIP_PLANE0]);
+    context.changed(dirty_vertex);
+}
+
+void GetClipPlane(Context& context, GLenum plane, GLdouble* equation) {
+    if (plane - GL_CLIP_PLANE0 >= max_clip_planes)
+        return error(context, GL_INVALID_ENUM);
+    if (equation == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetClipPlane: null pointer"));
+    const Real(&kept)[4] = context.transform.clip_plane[plane - GL_CLIP_PLANE0];
+    for (int i = 0; i < 4; ++i)
+        equation[i] = convert::to_double(Kind::real, Param::from(kept[i]));
+}
+
+} // namespace spangle::gl::cmd
+
+#endif
