@@ -97,7 +97,7 @@ template <class M, class L> class Pipeline {
   private:
     /// Vertex::flags: bits 0..5 the view-volume planes it lies outside of, from bit 8 on the planes (guard
     /// band, near, far) it must be clipped by, then what is still to be done.
-    static constexpr unsigned user_shift = 6; ///< the user's planes behind those of the view volume
+    static constexpr int user_shift = 6; ///< the user's planes behind those of the view volume
     static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
                               unprojected = 1 << 14, ///< has no window coordinates yet
         uncolored = 1 << 15,
@@ -927,7 +927,7 @@ template <class M, class L> class Pipeline {
     }
 
     /// A vertex at t of the edge from a to b.
-    void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
+    [[gnu::noinline]] void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
         M::mix(a.window, b.window, t, units_, out.window);
         if (fog_) {
             out.eye_z = M::mix(a.eye_z, b.eye_z, t);
@@ -948,82 +948,69 @@ template <class M, class L> class Pipeline {
         return exactly_clipped() ? 1 : M::guard_band;
     }
 
-    /// A plane of the view volume.
-    struct VolumePlane {
-        Pipeline& pipeline;
-        int plane;
+    /// Planes are numbered: those of the view volume, from user_shift on the user's. These come last, so that
+    /// they cut the same polygon as their complements do.
+    bool keeps(int plane, const Cut& v) const {
+        if (plane < user_shift)
+            return M::distance(v.clip, plane, band()) >= 0;
+        const typename M::Plane& user = planes_[plane - user_shift];
+        return !M::outside(user, M::distance(user, v.eye));
+    }
 
-        bool keeps(const Cut& v) const { return M::distance(v.clip, plane, pipeline.band()) >= 0; }
-        /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
-        void cut(const Cut& inside, const Cut& outside, Cut& out) const {
-            pipeline.mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, pipeline.band()),
-                         out);
-            // Rounding must not leave it outside of the plane it lies on.
-            out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
-        }
-    };
-
-    /// A plane of the user's. They come last, so that they cut the same polygon as their complements do.
-    struct UserPlane {
-        Pipeline& pipeline;
-        typename M::Plane plane;
-
-        bool keeps(const Cut& v) const { return !M::outside(plane, M::distance(plane, v.eye)); }
-        /// From the side where distances are positive, whichever is kept: the same integers for a plane and
-        /// its complement.
-        void cut(const Cut& inside, const Cut& outside, Cut& out) const {
-            const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
-            pipeline.mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
-        }
-    };
-
-    /// Calls f(plane) for those that are to be cut by, bits as in `planes`, until it returns false.
-    template <class F> bool each_plane(unsigned planes, F f) {
-        for (int plane = 0; plane < 6; ++plane)
-            if ((planes >> plane & 1) != 0 && !f(VolumePlane{*this, plane}))
-                return false;
-        for (int plane = 0; plane < planes_.count(); ++plane)
-            if ((planes >> (plane + user_shift) & 1) != 0 && !f(UserPlane{*this, planes_[plane]}))
-                return false;
-        return true;
+    /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
+    void cut(int plane, const Cut& inside, const Cut& outside, Cut& out) {
+        if (plane >= user_shift)
+            return cut_by_user(planes_[plane - user_shift], inside, outside, out);
+        mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, band()), out);
+        // Rounding must not leave it outside of the plane it lies on.
+        out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
+    }
+    /// From the side where distances are positive, whichever is kept: the same integers for a plane and its
+    /// complement.
+    void cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside, Cut& out) {
+        const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
+        mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
     }
 
     bool clip_line(Vertex* (&ends)[2]) {
         int made = 2;
         Cut* end[2] = {&to_be_cut(*ends[0], 0), &to_be_cut(*ends[1], 1)};
-        const bool left = each_plane(~0u, [&](const auto& plane) {
-            const bool first_in = plane.keeps(*end[0]), second_in = plane.keeps(*end[1]);
-            if (first_in == second_in)
-                return first_in;
+        for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
+            const bool first_in = keeps(plane, *end[0]), second_in = keeps(plane, *end[1]);
+            if (!first_in && !second_in)
+                return false;
+            if (first_in && second_in)
+                continue;
             Cut& fresh = cut_[made++];
-            plane.cut(first_in ? *end[0] : *end[1], first_in ? *end[1] : *end[0], fresh);
+            cut(plane, first_in ? *end[0] : *end[1], first_in ? *end[1] : *end[0], fresh);
             end[first_in ? 1 : 0] = &fresh;
-            return true;
-        });
+        }
         ends[0] = end[0];
         ends[1] = end[1];
-        return left;
+        return true;
     }
 
     /// Sutherland and Hodgman, plane by plane; the polygon ends up in work[0].
     int clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes) {
         int used = n;
-        const bool left = each_plane(planes, [&](const auto& plane) {
+        for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
+            if ((planes >> plane & 1) == 0)
+                continue;
             int m = 0;
             for (int i = 0; i < n; ++i) {
                 // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
                 // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
                 if (used == cut_count || m + 2 > clip_vertices)
-                    return false;
+                    return 0;
                 Cut& here = static_cast<Cut&>(*work[0][i]);
                 Cut& next = static_cast<Cut&>(*work[0][i + 1 == n ? 0 : i + 1]);
-                const bool here_in = plane.keeps(here), next_in = plane.keeps(next);
+                const bool here_in = keeps(plane, here), next_in = keeps(plane, next);
                 if (here_in)
                     work[1][m++] = &here;
                 if (here_in == next_in)
                     continue;
                 Cut& fresh = cut_[used++];
-                plane.cut(here_in ? here : next, here_in ? next : here, fresh);
+                cut(plane, here_in ? here : next, here_in ? next : here, fresh);
                 // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
                 // cut (GL 1.3, 2.11).
                 fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
@@ -1032,9 +1019,10 @@ template <class M, class L> class Pipeline {
             n = m;
             for (int i = 0; i < n; ++i)
                 work[0][i] = work[1][i];
-            return n >= 3;
-        });
-        return left ? n : 0;
+            if (n < 3)
+                return 0;
+        }
+        return n;
     }
 };
 
