@@ -75,14 +75,14 @@ class Evaluation {
                                 place_in(map.side[1], v));
     }
 
-    void values(unsigned target, Real* out) const {
+    [[gnu::noinline]] void values(unsigned target, Real* out) const {
         for (unsigned c = 0; c < components_of(target); ++c)
-            out[c] = numeric::to_real(component(target, c).value);
+            out[c] = evaluation::store(component(target, c).value);
     }
 
     /// dq/du x dq/dv, normalised, with q = p, or xyz / w of four components: there the derivative of the
     /// quotient without its positive factor 1 / w^2.
-    void auto_normal(unsigned vertex) {
+    [[gnu::noinline]] void auto_normal(unsigned vertex) {
         EvalSurface p[4];
         for (unsigned c = 0; c < components_of(vertex); ++c)
             p[c] = component(vertex, c);
@@ -99,25 +99,25 @@ class Evaluation {
         const numeric::Unit3 n =
             numeric::normalize(numeric::cross(turned ? along_v : along_u, turned ? along_u : along_v));
         for (int c = 0; c < 3; ++c)
-            context_.current.normal[c] = numeric::to_real(numeric::make_block(n.m[c], -numeric::block_bits));
+            context_.current.normal[c] = evaluation::store(numeric::make_block(n.m[c], -numeric::block_bits));
     }
 
-    static numeric::Block quotient_slope(const EvalSurface& p, numeric::Block slope, const EvalSurface& w,
-                                         numeric::Block w_slope) {
-        return numeric::sub(numeric::mul(slope, w.value), numeric::mul(p.value, w_slope));
+    [[gnu::noinline]] static numeric::Block quotient_slope(const EvalSurface& p, numeric::Block slope,
+                                                           const EvalSurface& w, numeric::Block w_slope) {
+        return evaluation::sub(evaluation::mul(slope, w.value), evaluation::mul(p.value, w_slope));
     }
 };
 
 /// Point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
-Real grid_point(Real from, Real to, GLint n, std::int64_t i) {
+[[gnu::noinline]] Real grid_point(Real from, Real to, GLint n, std::int64_t i) {
     if (i == 0)
         return from;
     if (i == n)
         return to;
-    const numeric::Block start = numeric::to_block(from),
-                         step = numeric::div(numeric::sub(numeric::to_block(to), start),
-                                             numeric::make_block(n, 0));
-    return numeric::to_real(numeric::add(start, numeric::mul(step, numeric::make_block(i, 0))));
+    const numeric::Block start = evaluation::load(from),
+                         step = evaluation::div(evaluation::sub(evaluation::load(to), start),
+                                                numeric::make_block(n, 0));
+    return evaluation::store(evaluation::add(start, evaluation::mul(step, numeric::make_block(i, 0))));
 }
 
 void grid_vertex(Context& context, std::int64_t i) {

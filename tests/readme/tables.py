@@ -5,7 +5,7 @@ usage: tables.py [--check] [--spangle PROGRAM]
 
 Each table stands between <!-- table: NAME --> and <!-- end -->. accuracy and stages are measured anew by the command line
 (PROGRAM; without it they stay as they are), instructions come from tests/bench/golden.json, speed and memory from
-tests/bench/measured.json, which `./dev bench --record` writes. --check changes nothing and fails where a table claims more
+tests/bench/measured.json, which `./dev bench --record` writes, optional systems from tests/bench/features.json (tests/bench/features.py). --check changes nothing and fails where a table claims more
 than was measured: of errors by a factor of 2, of pixels by 0.05 %, of instructions by 0.1 million; speed and memory must be the recorded ones.
 """
 import argparse
@@ -113,6 +113,18 @@ def memory():
     return table(["scene", "context", "surface", "most in all", "process", "llvmpipe's process"], rows)
 
 
+def features():
+    """What each optional system costs; sorted by the code it takes of the smallest target."""
+    path = BENCH / "features.json"
+    if not path.exists():
+        return "`python3 tests/bench/features.py` has not been run yet."
+    found = json.loads(path.read_text())
+    order = sorted(found["Cortex-M0+"], key=lambda name: -found["Cortex-M0+"][name]["text"])
+    rows = [["all of gl/" if name == "everything" else f"`{name}`",
+             *(f"{found[target][name][kind]:,}" if name in found[target] else "-" for target in found for kind in ("text", "context"))] for name in order]
+    return table(["feature", *(f"{target}, {kind}" for target in found for kind in ("code", "context"))], rows)
+
+
 def refreshed(text, contents):
     """README with these tables in place."""
     for name, content in contents.items():
@@ -150,7 +162,7 @@ def standing(text, name):
 
 def recorded():
     """The tables that need no program."""
-    return {"instructions": instructions(), "speed": speed(), "memory": memory()}
+    return {"instructions": instructions(), "speed": speed(), "memory": memory(), "features": features()}
 
 
 def write(contents):
