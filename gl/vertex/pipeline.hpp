@@ -666,7 +666,8 @@ template <class M, class L> class Pipeline {
     }
 
     /// corner(i): what is left of the primitive's corners after clipping, with their windows.
-    template <class At> void capture(GLenum token, At corner, int n) {
+    template <class At>
+    void capture([[maybe_unused]] GLenum token, [[maybe_unused]] At corner, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_SELECTION
         if (context_->render.mode == GL_SELECT) {
             std::uint32_t nearest = 0xFFFFFFFF, farthest = 0;
