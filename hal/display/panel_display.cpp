@@ -67,6 +67,12 @@ Result<void> PanelDisplay::check_config() const {
         return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
     if (config_.wait_te && panel.commands->tearing.empty())
         return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
+    if (caps_.write_hz > fastest_write(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's write clock is faster than this panel is known to take"};
+    if (config_.read_back && caps_.read_hz > fastest_read(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's read clock is faster than the panel's datasheet allows"};
     if (config_.wait_te && !caps_.has_te)
         return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
     const Extent size = place(panel, config_.orientation).size;

@@ -8,6 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "hal/linux/answer.hpp"
 #include "hal/linux/persist.hpp"
 
 namespace spangle::hal {
@@ -288,7 +289,7 @@ Result<void> SpidevBus::read(const Op& op) {
     if (!three_wire())
         if (const auto r = set_dc(false); !r)
             return r;
-    std::vector<std::uint8_t> answer((op.dummy_bits + std::size_t{op.length} * 8 + 7) / 8);
+    std::vector<std::uint8_t> answer(answer_bytes(op));
     const std::uint16_t word = op.command; // D/C bit 0
     spi_ioc_transfer transfers[2]{};
     transfers[0].tx_buf = three_wire() ? address(&word) : address(&op.command);
@@ -303,11 +304,7 @@ Result<void> SpidevBus::read(const Op& op) {
         return failed("read");
     if (static_cast<std::uint32_t>(moved) != transfers[0].len + transfers[1].len)
         return error_.say(Fault::no_answer, config_.device, "read", "the answer was cut short");
-    for (std::uint32_t i = 0; i < op.length; ++i) {
-        const std::size_t bit = op.dummy_bits + std::size_t{i} * 8, at = bit / 8;
-        const unsigned high = answer[at], low = at + 1 < answer.size() ? answer[at + 1] : 0u;
-        op.into[i] = static_cast<std::uint8_t>((high << 8 | low) >> (8 - bit % 8));
-    }
+    take_answer(op, answer);
     return {};
 }
 

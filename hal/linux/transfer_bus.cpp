@@ -49,7 +49,7 @@ Result<void> TransferBus::open_pins() {
         return r;
     if (const auto r = open_pin(backlight_, pins_.backlight, true); !r)
         return r;
-    return has_te() ? te_.open(pins_.te) : Result<void>{};
+    return pins_.te.wired() ? te_.open(pins_.te) : Result<void>{};
 }
 
 bool TransferBus::busy() const {
@@ -58,9 +58,22 @@ bool TransferBus::busy() const {
 }
 
 Result<void> TransferBus::backlight(bool on) {
-    if (!pins_.backlight.wired())
+    if (!has_backlight())
         return Error{Fault::unsupported, "bus: no backlight line is wired"};
+    return set_backlight(on);
+}
+
+Result<void> TransferBus::set_backlight(bool on) {
     return set_pin(backlight_, pins_.backlight, on);
+}
+
+Result<void> TransferBus::set_reset(bool high) {
+    return set_pin(reset_, pins_.reset, high);
+}
+
+Result<void> TransferBus::await_te(std::uint32_t at_most_micros) {
+    const Result<std::uint64_t> edge = te_.next_edge(at_most_micros);
+    return edge ? Result<void>{} : edge.error();
 }
 
 Result<Buffer> TransferBus::acquire(std::size_t size) {
@@ -83,7 +96,7 @@ const char* TransferBus::refusal_of(const Op& op) const {
         return "bus: this bus cannot read";
     if (op.kind == Kind::wait_te && !has_te())
         return "bus: no tearing-effect line is wired";
-    if (op.kind == Kind::reset && !pins_.reset.wired())
+    if (op.kind == Kind::reset && !has_reset())
         return "bus: no reset line is wired";
     return refusal(op);
 }
@@ -190,10 +203,8 @@ Result<void> TransferBus::run(const Op& op) {
     case Kind::delay:
         pause_micros(op.micros);
         return {};
-    case Kind::wait_te: {
-        const Result<std::uint64_t> edge = te_.next_edge(op.micros);
-        return edge ? Result<void>{} : edge.error();
-    }
+    case Kind::wait_te:
+        return await_te(op.micros);
     case Kind::wait_line:
         return wait_line(op);
     case Kind::read:
@@ -252,10 +263,10 @@ Result<void> TransferBus::put_repeat(const Op& op) {
 }
 
 Result<void> TransferBus::pulse_reset(std::uint32_t micros) {
-    if (const auto r = set_pin(reset_, pins_.reset, false); !r)
+    if (const auto r = set_reset(false); !r)
         return r;
     pause_micros(micros);
-    return set_pin(reset_, pins_.reset, true);
+    return set_reset(true);
 }
 
 } // namespace spangle::hal

@@ -15,6 +15,9 @@ namespace {
 /// Two of these keep the wire busy while the next is handed over; a multiple of any packet size.
 constexpr std::size_t piece_bytes = 32768;
 
+/// No code of libusb's: the device took less than it was sent.
+constexpr int cut_short = -1000;
+
 constexpr std::uint8_t to_interface =
     std::uint8_t{LIBUSB_REQUEST_TYPE_VENDOR} | std::uint8_t{LIBUSB_RECIPIENT_INTERFACE};
 
@@ -26,6 +29,8 @@ Fault fault_of(int code) {
         return Fault::busy;
     case LIBUSB_ERROR_TIMEOUT:
         return Fault::timeout;
+    case cut_short:
+        return Fault::short_write;
     case LIBUSB_ERROR_NO_DEVICE: // which of the two an unplugged device gives depends on its controller
     case LIBUSB_ERROR_IO:
     case LIBUSB_ERROR_NOT_FOUND:
@@ -56,11 +61,27 @@ int code_of(libusb_transfer_status status) {
     }
 }
 
+/// The first bulk endpoint of that direction, or null.
+const libusb_endpoint_descriptor* bulk_endpoint(const libusb_interface_descriptor& side, int direction) {
+    for (int e = 0; e < side.bNumEndpoints; ++e) {
+        const libusb_endpoint_descriptor& endpoint = side.endpoint[e];
+        if ((endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK &&
+            (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == direction)
+            return &endpoint;
+    }
+    return nullptr;
+}
+
+} // namespace
+
 /// A transfer of the pipe, used again and again.
-struct Flight {
+struct UsbLink::Flight {
     libusb_transfer* transfer = libusb_alloc_transfer(0);
     int done = 1;
 
+    Flight() = default;
+    Flight(const Flight&) = delete;
+    Flight& operator=(const Flight&) = delete;
     ~Flight() { libusb_free_transfer(transfer); }
     static void LIBUSB_CALL finished(libusb_transfer* t) { *static_cast<int*>(t->user_data) = 1; }
 
@@ -78,17 +99,21 @@ struct Flight {
             libusb_handle_events_timeout_completed(context, &patience, &done);
         }
         const int code = code_of(transfer->status);
-        return code == LIBUSB_SUCCESS && transfer->actual_length != transfer->length ? LIBUSB_ERROR_IO : code;
+        return code == LIBUSB_SUCCESS && transfer->actual_length != transfer->length ? cut_short : code;
     }
 };
 
-} // namespace
+UsbLink::UsbLink(const char* noun) : noun_(noun) {
+    std::snprintf(name_, sizeof name_, "%s", noun);
+}
 
 UsbLink::~UsbLink() {
     close();
 }
 
 void UsbLink::close() {
+    take_back();
+    flights_.reset();
     if (handle_ != nullptr) {
         libusb_release_interface(handle_, interface_); // the kernel's driver comes back
         libusb_close(handle_);
@@ -109,6 +134,8 @@ Error UsbLink::failed(const char* operation, int code) {
         cause = "permission denied; install the udev rules 60-spangle.rules and join group 'plugdev'";
     if (code == LIBUSB_ERROR_BUSY)
         cause = "another program has the device";
+    if (code == cut_short)
+        cause = "the device took less than it was sent";
     return error_.say(fault_of(code), name_, operation, cause);
 }
 
@@ -121,40 +148,50 @@ Result<void> UsbLink::start() {
 }
 
 /// A vendor interface with a bulk output.
-bool UsbLink::find_pipe(libusb_device* device) {
+bool UsbLink::find_pipe(libusb_device* device, int interface) {
     libusb_config_descriptor* config = nullptr;
     if (libusb_get_active_config_descriptor(device, &config) != LIBUSB_SUCCESS)
         return false;
     bool found = false;
     for (int i = 0; i < config->bNumInterfaces && !found; ++i) {
         const libusb_interface_descriptor& side = config->interface[i].altsetting[0];
-        for (int e = 0; e < side.bNumEndpoints && side.bInterfaceClass == LIBUSB_CLASS_VENDOR_SPEC && !found;
-             ++e) {
-            const libusb_endpoint_descriptor& endpoint = side.endpoint[e];
-            found = (endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK &&
-                    (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == LIBUSB_ENDPOINT_OUT;
-            endpoint_ = endpoint.bEndpointAddress;
-            interface_ = side.bInterfaceNumber;
-        }
+        if (interface != any_interface && interface != side.bInterfaceNumber)
+            continue;
+        const libusb_endpoint_descriptor* const out = bulk_endpoint(side, LIBUSB_ENDPOINT_OUT);
+        const libusb_endpoint_descriptor* const in = bulk_endpoint(side, LIBUSB_ENDPOINT_IN);
+        found = side.bInterfaceClass == LIBUSB_CLASS_VENDOR_SPEC && out != nullptr;
+        interface_ = side.bInterfaceNumber;
+        out_ = out != nullptr ? out->bEndpointAddress : std::uint8_t{0};
+        in_ = in != nullptr ? in->bEndpointAddress : std::uint8_t{0};
+        packet_bytes_ = in != nullptr ? in->wMaxPacketSize : std::size_t{0};
     }
     libusb_free_config_descriptor(config);
     return found;
 }
 
-Result<void> UsbLink::claim() {
+void UsbLink::set_name(libusb_device* device) {
     libusb_device_descriptor id{};
-    libusb_get_device_descriptor(libusb_get_device(handle_), &id);
-    std::snprintf(name_, sizeof name_, "USB display %04x:%04x", id.idVendor, id.idProduct);
+    libusb_get_device_descriptor(device, &id);
+    std::snprintf(name_, sizeof name_, "%s %04x:%04x", noun_, id.idVendor, id.idProduct);
+}
+
+Result<void> UsbLink::claim() {
+    set_name(libusb_get_device(handle_));
     libusb_set_auto_detach_kernel_driver(handle_, 1);
-    const int code = libusb_claim_interface(handle_, interface_);
-    if (code == LIBUSB_SUCCESS)
-        return {};
+    int code = libusb_claim_interface(handle_, interface_);
+    if (code == LIBUSB_SUCCESS) {
+        flights_ = std::make_unique<Flight[]>(2);
+        submitted_ = completed_ = 0;
+        if (flights_[0].transfer != nullptr && flights_[1].transfer != nullptr)
+            return {};
+        code = LIBUSB_ERROR_NO_MEM;
+    }
     const Error error = failed("claim", code);
     close();
     return error;
 }
 
-Result<void> UsbLink::open(const UsbId* ids, std::size_t count) {
+Result<void> UsbLink::open(const UsbId* ids, std::size_t count, int interface) {
     if (const auto r = start(); !r)
         return r;
     libusb_device** devices = nullptr;
@@ -166,23 +203,23 @@ Result<void> UsbLink::open(const UsbId* ids, std::size_t count) {
         const bool wanted = std::any_of(ids, ids + count, [&](const UsbId& known) {
             return known.vendor == id.idVendor && known.product == id.idProduct;
         });
-        if (!wanted || !find_pipe(devices[i]))
+        if (!wanted || !find_pipe(devices[i], interface))
             continue;
-        std::snprintf(name_, sizeof name_, "USB display %04x:%04x", id.idVendor, id.idProduct);
+        set_name(devices[i]);
         code = libusb_open(devices[i], &handle_);
     }
     if (listed >= 0)
         libusb_free_device_list(devices, 1);
     if (handle_ != nullptr)
         return claim();
-    const Error error = code == LIBUSB_ERROR_NOT_FOUND ? error_.say(Fault::gone, "USB display", "open",
+    const Error error = code == LIBUSB_ERROR_NOT_FOUND ? error_.say(Fault::gone, noun_, "open",
                                                                     "none is plugged in; lsusb lists what is")
                                                        : failed("open", code);
     close();
     return error;
 }
 
-Result<void> UsbLink::open_file(const char* path) {
+Result<void> UsbLink::open_file(const char* path, int interface) {
     libusb_set_option(nullptr, LIBUSB_OPTION_NO_DEVICE_DISCOVERY);
     if (const auto r = start(); !r)
         return r;
@@ -195,7 +232,7 @@ Result<void> UsbLink::open_file(const char* path) {
         return error;
     }
     const int code = libusb_wrap_sys_device(context_, file_, &handle_);
-    if (code == LIBUSB_SUCCESS && find_pipe(libusb_get_device(handle_)))
+    if (code == LIBUSB_SUCCESS && find_pipe(libusb_get_device(handle_), interface))
         return claim();
     const Error error = code != LIBUSB_SUCCESS ? failed("open", code)
                                                : error_.say(Fault::wrong_device, path, "open",
@@ -229,38 +266,73 @@ Result<void> UsbLink::set(const char* name, std::uint8_t request, std::uint16_t 
 }
 
 Result<void> UsbLink::clear_halt() {
-    const int code = libusb_clear_halt(handle_, endpoint_);
+    const int code = libusb_clear_halt(handle_, out_);
     return code == LIBUSB_SUCCESS ? Result<void>{} : failed("clear halt", code);
 }
 
-// --- The pipe
+/// GET_STATUS, which every device answers (USB 2.0, 9.4.5).
+Result<void> UsbLink::check_alive(const char* operation) {
+    std::uint8_t status[2] = {};
+    const int came = libusb_control_transfer(handle_, LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_STATUS, 0, 0,
+                                             status, sizeof status, 1000);
+    return came >= 0 ? Result<void>{} : failed(operation, came);
+}
 
-/// After a failure the other transfer is taken back, and waited for: the bytes are the caller's again.
-Result<void> UsbLink::send(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms) {
+// --- The pipes
+
+/// Nothing is under way any more: the bytes are the caller's again.
+void UsbLink::take_back() {
+    for (unsigned i = completed_; i != submitted_; ++i)
+        libusb_cancel_transfer(flights_[i % 2].transfer);
+    while (completed_ != submitted_)
+        flights_[completed_++ % 2].complete(context_);
+}
+
+Error UsbLink::abandon(int code) {
+    take_back();
+    return failed("send pixels", code);
+}
+
+Result<void> UsbLink::settle_to(unsigned under_way) {
+    while (submitted_ - completed_ > under_way)
+        if (const int code = flights_[completed_++ % 2].complete(context_); code != LIBUSB_SUCCESS)
+            return abandon(code);
+    return {};
+}
+
+Result<void> UsbLink::make_room() {
+    return settle_to(1);
+}
+
+Result<void> UsbLink::settle() {
+    return settle_to(0);
+}
+
+Result<void> UsbLink::push(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms) {
     refused_ = false;
-    Flight flights[2];
-    if (flights[0].transfer == nullptr || flights[1].transfer == nullptr)
-        return failed("send pixels", LIBUSB_ERROR_NO_MEM);
-    std::size_t sent = 0;
-    unsigned submitted = 0, completed = 0;
-    int code = LIBUSB_SUCCESS;
-    while (completed != submitted || (sent < count && code == LIBUSB_SUCCESS)) {
-        int outcome = LIBUSB_SUCCESS;
-        if (sent < count && code == LIBUSB_SUCCESS && submitted - completed < 2) {
-            const std::size_t piece = std::min(piece_bytes, count - sent);
-            outcome = flights[submitted % 2].submit(handle_, endpoint_, bytes + sent, piece, timeout_ms);
-            submitted += outcome == LIBUSB_SUCCESS;
-            sent += piece;
-        } else {
-            outcome = flights[completed++ % 2].complete(context_);
-        }
-        if (code != LIBUSB_SUCCESS || outcome == LIBUSB_SUCCESS)
-            continue;
-        code = outcome;
-        for (unsigned i = completed; i != submitted; ++i)
-            libusb_cancel_transfer(flights[i % 2].transfer);
-    }
-    return code == LIBUSB_SUCCESS ? Result<void>{} : failed("send pixels", code);
+    if (const auto r = make_room(); !r)
+        return r;
+    const int code = flights_[submitted_ % 2].submit(handle_, out_, bytes, count, timeout_ms);
+    if (code != LIBUSB_SUCCESS)
+        return abandon(code);
+    ++submitted_;
+    return {};
+}
+
+Result<void> UsbLink::send(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms) {
+    for (std::size_t sent = 0; sent < count; sent += piece_bytes)
+        if (const auto r = push(bytes + sent, std::min(piece_bytes, count - sent), timeout_ms); !r)
+            return r;
+    return settle();
+}
+
+Result<std::size_t> UsbLink::receive(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms) {
+    refused_ = false;
+    int came = 0;
+    const int code = libusb_bulk_transfer(handle_, in_, into, static_cast<int>(count), &came, timeout_ms);
+    if (code != LIBUSB_SUCCESS)
+        return failed("read", code);
+    return static_cast<std::size_t>(came);
 }
 
 } // namespace spangle::hal

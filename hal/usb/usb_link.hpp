@@ -1,9 +1,10 @@
-// One interface of a USB device through libusb: control requests, and a bulk pipe with two transfers in
-// flight.
+// One interface of a USB device through libusb: control requests, and bulk pipes, the outward one with two
+// transfers in flight.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include <spangle/linux/error_text.hpp>
 
@@ -19,18 +20,24 @@ struct UsbId {
 
 class UsbLink {
   public:
-    UsbLink() = default;
+    static constexpr int any_interface = -1;
+
+    /// `noun`: what errors call the device.
+    explicit UsbLink(const char* noun = "USB display");
     ~UsbLink();
     UsbLink(const UsbLink&) = delete;
     UsbLink& operator=(const UsbLink&) = delete;
 
     /// The first device of these with a vendor interface and a bulk output that can be claimed; a kernel
     /// driver lets go of it until close().
-    Result<void> open(const UsbId* ids, std::size_t count);
+    Result<void> open(const UsbId* ids, std::size_t count, int interface = any_interface);
     /// The device behind this usbfs file.
-    Result<void> open_file(const char* path);
+    Result<void> open_file(const char* path, int interface = any_interface);
     void close();
     bool opened() const { return handle_ != nullptr; }
+    libusb_device_handle* handle() const { return handle_; }
+    /// An error of the device that went, if it did; else none: for libraries that do not tell.
+    Result<void> check_alive(const char* operation);
 
     /// Vendor requests to the interface. `name`: what errors call it. The bytes that came.
     Result<std::size_t> get(const char* name, std::uint8_t request, std::uint16_t value, std::uint8_t* into,
@@ -39,6 +46,17 @@ class UsbLink {
                      std::size_t count, std::uint32_t timeout_ms);
     /// Returns when everything is with the device, or nothing is under way any more.
     Result<void> send(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms);
+
+    // The same in steps. An error leaves nothing under way, and may be that of an earlier step.
+    /// Hands a piece over, which must stay until make_room() was called after the next one, or settle().
+    Result<void> push(const std::uint8_t* bytes, std::size_t count, std::uint32_t timeout_ms);
+    /// Returns when another piece can be pushed: all but the last have left.
+    Result<void> make_room();
+    Result<void> settle();
+
+    /// What the device has to say, at most `count` bytes, whole packets: one that is not full ends it.
+    Result<std::size_t> receive(std::uint8_t* into, std::size_t count, std::uint32_t timeout_ms);
+    std::size_t packet_bytes() const { return packet_bytes_; } ///< of receive()
     /// The device refused the last request: a STALL.
     bool refused() const { return refused_; }
     Result<void> clear_halt();
@@ -47,17 +65,26 @@ class UsbLink {
     }
 
   private:
+    struct Flight;
+    const char* noun_;
     libusb_context* context_ = nullptr;
     libusb_device_handle* handle_ = nullptr;
     int file_ = -1;
     int interface_ = 0;
-    std::uint8_t endpoint_ = 0;
+    std::uint8_t out_ = 0, in_ = 0; ///< endpoints; 0: none
+    std::size_t packet_bytes_ = 0;
     bool refused_ = false;
+    std::unique_ptr<Flight[]> flights_; ///< two: pieces take turns
+    unsigned submitted_ = 0, completed_ = 0;
     ErrorText error_;
-    char name_[48] = "USB display";
+    char name_[48] = "";
 
     Result<void> start();
-    bool find_pipe(libusb_device* device);
+    void set_name(libusb_device* device);
+    bool find_pipe(libusb_device* device, int interface);
+    Result<void> settle_to(unsigned under_way);
+    void take_back();
+    Error abandon(int code);
     Result<void> claim();
     Error failed(const char* operation, int code);
 };

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "host_sim/bus/pin_header.hpp"
 #include "host_sim/linux/kernel.hpp"
 
 namespace spangle::sim {
 
-class GpioChip final : public Device {
+class GpioChip final : public Device, public PinHeader {
   public:
     static constexpr unsigned most_lines = 64;
 
@@ -25,10 +25,6 @@ class GpioChip final : public Device {
     static std::string path(unsigned number) { return "/dev/gpiochip" + std::to_string(number); }
 
     // --- the pins' other end
-    /// Told after each change: bit n is the level of line n. Lines that are not driven are high.
-    std::function<void(std::uint64_t levels, Time now)> on_change;
-    /// The level of an input at a time, asked with times that do not fall.
-    std::function<bool(unsigned line, Time now)> input;
     Settling settling = Settling::together;
     /// Somebody else has this line.
     void occupy(unsigned line, const std::string& consumer);

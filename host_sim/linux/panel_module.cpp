@@ -15,12 +15,12 @@ bool wired(unsigned line) {
 
 } // namespace
 
-PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, GpioChip& chip,
+PanelModule::PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, PinHeader& header,
                          Kernel& kernel)
     : panel_(panel), wiring_(wiring), kernel_(kernel) {
     power_cycle();
-    chip.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
-    chip.input = [this](unsigned line, Time now) { return input(line, now); };
+    header.on_change = [this](std::uint64_t levels, Time now) { lines_changed(levels, now); };
+    header.input = [this](unsigned line, Time now) { return input(line, now); };
 }
 
 void PanelModule::power_cycle() {

@@ -1,4 +1,4 @@
-// A display module wired to a Linux machine: which of its pins hangs on which GPIO line.
+// A display module wired to a machine: which of its pins hangs on which line of a GPIO chip or an adapter.
 #pragma once
 
 #include <array>
@@ -8,13 +8,14 @@
 #include <spangle/hal/board.hpp>
 #include <spangle/sim/image.hpp>
 
+#include "host_sim/bus/pin_header.hpp"
 #include "host_sim/bus/pins.hpp"
 #include "host_sim/controller/dcs_controller.hpp"
-#include "host_sim/linux/gpio_chip.hpp"
+#include "host_sim/linux/kernel.hpp"
 
 namespace spangle::sim {
 
-/// GPIO lines by pin; `open`: nothing is soldered there.
+/// Lines by pin; `open`: nothing is soldered there.
 struct ModuleWiring {
     static constexpr unsigned open = ~0u;
 
@@ -30,8 +31,8 @@ struct ModuleWiring {
 
 class PanelModule {
   public:
-    /// The lines of `chip` end at this module's pins.
-    PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, GpioChip& chip, Kernel& kernel);
+    /// The lines of `header` end at this module's pins.
+    PanelModule(const hal::PanelDesc& panel, const ModuleWiring& wiring, PinHeader& header, Kernel& kernel);
     PanelModule(const PanelModule&) = delete;
     PanelModule& operator=(const PanelModule&) = delete;
 

@@ -326,7 +326,7 @@ std::uint8_t GudDevice::set_buffer(const std::uint8_t* bytes, std::size_t count)
     return ok;
 }
 
-bool GudDevice::bulk_out(const std::uint8_t* bytes, std::size_t count) {
+bool GudDevice::bulk_out(std::uint8_t, const std::uint8_t* bytes, std::size_t count) {
     counters_.bulk_bytes += count;
     if (stall_bulk_)
         halted_ = true;

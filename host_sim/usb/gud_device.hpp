@@ -41,7 +41,8 @@ class GudDevice final : public UsbFunction {
     // --- what it does
     std::vector<std::uint8_t> descriptors() const override;
     bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) override;
-    bool bulk_out(const std::uint8_t* bytes, std::size_t count) override;
+    bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) override;
+    bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
     void clear_halt() override { halted_ = false, received_.clear(); }
     void power_cycle();
     /// The next request fails with this GUD status; the next bulk stalls.

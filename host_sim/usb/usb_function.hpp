@@ -1,4 +1,4 @@
-// A USB device as its firmware sees it: descriptors, control requests, one bulk pipe. Nothing of how packets
+// A USB device as its firmware sees it: descriptors, control requests, bulk pipes. Nothing of how packets
 // travel.
 #pragma once
 
@@ -22,7 +22,9 @@ class UsbFunction {
     /// False: STALL.
     virtual bool control(const UsbSetup& setup, const std::uint8_t* out, std::vector<std::uint8_t>& in) = 0;
     /// False: STALL, until the halt is cleared.
-    virtual bool bulk_out(const std::uint8_t* bytes, std::size_t count) = 0;
+    virtual bool bulk_out(std::uint8_t endpoint, const std::uint8_t* bytes, std::size_t count) = 0;
+    /// What the device sends now, at most `most` bytes. False: STALL.
+    virtual bool bulk_in(std::uint8_t endpoint, std::size_t most, std::vector<std::uint8_t>& in) = 0;
     virtual void clear_halt() = 0;
 };
 

@@ -198,17 +198,32 @@ class UsbfsFile final : public OpenFile {
                 finish(urb, -EPROTO);
                 break;
             default:
-                finish(urb, bulk ? send(*urb) : setup(*urb));
+                finish(urb, carry(*urb, fate == UsbfsDevice::Fate::cut));
             }
         }
     }
 
-    int send(usbdevfs_urb& urb) {
-        const auto count = static_cast<std::size_t>(urb.buffer_length);
-        if (!device_.function_.bulk_out(static_cast<const std::uint8_t*>(urb.buffer), count))
+    int send(usbdevfs_urb& urb, std::size_t count) {
+        if (!device_.function_.bulk_out(urb.endpoint, static_cast<const std::uint8_t*>(urb.buffer), count))
             return -EPIPE;
-        urb.actual_length = urb.buffer_length;
+        urb.actual_length = static_cast<int>(count);
         return 0;
+    }
+
+    int receive(usbdevfs_urb& urb) {
+        std::vector<std::uint8_t> in;
+        if (!device_.function_.bulk_in(urb.endpoint, static_cast<std::size_t>(urb.buffer_length), in))
+            return -EPIPE;
+        std::copy(in.begin(), in.end(), static_cast<std::uint8_t*>(urb.buffer));
+        urb.actual_length = static_cast<int>(in.size());
+        return 0;
+    }
+
+    int carry(usbdevfs_urb& urb, bool cut) {
+        if (urb.type != USBDEVFS_URB_TYPE_BULK)
+            return setup(urb);
+        const auto count = static_cast<std::size_t>(urb.buffer_length);
+        return (urb.endpoint & 0x80) != 0 ? receive(urb) : send(urb, cut ? count / 2 : count);
     }
 
     int setup(usbdevfs_urb& urb) {

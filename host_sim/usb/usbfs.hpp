@@ -24,6 +24,7 @@ class UsbfsDevice final : public Device {
     /// What becomes of a bulk transfer of `count` bytes.
     enum class Fate {
         normal,
+        cut,    ///< half of it arrives, and the controller calls that done
         stall,  ///< the endpoint halts
         silent, ///< never done: the host's timeout ends it
         unplug, ///< the device goes, with the transfer under way

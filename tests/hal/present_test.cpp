@@ -12,19 +12,20 @@ using namespace hal_test;
 
 namespace {
 
-constexpr PanelDesc tiny = panel({.name = "tiny",
-                                  .memory = {48, 64},
-                                  .glass = {36, 50},
-                                  .offset = {5, 9},
-                                  .mount = dcs::MX,
-                                  .order = ColorOrder::bgr,
-                                  .inverted = true,
-                                  .serial = {.rgb565 = 0x55, .rgb666 = 0x66},
-                                  .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
-                                  .setup = {},
-                                  .timing = {.frame_us = 10000, .scan_lines = 70, .porch_lines = 6},
-                                  .identity = {.id = 0x858552},
-                                  .quirks = {}});
+constexpr PanelDesc tiny =
+    panel({.name = "tiny",
+           .memory = {48, 64},
+           .glass = {36, 50},
+           .offset = {5, 9},
+           .mount = dcs::MX,
+           .order = ColorOrder::bgr,
+           .inverted = true,
+           .serial = {.rgb565 = 0x55, .rgb666 = 0x66},
+           .parallel = {.rgb565 = 0x55, .rgb666 = 0x66},
+           .setup = {},
+           .timing = {.practical_serial_mhz = 100, .frame_us = 10000, .scan_lines = 70, .porch_lines = 6},
+           .identity = {.id = 0x858552},
+           .quirks = {}});
 
 /// A rasterizer as the display sees it: clears and rectangles, and the extents they leave.
 struct Painter {

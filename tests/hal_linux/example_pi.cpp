@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <spangle/boards/ili9341_spi.hpp>
 
+#include "host_sim/linux/gpio_chip.hpp"
 #include "host_sim/linux/panel_module.hpp"
 #include "host_sim/linux/spi_device.hpp"
 

@@ -6,6 +6,7 @@
 #include <linux/spi/spidev.h>
 
 #include "tests/hal_linux/rig.hpp"
+#include "tests/random.hpp"
 
 namespace {
 
@@ -246,17 +247,8 @@ TEST_P(Faults, ReadsFailToo) {
 
 // --- At random
 
-/// Numbers that are the same on every machine.
-struct Random {
-    std::uint32_t state;
-    std::uint32_t below(std::uint32_t n) {
-        state = state * 1664525u + 1013904223u;
-        return static_cast<std::uint32_t>((std::uint64_t{state >> 8} * n) >> 24);
-    }
-};
-
 /// Some calls of a sequence fail, in any way a kernel fails them; now and then the device goes.
-Verdict chance(Random& random, Rig& rig, const Call& call, std::uint32_t one_in) {
+Verdict chance(test::Random& random, Rig& rig, const Call& call, std::uint32_t one_in) {
     if (call.kind == Call::Kind::sleep)
         return Verdict{random.below(8) == 0 ? EINTR : 0};
     if (random.below(one_in) != 0)
@@ -309,7 +301,7 @@ TEST_P(Faults, AThousandSequencesAtRandom) {
     const int files = rig.machine.kernel.open_files();
     int failures = 0;
     for (std::uint32_t sequence = 1; sequence <= 1000; ++sequence) {
-        Random random{sequence * 2654435761u};
+        test::Random random{sequence * 2654435761u};
         // About one fault in a frame of that transport, or many.
         const std::uint32_t one_in = (is_spidev(GetParam())     ? 6u
                                       : is_parallel(GetParam()) ? 80u

@@ -108,7 +108,7 @@ TEST(GpioBus, WithoutChipSelectItIsTiedLow) {
     hal::GpioBus bus(config);
     ASSERT_TRUE(bus.open().ok());
     hal::PanelStorage<16> storage;
-    OwnedDisplay display(bus, {.panel = &tiny_panel}, storage.memory());
+    test::OwnedDisplay display(bus, {.panel = &tiny_panel}, storage.memory());
     ASSERT_TRUE(display.init().ok());
     EXPECT_TRUE(module.dcs().display_on());
     EXPECT_EQ(module.violations_text(), "");

@@ -13,16 +13,16 @@
 #include <spangle/linux/spidev_bus.hpp>
 #include <spangle/panels.hpp>
 
+#include "host_sim/linux/gpio_chip.hpp"
 #include "host_sim/linux/panel_module.hpp"
 #include "host_sim/linux/spi_device.hpp"
+#include "tests/panel_pattern.hpp"
 
 namespace linux_test {
 
 using namespace spangle;
 
-/// A glass so small that thousands of frames are quick, in a corner of an ST7735's memory.
-inline constexpr hal::PanelDesc tiny_panel =
-    hal::panels::st7735::on_glass("tiny", {132, 162}, {24, 16}, {5, 7}, hal::ColorOrder::rgb);
+using test::tiny_panel;
 
 inline constexpr char spi_path[] = "/dev/spidev0.0";
 inline constexpr char chip_path[] = "/dev/gpiochip0";
@@ -128,11 +128,6 @@ inline hal::PanelPins pins_of(bool te) {
     return pins;
 }
 
-/// What std::optional may destroy.
-struct OwnedDisplay final : hal::PanelDisplay {
-    using hal::PanelDisplay::PanelDisplay;
-};
-
 struct RigOptions {
     const hal::PanelDesc* panel = &tiny_panel;
     hal::Orientation orientation = {};
@@ -166,7 +161,7 @@ class Rig {
     sim::SpiDevice spi;
     std::optional<hal::SpidevBus> spidev;
     std::optional<hal::GpioBus> gpio;
-    std::optional<OwnedDisplay> display;
+    std::optional<test::OwnedDisplay> display;
 
     hal::TransferBus& bus() {
         return spidev ? static_cast<hal::TransferBus&>(*spidev) : static_cast<hal::TransferBus&>(*gpio);
@@ -182,50 +177,12 @@ class Rig {
         ASSERT_TRUE(ready.ok()) << ready.error().rule;
     }
 
-    /// Draws a pattern that depends on `seed` into `area` of the frame, and marks it touched.
-    bool draw(unsigned seed, Rect area) {
-        const auto frame = display->acquire();
-        if (!frame.ok())
-            return false;
-        for (std::int32_t y = area.y; y < area.y + area.h; ++y)
-            for (std::int32_t x = area.x; x < area.x + area.w; ++x) {
-                std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + 2 * x;
-                const unsigned word = (static_cast<unsigned>(x) * 40503u ^ static_cast<unsigned>(y) * 9973u) +
-                                      seed * 2654435761u;
-                at[0] = static_cast<std::uint8_t>(word >> 24);
-                at[1] = static_cast<std::uint8_t>(word >> 16);
-            }
-        for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
-            RowSpan& row = frame.value().extents->rows[y];
-            const RowSpan drawn = {static_cast<std::int16_t>(area.x),
-                                   static_cast<std::int16_t>(area.x + area.w)};
-            row = row.begin < row.end
-                      ? RowSpan{std::min(row.begin, drawn.begin), std::max(row.end, drawn.end)}
-                      : drawn;
-        }
-        return true;
-    }
-    bool draw(unsigned seed) {
-        const hal::DisplayInfo info = display->info();
-        return draw(seed, {0, 0, info.width, info.height});
-    }
-
-    /// The glass shows the frame; one buffer only, whose content is then still there. Else where it does not.
+    bool draw(unsigned seed, Rect area) { return test::draw_pattern(*display, seed, area); }
+    bool draw(unsigned seed) { return test::draw_pattern(*display, seed); }
+    /// The glass shows the frame, and nobody broke a rule. Else what is wrong.
     std::string glass_difference() {
-        const auto frame = display->acquire();
-        if (!frame.ok())
-            return frame.error().rule;
-        const sim::Image glass = module.glass(options_.orientation);
-        for (int y = 0; y < glass.height; ++y)
-            for (int x = 0; x < glass.width; ++x) {
-                const std::uint8_t* const want = frame.value().pixels + y * frame.value().stride + 2 * x;
-                const unsigned word = static_cast<unsigned>(want[0] << 8 | want[1]);
-                const std::uint8_t* const got = glass.at(x, y);
-                if ((got[0] >> 3) != (word >> 11) || (got[1] >> 2) != (word >> 5 & 63) ||
-                    (got[2] >> 3) != (word & 31))
-                    return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " differs";
-            }
-        return module.violations_text();
+        const std::string wrong = test::glass_difference(*display, module.glass(options_.orientation));
+        return wrong.empty() ? module.violations_text() : wrong;
     }
 
   private:

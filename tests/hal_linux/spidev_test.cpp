@@ -204,9 +204,20 @@ TEST(Spidev, ErrorsSayDeviceOperationAndCause) {
                  "(Raspberry Pi: dtparam=spi=on in config.txt)?");
 }
 
-TEST(Spidev, AClockBeyondThePanelsIsAViolation) {
+TEST(Spidev, AClockBeyondThePanelsIsRefusedElseItIsAViolation) {
     RigOptions options;
     options.spi_hz = 80000000; // an ST7735 is known to take 59 MHz
+    {
+        Rig refused(Transport::spi, options);
+        ASSERT_TRUE(refused.open().ok());
+        const auto ready = refused.display->init();
+        EXPECT_EQ(ready.error().fault, Fault::unsupported);
+        EXPECT_STREQ(ready.error().rule,
+                     "display: the bus's write clock is faster than this panel is known to take");
+    }
+    hal::PanelDesc daring = tiny_panel;
+    daring.timing.practical_serial_mhz = 80;
+    options.panel = &daring;
     Rig rig(Transport::spi, options);
     rig.start();
     bool reported = false;

@@ -5,6 +5,7 @@
 #include <linux/usbdevice_fs.h>
 
 #include "tests/hal_usb/gud_rig.hpp"
+#include "tests/random.hpp"
 
 namespace {
 
@@ -148,14 +149,6 @@ TEST(GudFaults, NoDisplayIsPluggedIn) {
 
 // --- At random
 
-struct Random {
-    std::uint32_t state;
-    std::uint32_t below(std::uint32_t n) {
-        state = state * 1664525u + 1013904223u;
-        return static_cast<std::uint32_t>((std::uint64_t{state >> 8} * n) >> 24);
-    }
-};
-
 TEST(GudFaults, AThousandSequencesAtRandom) {
     GudRig rig;
     rig.config.bulk_timeout_ms = 20;
@@ -165,7 +158,7 @@ TEST(GudFaults, AThousandSequencesAtRandom) {
     ASSERT_TRUE(rig.start().ok());
     int failures = 0;
     for (std::uint32_t sequence = 1; sequence <= 1000; ++sequence) {
-        Random random{sequence * 2654435761u};
+        test::Random random{sequence * 2654435761u};
         {
             const std::lock_guard lock(rig.kernel);
             rig.device.refuse(static_cast<std::uint8_t>(random.below(2) == 0 ? 0x60 : 0xFF), 5);

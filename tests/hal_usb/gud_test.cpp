@@ -300,7 +300,8 @@ TEST(Gud, WrongDevicesAreSaidSo) {
                 in[0] ^= 1;
             return answered;
         }
-        bool bulk_out(const std::uint8_t*, std::size_t) override { return false; }
+        bool bulk_out(std::uint8_t, const std::uint8_t*, std::size_t) override { return false; }
+        bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
         void clear_halt() override {}
     } other;
     sim::Kernel& kernel = sim::Kernel::instance();

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Builds and runs projects outside the tree against Spangle, as a user would.
 
-usage: check.py find_package|fetch_content|self_test|raspberry_pi|oled_i2c|gud_display BUILD_DIR
+usage: check.py find_package|fetch_content|self_test|raspberry_pi|oled_i2c|gud_display|ftdi_adapter BUILD_DIR
 
 find_package: installs BUILD_DIR into a temporary prefix and looks it up there. fetch_content: hands the source tree to
 FetchContent. The project links every exported library, draws a triangle on a simulated board and checks the glass.
 self_test: the example boards/examples/self_test against the installed package: its tests pass, and with another golden
 picture one of them fails and leaves the difference.
-raspberry_pi, oled_i2c, gud_display: those examples against the installed package: built, and they say what this machine has not.
+raspberry_pi, oled_i2c, gud_display, ftdi_adapter: those examples against the installed package: built, and they say what this machine has not.
 """
 import os
 import pathlib
@@ -22,6 +22,7 @@ SELF_TEST = ROOT / "boards/examples/self_test"
 EXAMPLES = {  # program, arguments, and what it says where there is no such device
     "raspberry_pi": ("cube", ["0"], "cube: /dev/spidev0.0: open: No such file"),
     "oled_i2c": ("gem", ["0"], "gem: /dev/i2c-1 address 3Ch: open: No such file"),
+    "ftdi_adapter": ("clock", ["0", "/dev/bus/usb/999/999"], "clock: /dev/bus/usb/999/999: open: No such file"),
     "gud_display": ("triangle", ["0", "/dev/bus/usb/999/999"], "triangle: /dev/bus/usb/999/999: open: No such file"),
 }
 

@@ -38,14 +38,9 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return broken("board: no write clock", on);
     if (display.wait_te && panel.commands->tearing.empty())
         return broken("board: the panel has no TE output", on);
-    const bool serial = board.bus != BusKind::i8080;
-    const std::uint32_t write_limit = board.bus == BusKind::i2c ? panel.timing.i2c_hz
-                                      : serial                  ? panel.timing.practical_serial_mhz * 1000000u
-                                               : 1000000000u / panel.timing.parallel_write_ns;
-    if (board.write_hz > write_limit)
+    if (board.write_hz > fastest_write(panel, board.bus))
         return broken("board: the write clock is faster than this panel is known to take", on);
-    const std::uint32_t read_ns = serial ? panel.timing.serial_read_ns : panel.timing.parallel_read_ns;
-    if (board.read_hz > 1000000000u / read_ns)
+    if (board.read_hz > fastest_read(panel, board.bus))
         return broken("board: the read clock is faster than the datasheet allows", on);
     return nullptr;
 }

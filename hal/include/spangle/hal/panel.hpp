@@ -128,6 +128,17 @@ constexpr const char* broken(const char* rule, OnFlaw on) {
     return rule;
 }
 
+/// Clocks, or cycles of a parallel bus, a second.
+constexpr std::uint32_t fastest_write(const PanelDesc& panel, BusKind bus) {
+    return bus == BusKind::i2c     ? panel.timing.i2c_hz
+           : bus == BusKind::i8080 ? 1000000000u / panel.timing.parallel_write_ns
+                                   : panel.timing.practical_serial_mhz * 1000000u;
+}
+constexpr std::uint32_t fastest_read(const PanelDesc& panel, BusKind bus) {
+    return 1000000000u /
+           (bus == BusKind::i8080 ? panel.timing.parallel_read_ns : panel.timing.serial_read_ns);
+}
+
 /// The rule this description breaks, or null.
 constexpr const char* flaw(const PanelDesc& p, OnFlaw on = OnFlaw::tell) {
     if (p.memory.width <= 0 || p.memory.height <= 0)

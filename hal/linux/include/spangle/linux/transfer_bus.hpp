@@ -35,6 +35,7 @@ class TransferBus : public Bus {
     /// After Fault::timeout the list is still under way. Outcomes of the last 16 lists are remembered.
     Result<void> wait(Token token, std::uint32_t timeout_micros) final;
 
+    /// A bus with the backlight on its own wire: Fault::busy while a list is under way.
     Result<void> backlight(bool on);
 
   protected:
@@ -48,7 +49,14 @@ class TransferBus : public Bus {
     /// Requests the pins again; nothing may be under way.
     Result<void> open_pins();
     bool busy() const;
-    bool has_te() const { return pins_.te.wired(); }
+
+    // The pins beside the data. A bus with lines of its own answers for them.
+    virtual bool has_te() const { return pins_.te.wired(); }
+    virtual bool has_reset() const { return pins_.reset.wired(); }
+    virtual bool has_backlight() const { return pins_.backlight.wired(); }
+    virtual Result<void> set_reset(bool high);
+    virtual Result<void> set_backlight(bool on);
+    virtual Result<void> await_te(std::uint32_t at_most_micros);
 
     /// The rule this op breaks on this bus, or null. Called before anything of the list is sent.
     virtual const char* refusal(const Op& op) const = 0;

@@ -1,0 +1,31 @@
+// What an FTDI chip is told beside its bulk pipes, through libftdi1: reset, latency, mode.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "hal/usb/usb_link.hpp"
+
+struct ftdi_context;
+
+namespace spangle::hal {
+
+class FtdiControl {
+  public:
+    FtdiControl();
+    ~FtdiControl();
+    FtdiControl(const FtdiControl&) = delete;
+    FtdiControl& operator=(const FtdiControl&) = delete;
+
+    /// The chip behind this link. It stays the link's: release() before that closes.
+    Result<void> adopt(UsbLink& link, std::uint8_t channel);
+    void release();
+    /// Empties the chip's buffers and puts it into MPSSE mode: all pins inputs, the engine as after power-on.
+    Result<void> start_mpsse();
+
+  private:
+    ftdi_context* context_ = nullptr;
+    UsbLink* link_ = nullptr;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,19 @@
+// A build without libftdi1: there is no way to an FTDI chip, and it says so.
+#include "hal/usb/ftdi_control.hpp"
+
+namespace spangle::hal {
+
+FtdiControl::FtdiControl() = default;
+FtdiControl::~FtdiControl() = default;
+
+void FtdiControl::release() {}
+
+Result<void> FtdiControl::adopt(UsbLink& link, std::uint8_t) {
+    return link.say(Fault::unsupported, "open", "this build has no libftdi1");
+}
+
+Result<void> FtdiControl::start_mpsse() {
+    return Error{Fault::unsupported, "this build has no libftdi1"};
+}
+
+} // namespace spangle::hal

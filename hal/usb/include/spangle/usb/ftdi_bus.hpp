@@ -1,0 +1,77 @@
+// SPI panels at a USB adapter with FTDI's MPSSE (FT232H, FT2232H, FT4232H): clocks, data, D/C, select and
+// reset are one stream of bytes to the chip, so a frame is a few bulk transfers. From FTDI's AN_108 and
+// AN_135.
+#pragma once
+
+#include <memory>
+
+#include <spangle/hal/board.hpp>
+#include <spangle/linux/transfer_bus.hpp>
+
+namespace spangle::hal {
+
+/// Pins by number: 0 to 7 are ADBUS0 to 7, 8 to 15 ACBUS0 to 7. SCK is ADBUS0, MOSI ADBUS1, MISO ADBUS2.
+struct FtdiPins {
+    static constexpr std::uint8_t none = 0xFF;
+    static constexpr std::uint8_t te_pin = 5; ///< the one the chip can wait for (AN_108, 3.7)
+
+    std::uint8_t select = 3;
+    std::uint8_t data_command = 4;
+    std::uint8_t reset = 6;     ///< low resets; none: not wired
+    std::uint8_t backlight = 7; ///< high lights; none: not wired
+    bool te = false;            ///< the panel's TE is wired to ADBUS5
+};
+
+struct FtdiConfig {
+    /// Which adapter; 0: any of 0403:6014, 0403:6010, 0403:6011.
+    std::uint16_t vendor = 0, product = 0;
+    /// Opens this usbfs file instead of looking for an adapter. Must stay.
+    const char* device_file = nullptr;
+    std::uint8_t channel = 0; ///< 0: A; 1: B, where the chip has two
+    std::uint32_t write_hz = 0;
+    std::uint32_t read_hz = 0; ///< 0: the panel's data output is not wired
+    FtdiPins pins;
+    bool asynchronous = true;
+    std::uint32_t timeout_ms = 1000; ///< beyond the time that the bytes take on the wire
+};
+
+/// The bus a board describes, at the first adapter that is plugged in.
+constexpr FtdiConfig ftdi_config(const Board& board, FtdiPins pins = {}) {
+    FtdiConfig config;
+    config.write_hz = board.write_hz;
+    config.read_hz = board.read_hz;
+    config.pins = pins;
+    return config;
+}
+
+class FtdiBus final : public TransferBus {
+  public:
+    explicit FtdiBus(const FtdiConfig& config);
+    ~FtdiBus();
+
+    /// Finds the adapter and starts its engine; a kernel driver lets go of it. Again, after it came back.
+    Result<void> open();
+    BusCaps caps() const override;
+
+  private:
+    struct Engine;
+    std::unique_ptr<Engine> engine_;
+    FtdiConfig config_;
+
+    const char* flaw() const;
+    const char* refusal(const Op& op) const override;
+    Result<void> begin() override;
+    Result<void> put(Byte kind, const std::uint8_t* bytes, std::size_t count) override;
+    Result<void> flush() override;
+    Result<void> read(const Op& op) override;
+    Result<void> end() override;
+
+    bool has_te() const override { return config_.pins.te; }
+    bool has_reset() const override { return config_.pins.reset != FtdiPins::none; }
+    bool has_backlight() const override { return config_.pins.backlight != FtdiPins::none; }
+    Result<void> set_reset(bool high) override;
+    Result<void> set_backlight(bool on) override;
+    Result<void> await_te(std::uint32_t at_most_micros) override;
+};
+
+} // namespace spangle::hal
