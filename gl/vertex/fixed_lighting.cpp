@@ -332,13 +332,9 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
         specular[c] += weighted(fold.specular[i][c], shiny);
 }
 
-void FixedLighting::light(const Context& context, const Input& vertex, const numeric::Block4& eye, int side,
-                          raster::FixedVertex& out) {
-    if (!folded_)
-        fold(context);
+void FixedLighting::light_fully(const Input& vertex, const numeric::Block4& eye, int side,
+                                raster::FixedVertex& out) const {
     const Fold& fold = fold_[side];
-    if (fold.plain && light_plain(vertex, side, out))
-        return;
     const Direction n = direction_of(vertex, side);
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)

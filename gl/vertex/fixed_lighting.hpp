@@ -31,8 +31,13 @@ class FixedLighting {
 
     /// Primary and secondary colour of a vertex; side 0 is the front, 1 the back. `eye`, its
     /// position, only matters while needs_eye().
-    void light(const Context& context, const Input& vertex, const numeric::Block4& eye, int side,
-               raster::FixedVertex& out);
+    SPANGLE_INLINE void light(const Context& context, const Input& vertex, const numeric::Block4& eye,
+                              int side, raster::FixedVertex& out) {
+        if (!folded_)
+            fold(context);
+        if (!fold_[side].plain || !light_plain(vertex, side, out))
+            light_fully(vertex, eye, side, out);
+    }
 
     /// A vertex made by clipping.
     static void mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out);
@@ -83,6 +88,8 @@ class FixedLighting {
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;
+    void light_fully(const Input& vertex, const numeric::Block4& eye, int side,
+                     raster::FixedVertex& out) const;
     bool light_plain(const Input& vertex, int side, raster::FixedVertex& out) const;
     Direction direction_of(const Input& vertex, int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],

@@ -502,7 +502,11 @@ template <class M, class L> class Pipeline {
             light(v);
     }
     [[gnu::noinline]] void light(Vertex& v) {
-        light(v, 0, v.window);
+        static constexpr typename M::Eye unseen{};
+        if ((v.flags & is_cut) != 0 || lighting_.needs_eye())
+            light(v, 0, v.window);
+        else
+            lighting_.light(*context_, L::input(v.normal), unseen, 0, v.window);
         v.flags &= ~uncolored;
     }
 

@@ -143,17 +143,18 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
         add_steep(span_.z, first, d1, d2, 1);
 }
 
-/// add(source, component, plane, projective plane) of all that are looked at.
-template <class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
+/// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
+/// is smooth_rgb.
+template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
     const Needs& needs = state_.needs;
-    if (needs.rgb) {
+    if (Rgb || needs.rgb) {
 #pragma GCC unroll 3
         for (int i = 0; i < 3; ++i)
             add(primary(), i, span_.color_value[i], span_.color_q[i]);
     }
-    if (needs.alpha)
+    if (!Rgb && needs.alpha)
         add(primary(), 3, span_.color_value[3], span_.color_q[3]);
-    if (needs.secondary)
+    if (!Rgb && needs.secondary)
         for (int i = 0; i < 3; ++i)
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
 }
@@ -178,7 +179,7 @@ void Setup<Fixed>::steep_colors() {
 }
 
 /// Colours that differ in `bits`.
-SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (span_.kind == Kind::full)
         return projective_colors();
     const Coefficients by = by_;
@@ -186,7 +187,7 @@ SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (!lifts || !liftable(bits, lift)) [[unlikely]]
         return steep_colors();
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
-    each_color([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
+    each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
         add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i), lift,
                    by);
     });
@@ -233,9 +234,9 @@ bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) c
 }
 
 /// In what the colours of the three vertices differ (difference_bits).
-SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
+template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
     std::uint32_t bits = 0;
-    each_color([&](const ColorSource& from, int i, auto&, auto&) {
+    each_color<Rgb>([&](const ColorSource& from, int i, auto&, auto&) {
         bits |= difference_bits(from.difference(1, i), from.difference(2, i));
     });
     return bits;
@@ -267,7 +268,7 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) const {
 }
 
 /// With neither textures nor fog.
-SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
     if (bits == 0)
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
@@ -280,8 +281,10 @@ SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painte
         span_.flat_word = word565(painted.color);
     else if (bits == 0)
         constant_colors(painted);
+    else if constexpr (Rgb)
+        varying_colors<Rgb>(bits);
     else
-        varying_colors(bits);
+        colors(bits, painted);
 }
 
 /// No bits: one colour.
@@ -289,25 +292,26 @@ void Setup<Fixed>::colors(std::uint32_t bits, const Vertex& painted) {
     if (bits == 0)
         constant_colors(painted);
     else
-        varying_colors(bits);
+        varying_colors<false>(bits);
 }
 
-SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex& provoking) {
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex& provoking) {
     // One colour is, in smooth shading, the one its corners share: the provoking vertex need not be a corner
     // (quads and clipped polygons are drawn in parts).
-    const Vertex& painted = state_.fragment.flat ? provoking : *v_[0];
-    const std::uint32_t bits = state_.fragment.flat ? 0 : color_bits();
+    const bool flat = !Rgb && state_.fragment.flat;
+    const Vertex& painted = flat ? provoking : *v_[0];
+    const std::uint32_t bits = flat ? 0 : color_bits<Rgb>();
     if (state_.needs.z)
         add_depth();
-    if (state_.textured_or_fogged)
+    if (!Rgb && state_.textured_or_fogged)
         with_coordinates(bits, painted);
     else
-        plain(bits, painted);
+        plain<Rgb>(bits, painted);
 }
 
-/// Not in line: lines and points.
+/// Not in line: all but the usual triangle.
 void Setup<Fixed>::attributes(const Vertex& provoking) {
-    attributes_of(provoking);
+    attributes_of<false>(provoking);
 }
 
 // --- primitives
@@ -334,7 +338,10 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
     } else {
         in_plane(area2);
     }
-    attributes_of(provoking);
+    if (state_.smooth_rgb)
+        attributes_of<true>(provoking);
+    else
+        attributes(provoking);
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,

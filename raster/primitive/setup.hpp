@@ -64,9 +64,9 @@ template <> class Setup<Fixed> {
     void start(std::int32_t x, std::int32_t y);
     void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
     void in_plane(std::int64_t area2);
-    void attributes_of(const Vertex& provoking);
+    template <bool Rgb> void attributes_of(const Vertex& provoking);
     void attributes(const Vertex& provoking);
-    void plain(std::uint32_t color_bits, const Vertex& painted);
+    template <bool Rgb> void plain(std::uint32_t color_bits, const Vertex& painted);
     void with_coordinates(std::uint32_t color_bits, const Vertex& painted);
     bool weights();
     void load_unit(int unit, UnitValues& u) const;
@@ -74,7 +74,7 @@ template <> class Setup<Fixed> {
     void load_fog(std::int32_t fog[3]) const;
     bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
-    std::uint32_t color_bits() const;
+    template <bool Rgb> std::uint32_t color_bits() const;
     bool nearly_affine(std::uint32_t bits) const;
     bool colors_affine(std::uint32_t bits) const;
     ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
@@ -92,8 +92,8 @@ template <> class Setup<Fixed> {
     void add_depth();
     void constant_colors(const Vertex& painted);
     void colors(std::uint32_t bits, const Vertex& painted);
-    void varying_colors(std::uint32_t bits);
-    template <class F> void each_color(F add) const;
+    template <bool Rgb> void varying_colors(std::uint32_t bits);
+    template <bool Rgb = false, class F> void each_color(F add) const;
     void steep_colors();
     void projective_colors();
     void add_unit(int unit, const UnitValues& u);

@@ -125,6 +125,8 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.nothing = draws_nothing(state, key);
     draw.needs = needs_of(key);
     draw.textured_or_fogged = key.unit[0].on || key.unit[1].on || key.fog;
+    draw.smooth_rgb = draw.needs.rgb && !draw.needs.alpha && !draw.needs.secondary &&
+                      !draw.textured_or_fogged && !state.flat;
     if (key.fog)
         draw.fog = fog_constants(state);
     for (int i = 0; i < max_texture_units; ++i) {

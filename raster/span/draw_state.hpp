@@ -82,6 +82,7 @@ struct DrawState {
     FogConstants fog;
     Needs needs;
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
+    bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
     Tier tier = Tier::exact;
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};

@@ -268,7 +268,9 @@ TEST(Anchoring, OrderAndTranslationChangeNothing) {
             std::fill(here.depth.begin(), here.depth.end(), std::uint8_t(0xFF));
             std::fill(there.depth.begin(), there.depth.end(), std::uint8_t(0xFF));
             const DrawState state = compile<FixedVertex>(scene.state, here.surface);
-            const Triangle t = random_triangle(source, width / 2, height / 2, setting.kind);
+            Triangle t = random_triangle(source, width / 2, height / 2, setting.kind);
+            if (i % 3 == 0)
+                t.v[1].y = t.v[0].y; // x decides which is the lower one
             const int dx = static_cast<int>(source.below(width / 2)),
                       dy = static_cast<int>(source.below(height / 2));
             Triangle moved{{t.v[1], t.v[2], t.v[0]}};
