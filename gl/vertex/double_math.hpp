@@ -69,11 +69,14 @@ struct DoubleMath {
         return out;
     }
     /// Vertices take the way through clip coordinates, all of them.
-    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned&, bool fog) {
-        if (fog)
-            set_fog(depth(t, v), out);
-        return false;
-    }
+    template <int N> struct Projections {
+        void add(int, const Transforms& t, const Real (&v)[4], Window& out, bool fog) {
+            if (fog)
+                set_fog(depth(t, v), out);
+        }
+        void finish() {}
+        bool divide(int, const Transforms&, const Real (&)[4], Window&, unsigned&) const { return false; }
+    };
     static Depth depth(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v).v[2]; }
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }

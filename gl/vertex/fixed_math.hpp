@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "gl/context/context.hpp"
 #include "raster/numeric/block.hpp"
@@ -34,8 +35,14 @@ struct FixedMath {
             return static_cast<std::int32_t>((rounded_middle + numeric::mul_s32(minus_half, minus_q)) >>
                                              bits);
         }
+        /// The same; of a quotient that is too large anything.
+        SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
+            return place(static_cast<std::int32_t>(minus_q), bits);
+        }
     };
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
+    static constexpr bool wide_words = sizeof(void*) > 4;
+    using Quotient = std::conditional_t<wide_words, std::int64_t, std::int32_t>;
     static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
 
     /// Block forms of the matrices and the viewport, derived when something changed.
@@ -86,47 +93,69 @@ struct FixedMath {
     }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
 
-    /// From the position to the window without a stop: perspective division, viewport, depth range (GL 1.3,
-    /// 2.10.1). `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on
-    /// those that it must be clipped by; `eye_z`, unless null, z in eye coordinates. False: not in front of
-    /// the eye, or so far outside that the quotients overflow.
+    /// N vertices on their way from the position to the window: perspective division, viewport, depth range
+    /// (GL 1.3, 2.10.1). All are added before the first is divided, so that none waits for another.
     ///
     /// x' = x * 2^(zeros + lift - 3) and w' = w * 2^zeros give x'/w' = x/w / 8, so the word x' holds what is
     /// within 4 w at least; it is not rounded, nor is z' = z * 2^(zeros + lift - 1) (lift_room).
-    [[gnu::noinline]] static bool to_window(const Transforms& t, const Real (&position)[4], Window& out,
-                                            unsigned& planes, bool fog) {
-        numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
-        if (fog)
-            set_fog(numeric::product(t.eye_z, v), out);
-        const std::int32_t* const rows = t.to_clip.m;
-        const auto w = static_cast<std::uint32_t>(row(rows + 12, v));
-        const int zeros = numeric::clz32(w); // 3 .. 31; 0 where w is negative, 32 where it is 0
-        if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
-            return false;
-        const std::int32_t x = row(rows, v), y = row(rows + 4, v), z = row(rows + 8, v);
-        const int by_x = zeros + t.lift[0], by_y = zeros + t.lift[1], by_z = zeros + t.lift[2]; // >= 0
-        const std::int32_t lifted_x = lifted(x, by_x), lifted_y = lifted(y, by_y), lifted_z = lifted(z, by_z);
-        if ((((lifted_x >> by_x) ^ x) | ((lifted_y >> by_y) ^ y) | ((lifted_z >> by_z) ^ z)) != 0)
-            return false;
-        const std::uint32_t r = numeric::reciprocal(w << zeros); // 1/w = r * 2^(zeros - 62 - e)
-        const int up = r >> 31 == 0 ? 1 : 0;                     // r is 2^31 where w is a power of two
-        out.w_mantissa = r << up;
-        out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - v.e - up);
-        const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
-        const std::int32_t minus_x = high_word(lifted_x, minus_r), minus_y = high_word(lifted_y, minus_r),
-                           minus_z = high_word(lifted_z, minus_r); // quotients
-        out.x = t.x.place(minus_x, quotient_bits);
-        out.y = t.y.place(minus_y, quotient_bits);
-        out.z = static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits));
-        constexpr std::uint32_t one = 1u << quotient_bits, z_one = 1u << depth_quotient_bits;
-        planes = 0;
-        if (static_cast<std::uint32_t>(minus_x) + one > 2 * one ||
-            static_cast<std::uint32_t>(minus_y) + one > 2 * one ||
-            static_cast<std::uint32_t>(minus_z) + z_one > 2 * z_one)
+    template <int N> class Projections {
+      public:
+        SPANGLE_INLINE void add(int i, const Transforms& t, const Real (&position)[4], Window& out,
+                                bool fog) {
+            numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
+            if (fog)
+                set_fog(numeric::product(t.eye_z, v), out);
+            const std::int32_t* const rows = t.to_clip.m;
+            Clipped& clip = clip_[i];
+            clip.w = static_cast<std::uint32_t>(row(rows + 12, v));
+            clip.x = row(rows, v);
+            clip.y = row(rows + 4, v);
+            clip.z = row(rows + 8, v);
+            clip.e = v.e;
+            of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
+        }
+        SPANGLE_INLINE void finish() { of_w_.finish(); }
+
+        /// `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on those
+        /// that it must be clipped by. False: not in front of the eye, or so far outside that the quotients
+        /// overflow.
+        SPANGLE_INLINE bool divide(int i, const Transforms& t, const Real (&)[4], Window& out,
+                                   unsigned& planes) const {
+            const Clipped& clip = clip_[i];
+            const int zeros = numeric::clz32(clip.w); // 3 .. 31; 0 where w is negative, 32 where it is 0
+            if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
+                return false;
+            const Lifted x(clip.x, zeros + t.lift[0]), y(clip.y, zeros + t.lift[1]),
+                z(clip.z, zeros + t.lift[2]);
+            if (!wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+                return false;
+            const std::uint32_t r = of_w_.at(i); // 1/w = r * 2^(zeros - 62 - e)
+            const int up = r >> 31 == 0 ? 1 : 0; // r is 2^31 where w is a power of two
+            out.w_mantissa = r << up;
+            out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
+            const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
+            const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
+            out.x = t.x.place(minus_x, quotient_bits);
+            out.y = t.y.place(minus_y, quotient_bits);
+            out.z = static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits));
+            planes = 0;
+            if (!beyond(minus_x, one) && !beyond(minus_y, one) && !beyond(minus_z, z_one)) [[likely]]
+                return true;
+            if (wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+                return false;
             planes = planes_of(minus_x, minus_y, minus_z, one, z_one) |
                      planes_of(minus_x, minus_y, minus_z, 4 * one, z_one) << 8;
-        return true;
-    }
+            return true;
+        }
+
+      private:
+        /// Words of one exponent.
+        struct Clipped {
+            std::int32_t x, y, z, e;
+            std::uint32_t w;
+        } clip_[N];
+        numeric::Reciprocals<N> of_w_;
+    };
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 
@@ -332,15 +361,31 @@ struct FixedMath {
         return r;
     }
 
-    static std::int32_t lifted(std::int32_t v, int n) {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
-    }
-    static std::int32_t high_word(std::int32_t a, std::int32_t b) {
-        return numeric::high_rounded(numeric::mul_s32(a, b));
+    /// v 2^by, 0 <= by < 32, for the high word of a product, rounded. Where words have 64 bits it is the
+    /// product that is shifted: it fits whatever v is, and whether v 2^by would have is asked of large
+    /// quotients alone.
+    struct Lifted {
+        std::int32_t v;
+        int by;
+        SPANGLE_INLINE Lifted(std::int32_t value, int n) : v(value), by(n) {}
+        SPANGLE_INLINE std::int32_t word() const {
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << by);
+        }
+        /// Bits that the word has not.
+        SPANGLE_INLINE std::int32_t lost() const { return (word() >> by) ^ v; }
+        SPANGLE_INLINE Quotient times(std::int32_t factor) const {
+            if constexpr (wide_words)
+                return ((numeric::mul_s32(v, factor) >> (31 - by)) + 1) >> 1;
+            return numeric::high_rounded(numeric::mul_s32(word(), factor));
+        }
+    };
+    static constexpr std::uint32_t one = 1u << quotient_bits, z_one = 1u << depth_quotient_bits;
+    static bool beyond(Quotient q, std::uint32_t most) {
+        return static_cast<std::make_unsigned_t<Quotient>>(q) + most > 2 * most;
     }
     /// The planes that quotients, negated, lie beyond.
-    static unsigned planes_of(std::int32_t minus_x, std::int32_t minus_y, std::int32_t minus_z,
-                              std::uint32_t xy, std::uint32_t z) {
+    static unsigned planes_of(Quotient minus_x, Quotient minus_y, Quotient minus_z, std::uint32_t xy,
+                              std::uint32_t z) {
         const auto most = static_cast<std::int32_t>(xy), most_z = static_cast<std::int32_t>(z);
         return (minus_x > most ? 1u : 0u) | (minus_x < -most ? 2u : 0u) | (minus_y > most ? 4u : 0u) |
                (minus_y < -most ? 8u : 0u) | (minus_z > most_z ? 16u : 0u) | (minus_z < -most_z ? 32u : 0u);

@@ -74,8 +74,10 @@ template <class M, class L> class Pipeline {
             strip_elements(reader, count, indices, normals);
         else
             for (std::uint32_t i = 0; i < count; ++i)
-                next(usual_element(reader, indices.at(i), normals,
-                                   [this](Vertex& cached) -> Vertex& { return place_of(cached); }));
+                next(usual_element(
+                    reader, indices.at(i), normals,
+                    [this](Vertex& cached) -> Vertex& { return place_of(cached); },
+                    [this](Vertex& v) { process(v); }));
         if (reader.normal.on() && count != 0)
             reader.normal.read(indices.at(count - 1), current.normal);
     }
@@ -232,11 +234,18 @@ template <class M, class L> class Pipeline {
 
     /// Position and normal are set: its place in the window, or what is known of it.
     SPANGLE_INLINE void process(Vertex& v) {
-        unsigned planes;
-        if (M::to_window(transforms_, v.position, v.window, planes, fog_)) [[likely]]
-            v.flags = planes;
-        else
-            v.flags = flags_of(M::to_clip(transforms_, v.position));
+        unsigned planes = 0;
+        const bool divided = to_window(v, planes);
+        set_flags(v, divided, planes);
+    }
+    [[gnu::noinline]] bool to_window(Vertex& v, unsigned& planes) const {
+        typename M::template Projections<1> projection;
+        projection.add(0, transforms_, v.position, v.window, fog_);
+        projection.finish();
+        return projection.divide(0, transforms_, v.position, v.window, planes);
+    }
+    SPANGLE_INLINE void set_flags(Vertex& v, bool divided, unsigned planes) {
+        v.flags = divided ? planes : flags_of(M::to_clip(transforms_, v.position));
         if (lit_)
             v.flags |= uncolored;
     }
@@ -326,10 +335,10 @@ template <class M, class L> class Pipeline {
 
     /// The same where is_usual(), and with its colour: all vertices of this time have the same where they are
     /// not lit.
-    /// `place`: where it goes if it is new.
-    template <class Place>
+    /// If it is new `place` says where it goes, and `finish` does what process() does.
+    template <class Place, class Finish>
     SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
-                                         const Place& place) {
+                                         const Place& place, const Finish& finish) {
         Vertex& v = cached(index);
         const bool of_now = v.time == now_;
         if (of_now && equal(v.position, reader.vertex.words(index)) &&
@@ -344,7 +353,7 @@ template <class M, class L> class Pipeline {
         else if (lit_)
             for (int c = 0; c < 3; ++c)
                 fresh.normal[c] = given_.normal[c];
-        process(fresh);
+        finish(fresh);
         if (!lit_ && !(of_now && &fresh == &v))
             M::copy_color(unlit_, fresh.window);
         return fresh;
@@ -355,35 +364,48 @@ template <class M, class L> class Pipeline {
                v[2].bits == ArrayReader::word(words, 2);
     }
 
-    /// Lines of elements, several at a time: vertices, then what the rasterizer makes of them, so that
-    /// neither waits for the other.
+    /// Lines on their way: vertices, those among them that are still to be divided by w, and clip coordinates
+    /// of these.
+    struct Pending {
+        Vertex *vertex[line_batch + 1], *fresh[line_batch];
+        typename M::template Projections<line_batch> projections;
+        int count = 0, fresh_count = 0;
+    };
+
+    /// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
+    /// that none waits for another.
     void line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                        bool normals) {
-        Vertex* vertex[line_batch + 1];
-        int n = 0;
+        Pending lines;
         const auto place = [&](Vertex& cached) -> Vertex& {
             if ((cached.flags & is_pending) != 0) [[unlikely]]
-                n = pending_lines(vertex, n);
+                draw(lines);
             if ((cached.flags & is_pending) == 0) [[likely]]
                 return cached;
-            return vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
+            return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
+        };
+        const auto begin = [&](Vertex& v) {
+            lines.fresh[lines.fresh_count] = &v;
+            lines.projections.add(lines.fresh_count++, transforms_, v.position, v.window, fog_);
         };
         for (std::uint32_t i = 0; i < count; ++i) {
-            Vertex& v = usual_element(reader, indices.at(i), normals, place);
-            if (mode_ == GL_LINE_LOOP && i == 0)
-                slot_[2] = v;
+            Vertex& v = usual_element(reader, indices.at(i), normals, place, begin);
             v.flags |= is_pending;
-            vertex[n++] = &v;
-            if (n == line_batch + 1)
-                n = pending_lines(vertex, n);
+            lines.vertex[lines.count++] = &v;
+            if (mode_ == GL_LINE_LOOP && i == 0) {
+                divide(lines);
+                slot_[2] = v;
+            }
+            if (lines.fresh_count == line_batch || lines.count == line_batch + 1)
+                draw(lines);
         }
-        n = pending_lines(vertex, n);
-        if (n == 0)
+        draw(lines);
+        if (lines.count == 0)
             return;
-        vertex[0]->flags &= ~is_pending;
+        lines.vertex[0]->flags &= ~is_pending;
         if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes it
             corner_[0] = &slot_[2];
-            corner_[1] = vertex[0];
+            corner_[1] = lines.vertex[0];
             held_ = 2;
         }
     }
@@ -399,7 +421,8 @@ template <class M, class L> class Pipeline {
             return *v;
         };
         for (std::uint32_t i = 0; i < count; ++i) {
-            Vertex* const v = &usual_element(reader, indices.at(i), normals, place);
+            Vertex* const v = &usual_element(reader, indices.at(i), normals, place,
+                                             [this](Vertex& fresh) { process(fresh); });
             if (i >= 2)
                 usual_triangle((i & 1) == 0 ? *older : *old, (i & 1) == 0 ? *old : *older, *v);
             older = old;
@@ -407,18 +430,30 @@ template <class M, class L> class Pipeline {
         }
     }
 
-    /// Draws the lines among n vertices and lets go of these, but for the last where the next line starts
-    /// from it: that is the first of those that are left.
-    [[gnu::noinline]] int pending_lines(Vertex** vertex, int n) {
-        const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? n & 1 : n != 0 ? 1 : 0;
-        lines(vertex, n, step);
-        for (int i = 0; i < n - left; ++i)
-            vertex[i]->flags &= ~is_pending;
-        if (left != 0) {
-            vertex[0] = vertex[n - 1];
-            vertex[0]->flags |= is_pending;
+    void divide(Pending& lines) {
+        lines.projections.finish();
+        for (int i = 0; i < lines.fresh_count; ++i) {
+            Vertex& v = *lines.fresh[i];
+            unsigned planes = 0;
+            const bool divided = lines.projections.divide(i, transforms_, v.position, v.window, planes);
+            set_flags(v, divided, planes);
+            v.flags |= is_pending;
         }
-        return left;
+        lines.fresh_count = 0;
+    }
+
+    /// Draws the lines and lets go of their vertices, but for the last where the next line starts from it.
+    [[gnu::noinline]] void draw(Pending& p) {
+        divide(p);
+        const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
+        lines(p.vertex, p.count, step);
+        for (int i = 0; i < p.count - left; ++i)
+            p.vertex[i]->flags &= ~is_pending;
+        if (left != 0) {
+            p.vertex[0] = p.vertex[p.count - 1];
+            p.vertex[0]->flags |= is_pending;
+        }
+        p.count = left;
     }
 
     /// Where a new vertex goes that belongs into `cached`.
@@ -725,33 +760,34 @@ template <class M, class L> class Pipeline {
 
     /// From vertices i to i + 1, with i = 0, step, ...
     [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step) {
-        raster::LineEnds<Window> ready[line_batch];
-        int count = 0;
-        const auto draw = [&] {
-            raster::draw_lines(*state_, context_->drawable.surface, ready, ready + count, line_width_);
-            count = 0;
-        };
-        for (int i = 0; i + 1 < n; i += step) {
-            Vertex &a = *vertex[i], &b = *vertex[i + 1];
-            const unsigned any = a.flags | b.flags;
-            if ((a.flags & b.flags & outside_mask) != 0)
-                continue;
-            if ((any & uncolored) != 0) {
-                if (!flat_ || (any & beyond_mask) != 0)
-                    color(a);
-                color(b);
-            }
-            if ((any & (beyond_mask | unprojected)) == 0 && !planes_.any()) [[likely]] {
-                ready[count++] = {&a.window, &b.window};
-                continue;
-            }
-            draw();
-            cut_line(a, b);
+        unsigned any = 0;
+        const Window* window[line_batch + 1];
+        for (int i = 0; i < n; ++i) {
+            any |= vertex[i]->flags;
+            window[i] = &vertex[i]->window;
         }
-        draw();
+        if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || planes_.any()) [[unlikely]] {
+            for (int i = 0; i + 1 < n; i += step)
+                seen_line(*vertex[i], *vertex[i + 1]);
+            return;
+        }
+        if ((any & uncolored) != 0)
+            for (int i = flat_ ? 1 : 0; i < n; i += flat_ ? step : 1)
+                color(*vertex[i]);
+        raster::draw_lines(*state_, context_->drawable.surface, window, n, step, line_width_);
     }
 
-    /// A line that is beyond a plane, or whose ends have no window coordinates yet.
+    /// A line that may be out of sight.
+    [[gnu::noinline]] void seen_line(Vertex& a, Vertex& b) {
+        if ((a.flags & b.flags & outside_mask) != 0)
+            return;
+        if (!flat_)
+            color(a);
+        color(b);
+        cut_line(a, b);
+    }
+
+    /// A line that may be beyond a plane, or whose ends may have no window coordinates yet.
     [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b) {
         Vertex* ends[2] = {&a, &b};
         if ((clip_planes(a.flags | b.flags) != 0 || planes_.any()) && !clip_line(ends))

@@ -25,15 +25,25 @@ struct ShadowMath {
         FixedMath::derive(state, out.fixed);
         DoubleMath::derive(state, out.twin);
     }
-    static bool to_window(const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes, bool fog) {
-        if (fog)
-            set_fog(depth(t, v), out);
-        if (!FixedMath::to_window(t.fixed, v, out.fixed, planes, fog))
-            return false;
-        if (planes >> 8 == 0) // the others are cut, never drawn
-            project_twin(t, DoubleMath::to_clip(t.twin, v), out);
-        return true;
-    }
+    template <int N> class Projections {
+      public:
+        void add(int i, const Transforms& t, const Real (&v)[4], Window& out, bool fog) {
+            if (fog)
+                set_fog(depth(t, v), out);
+            fixed_.add(i, t.fixed, v, out.fixed, fog);
+        }
+        void finish() { fixed_.finish(); }
+        bool divide(int i, const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes) const {
+            if (!fixed_.divide(i, t.fixed, v, out.fixed, planes))
+                return false;
+            if (planes >> 8 == 0) // the others are cut, never drawn
+                project_twin(t, DoubleMath::to_clip(t.twin, v), out);
+            return true;
+        }
+
+      private:
+        FixedMath::Projections<N> fixed_;
+    };
     static Depth depth(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::depth(t.fixed, v), DoubleMath::depth(t.twin, v)};
     }

@@ -12,9 +12,94 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/edge.hpp"
-#include "raster/span/path.hpp"
+#include "raster/primitive/line_lanes.hpp"
 
 namespace spangle::raster {
+
+/// Which fragments: L::count lines side by side, from the lower end of the major axis to the upper one.
+template <class L> class Diamond {
+  public:
+    using Int = typename L::Int;
+    using Mask = typename L::Mask;
+
+    Int major;     ///< of the first fragment
+    Int count;     ///< of fragments; may be negative for none
+    Mask along_x;  ///< the major axis
+    Mask ascends;  ///< from the first end point to the second
+    Int low, high; ///< ends on the major axis, subpixels
+    Int low_minor; ///< the lower one's other coordinate
+    Int rise;      ///< from end to end along the minor axis
+
+    /// Up to which length first() is right, and above any that fits a surface.
+    static constexpr std::int32_t small_length = 1 << 20;
+
+    /// `shift`: moves the line down its minor axis (wide lines), subpixels.
+    SPANGLE_INLINE Diamond(Int ax, Int ay, Int bx, Int by, std::int32_t shift) {
+        along_x = L::no(L::less(absolute(bx - ax), absolute(by - ay)));
+        const Int a = L::select(along_x, ax, ay), a_minor = L::select(along_x, ay, ax) - shift;
+        const Int b = L::select(along_x, bx, by), b_minor = L::select(along_x, by, bx) - shift;
+        ascends = L::no(L::less(b, a));
+        low = L::select(ascends, a, b);
+        high = L::select(ascends, b, a);
+        low_minor = L::select(ascends, a_minor, b_minor);
+        const Int high_minor = L::select(ascends, b_minor, a_minor);
+        rise = high_minor - low_minor;
+        major = first_past(low, low_minor);
+        count = first_past(high, high_minor) - major;
+    }
+
+    Int length() const { return high - low; }
+
+    /// A value on the boundary of two fragments belongs to the upper one only if the shifted line lies above
+    /// it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does.
+    SPANGLE_INLINE Int lower_tie() const {
+        const Int none = rise ^ rise;
+        return L::one(L::no(along_x & L::less(none, rise)));
+    }
+
+    /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. Its
+    /// centre is -128 .. 383 from the lower end: |rise| <= length makes the quotient more than -2 and less
+    /// than 3.
+    SPANGLE_INLINE Int first(Int& remainder) const {
+        constexpr std::int32_t bias = 2;
+        const Int inside = low_minor & (subpixel_one - 1);
+        remainder = (center(major) - low) * rise + (inside + bias * subpixel_one) * length() - lower_tie();
+        return (low_minor >> subpixel_bits) - bias + L::divide_small(remainder, length() * subpixel_one);
+    }
+
+    /// Of fragment i, subpixels.
+    SPANGLE_INLINE static Int center(Int i) { return i * subpixel_one + subpixel_one / 2; }
+
+  private:
+    SPANGLE_INLINE static Int absolute(Int v) {
+        const Int sign = v >> 31;
+        return (v ^ sign) - sign;
+    }
+    /// The fragment a coordinate is in: floor(v - e).
+    SPANGLE_INLINE static Int own(Int v) { return (v - 1) >> subpixel_bits; }
+    /// From the centre of that to it, -127 .. 128.
+    SPANGLE_INLINE static Int from_center(Int v) {
+        return ((v - 1) & (subpixel_one - 1)) - (subpixel_one / 2 - 1);
+    }
+
+    /// An end is not in the diamond of its own fragment. x of a point on the diamond's edge decides which
+    /// side the shift moves it to, and points on the centre line are moved below it: where x is not above the
+    /// centre, the distance counts as one more.
+    SPANGLE_INLINE static Mask outside(Int x, Int y) {
+        const Int before = x - 1, distance = (before ^ (before >> 31)) + absolute(y);
+        return L::no(L::less(distance, Int{} + subpixel_one / 2));
+    }
+
+    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
+    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
+    /// last but one that lies before the end. Without branches: they would be taken at random.
+    SPANGLE_INLINE Int first_past(Int end, Int end_minor) const {
+        const Int f = from_center(end), g = from_center(end_minor);
+        const Mask out = outside(L::select(along_x, f, g), L::select(along_x, g, f));
+        const Mask above = L::less(Int{}, f);
+        return own(end) + L::one(L::select(ascends, Mask(out & above), Mask(L::no(out) | above)));
+    }
+};
 
 /// Walks the fragments of one line in increasing order of their major coordinate. Major and minor are columns
 /// and rows, or rows and columns.
@@ -25,33 +110,25 @@ class DiamondWalk {
     bool along_x;
     bool ascends; ///< from the first end point to the second
 
-    /// Up to which near ends are placed with 32 bits.
-    static constexpr std::int32_t small_length = 1 << 20;
-
-    /// `shift`: moves the line down its minor axis (wide lines), subpixels.
-    SPANGLE_INLINE DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
-                               std::int32_t shift) {
-        const std::int32_t dx = bx - ax, dy = by - ay;
-        along_x = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
-        const End a = along_x ? End{ax, ay - shift} : End{ay, ax - shift};
-        const End b = along_x ? End{bx, by - shift} : End{by, bx - shift};
-        ascends = a.major <= b.major;
-        const End low = ascends ? a : b, high = ascends ? b : a;
-        major = first_past(low);
-        count = first_past(high) - major;
+    DiamondWalk(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by, std::int32_t shift) {
+        using One = Diamond<LineLanes<1>>;
+        const One line(ax, ay, bx, by, shift);
+        along_x = line.along_x;
+        ascends = line.ascends;
+        major = line.major;
+        count = line.count;
         if (count <= 0) {
             count = 0;
             return;
         }
-        start_ = low;
-        length_ = high.major - low.major;
-        rise_ = high.minor - low.minor;
+        low_ = line.low;
+        low_minor_ = line.low_minor;
+        length_ = line.length();
+        rise_ = line.rise;
+        lower_tie_ = line.lower_tie();
         denominator_ = length_ * subpixel_one;
-        // A value on the boundary of two fragments belongs to the upper one only if the shifted line lies
-        // above it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does.
-        lower_tie_ = !along_x || rise_ <= 0 ? 1 : 0;
-        if (length_ <= small_length)
-            place_first();
+        if (length_ <= One::small_length)
+            minor = line.first(remainder_);
         else
             place();
     }
@@ -67,19 +144,6 @@ class DiamondWalk {
             --minor;
             remainder_ += denominator_;
         }
-    }
-
-    /// What is left of the walk, where a row is `row` pixels from the one below it.
-    SPANGLE_INLINE void follow(std::int32_t row, Path& path) const {
-        const bool falls = rise_ < 0;
-        const std::int32_t across = along_x ? row : 1;
-        path.along = along_x ? 1 : row;
-        path.aside = falls ? -across : across;
-        path.first = major * path.along + minor * across;
-        path.count = count;
-        path.rest = falls ? -1 - remainder_ : remainder_ - denominator_;
-        path.rise = (falls ? -rise_ : rise_) * subpixel_one;
-        path.denominator = denominator_;
     }
 
     /// Drops fragments whose major coordinate is outside of [low, high).
@@ -98,61 +162,18 @@ class DiamondWalk {
     }
 
   private:
-    struct End {
-        std::int32_t major, minor; ///< subpixels
-    };
-
-    /// The fragment a coordinate is in: floor(v - e).
-    static std::int32_t own(std::int32_t v) { return (v - 1) >> subpixel_bits; }
-    /// From the centre of that to it, -127 .. 128.
-    static std::int32_t from_center(std::int32_t v) {
-        return ((v - 1) & (subpixel_one - 1)) - (subpixel_one / 2 - 1);
-    }
-
-    /// An end is not in the diamond of its own fragment. x of a point on the diamond's edge decides which
-    /// side the shift moves it to, and points on the centre line are moved below it: where x is not above the
-    /// centre, the distance counts as one more.
-    static bool outside(std::int32_t across_x, std::int32_t across_y) {
-        const std::int32_t before = across_x - 1, x = before ^ (before >> 31);
-        return x + (across_y < 0 ? -across_y : across_y) >= subpixel_one / 2;
-    }
-
-    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
-    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
-    /// last but one that lies before the end. Without branches: they would be taken at random.
-    SPANGLE_INLINE std::int32_t first_past(const End& end) const {
-        const std::int32_t f = from_center(end.major), g = from_center(end.minor);
-        const bool out = outside(along_x ? f : g, along_x ? g : f), above = f > 0;
-        return own(end.major) + static_cast<std::int32_t>(ascends ? out & above : !out | above);
-    }
-
     /// minor and remainder at the centre of `major`.
     void place() {
-        const std::int32_t from_start = major * subpixel_one + subpixel_one / 2 - start_.major;
-        const std::int32_t inside = start_.minor & (subpixel_one - 1);
+        const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
+        const std::int32_t inside = low_minor_ & (subpixel_one - 1);
         const std::int64_t numerator =
-            std::int64_t{from_start} * rise_ + std::int64_t{inside} * length_ - lower_tie_;
+            std::int64_t{from_low} * rise_ + std::int64_t{inside} * length_ - lower_tie_;
         const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
         remainder_ = static_cast<std::int32_t>(q.remainder);
-        minor = (start_.minor >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
+        minor = (low_minor_ >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
     }
 
-    /// The same at the first fragment, whose centre is -128 .. 383 from the start: |rise| <= length makes the
-    /// quotient more than -2 and less than 3.
-    SPANGLE_INLINE void place_first() {
-        constexpr std::int32_t bias = 2;
-        const std::int32_t from_start = major * subpixel_one + subpixel_one / 2 - start_.major;
-        const std::int32_t inside = start_.minor & (subpixel_one - 1);
-        const auto numerator = static_cast<std::uint32_t>(
-            from_start * rise_ + (inside + bias * subpixel_one) * length_ - lower_tie_);
-        const auto denominator = static_cast<std::uint32_t>(denominator_);
-        const std::uint32_t whole = numerator / denominator;
-        remainder_ = static_cast<std::int32_t>(numerator - whole * denominator);
-        minor = (start_.minor >> subpixel_bits) - bias + static_cast<std::int32_t>(whole);
-    }
-
-    End start_;
-    std::int32_t length_, rise_, denominator_, remainder_, lower_tie_;
+    std::int32_t low_, low_minor_, length_, rise_, denominator_, remainder_, lower_tie_;
 };
 
 } // namespace spangle::raster

@@ -27,19 +27,17 @@ template <class V>
 void draw_line(const DrawState& state, const Surface& target, const V& a, const V& b, const V& provoking,
                std::int32_t width);
 
-/// The ends of a line; the second one gives the colour when state.flat.
-template <class V> struct LineEnds { const V *a, *b; };
-
-/// Lines one after the other; some at a time are faster than each alone.
+/// Lines from vertices i to i + 1 of n, i = 0, step, ...: 1 for a strip, 2 for lines apart. Some at a time
+/// are faster than each alone.
 template <class V>
-void draw_lines(const DrawState& state, const Surface& target, const LineEnds<V>* line,
-                const LineEnds<V>* end, std::int32_t width) {
-    for (; line != end; ++line)
-        draw_line(state, target, *line->a, *line->b, *line->b, width);
+void draw_lines(const DrawState& state, const Surface& target, const V* const* vertex, int n, int step,
+                std::int32_t width) {
+    for (int i = 0; i + 1 < n; i += step)
+        draw_line(state, target, *vertex[i], *vertex[i + 1], *vertex[i + 1], width);
 }
 template <>
-void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const LineEnds<FixedVertex>* line,
-                             const LineEnds<FixedVertex>* end, std::int32_t width);
+void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
+                             int n, int step, std::int32_t width);
 
 /// Aliased point, size in whole pixels >= 1 (GL 1.3, 3.3).
 template <class V>

@@ -7,11 +7,6 @@ namespace spangle::raster {
 
 namespace {
 
-[[gnu::noinline]] void draw_rows(const DrawState& state, const Surface& target, const FixedVertex& a,
-                                 const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
-    draw_line_of<Fixed>(state, target, a, b, provoking, width);
-}
-
 /// Somebody asks for rows.
 bool observed([[maybe_unused]] const Counters* counters) {
 #ifndef SPANGLE_FIRMWARE
@@ -21,15 +16,14 @@ bool observed([[maybe_unused]] const Counters* counters) {
 #endif
 }
 
-/// As far as a path of this state may show.
+/// As far as a path may show.
 SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
     return ((a.color[0] ^ b.color[0]) | (a.color[1] ^ b.color[1]) | (a.color[2] ^ b.color[2])) == 0;
 }
 
 /// Widens the touched columns by those of a line, if they are not all among them: rows between the ends', and
 /// one more pixel, hold it.
-SPANGLE_INLINE void touch_line(const Surface& target, DiamondWalk walk, const Position& a,
-                               const Position& b) {
+void touch_line(const Surface& target, const FixedVertex& a, const FixedVertex& b) {
     const auto low = [](std::int32_t v, std::int32_t w) {
         return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;
     };
@@ -41,7 +35,7 @@ SPANGLE_INLINE void touch_line(const Surface& target, DiamondWalk walk, const Po
     const RowSpan* row = target.touched + std::ptrdiff_t{bottom} * target.touched_step;
     for (std::int32_t y = bottom; y <= top; ++y, row += target.touched_step)
         if (left < row->begin || right > row->end) {
-            for (; walk.count > 0; walk.step()) {
+            for (DiamondWalk walk(a.x, a.y, b.x, b.y, 0); walk.count > 0; walk.step()) {
                 const std::int32_t x = walk.along_x ? walk.major : walk.minor;
                 touch(target, walk.along_x ? walk.minor : walk.major, x, x + 1);
             }
@@ -49,132 +43,228 @@ SPANGLE_INLINE void touch_line(const Surface& target, DiamondWalk walk, const Po
         }
 }
 
-/// Lines on their way to one loop.
-class Paths {
+/// Lines on their way to one loop: as many as a set of paths holds.
+class LineBatch {
   public:
-    Paths(const DrawState& state, const Surface& target, std::int32_t width)
-        : state_(state), target_(target), width_(width), walks_(width == 1 && !observed(state.counters)),
-          row_(target.color_stride / format_info(target.format).bytes_per_pixel) {}
-
-    SPANGLE_INLINE void draw(const FixedVertex& a, const FixedVertex& b, const FixedVertex& provoking) {
-        if (walks_ && add(a, b, provoking)) [[likely]]
-            return;
-        flush(); // in the order they came
-        draw_rows(state_, target_, a, b, provoking, width_);
+    LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
+        : state_(state), target_(target), width_(width),
+          area_(width == 1 && !observed(state.counters) ? state.paths : DrawState::Area{}),
+          row_(target.color_stride / 2) {
+        if constexpr (L::count > 1) // lanes without a line
+            x_ = y_ = {};
     }
 
-    void flush() {
-        if (count_ == 0)
-            return;
-        if (Counters* const counters = state_.counters; counters != nullptr) {
-            counters->triangles += static_cast<std::uint32_t>(count_);
-            for (int i = 0; i < count_; ++i)
-                counters->fragments += static_cast<std::uint32_t>(path_[i].count);
+    /// From vertices i to i + 1, i = 0, step, ... The latter give the colours when state.flat, or
+    /// `provoking`.
+    void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* provoking) {
+        vertex_ = v;
+        step_ = step;
+        provoking_ = provoking;
+        count_ = step == 1 ? n - 1 : n / 2;
+        b_ = step == 1 ? 1 : Paths::size;
+        if (!load(n)) {
+            if (count_ != 1)
+                return one_by_one(v, n, step);
+            if (!inside_)
+                return rows();
+            find();
+            return walk(set_up_colored());
         }
-        reinterpret_cast<PathFunction>(walk_of(kind_))(state_, target_, path_, path_ + count_);
-        count_ = 0;
+        find();
+        set_up();
+        walk(Kind::flat);
     }
 
   private:
-    static constexpr int size = numeric::cheap_branches ? 8 : 16;
+    using L = HostLines;
+    /// Of vertices: the first ends of all lines, and from b_ on their second ends.
+    template <class T> struct Ends { T at[2 * Paths::size + 1]; };
 
     AnyFunction walk_of(Kind kind) const { return state_.variant[static_cast<unsigned>(kind)].walk; }
 
-    /// False: it takes rows.
-    SPANGLE_INLINE bool add(const FixedVertex& a, const FixedVertex& b, const FixedVertex& provoking) {
-        if (!state_.paths.holds(a.x, a.y) || !state_.paths.holds(b.x, b.y))
-            return false;
-        const DiamondWalk walk(a.x, a.y, b.x, b.y, 0);
-        if (walk.count == 0)
-            return true;
-        const detail::LineInterval interval(walk, walk.along_x ? a.x : a.y, walk.along_x ? b.x : b.y);
-        Path& path = path_[count_];
-        walk.follow(row_, path);
-        Kind kind = Kind::flat;
-        if (walk_of(kind) != nullptr && (state_.fragment.flat || same_color(a, b)))
-            set_up(path, walk.major, a, b, state_.fragment.flat ? provoking : a, interval);
-        else
-            kind = set_up_any(path, walk.major, a, b, provoking, interval);
-        if (walk_of(kind) == nullptr)
-            return false;
-        if (target_.touched != nullptr)
-            touch_line(target_, walk, {a.x, a.y}, {b.x, b.y});
-        if (kind != kind_) {
-            flush();
-            kind_ = kind;
-            path_[0] = path;
+    /// Takes what is needed of the vertices. True: each line has one colour, and may be drawn as a path.
+    SPANGLE_INLINE bool load(int n) {
+        const DrawState::Area area = area_;
+        const FixedVertex* const* const vertex = vertex_;
+        const int b = b_, apart = step_ - 1;
+        const bool flat = state_.fragment.flat;
+        bool one_color = walk_of(Kind::flat) != nullptr, inside = true;
+        const FixedVertex* last = vertex[0];
+        std::uint32_t word = word565(last->color);
+        for (int i = 0; i < n; ++i) {
+            const FixedVertex& v = *vertex[i];
+            const int at = apart == 0 ? i : (i >> 1) + (i & 1) * b;
+            inside = inside & area.holds(v.x, v.y);
+            x_.at[at] = v.x;
+            y_.at[at] = v.y;
+            depth_.at[at] = depth_code(v.z, 16);
+            if (!same_color(*last, v)) {
+                one_color = one_color & (flat || at < b); // else within a line
+                word = word565(v.color);
+            }
+            word_.at[at] = word;
+            last = &v;
         }
-        if (++count_ == size)
-            flush();
-        return true;
+        if (provoking_ != nullptr && flat)
+            word_.at[b] = word565(provoking_->color);
+        inside_ = inside;
+        return one_color & inside;
     }
 
-    /// One colour leaves one plane, and that has one direction: what Setup finds, in a few steps. `at` is the
-    /// first fragment.
-    SPANGLE_INLINE void set_up(Path& path, std::int32_t at, const FixedVertex& a, const FixedVertex& b,
-                               const FixedVertex& painted, const detail::LineInterval& interval) const {
-        path.word = word565(painted.color);
+    [[gnu::noinline]] void one_by_one(const FixedVertex* const* v, int n, int step) {
+        for (int i = 0; i + 1 < n; i += step)
+            draw(v + i, 2, 1, nullptr);
+    }
+
+    /// The fragments of the lines.
+    void find() {
+        for (int i = 0; i < count_; i += L::count) {
+            const Diamond<L> line(L::load(x_.at + i), L::load(y_.at + i), L::load(x_.at + i + b_),
+                                  L::load(y_.at + i + b_), 0);
+            L::store(paths_.count.at + i, line.count);
+            if (L::any(L::less(L::Int{}, line.count)))
+                follow(line, i);
+        }
+    }
+
+    /// Where they lie; and where attributes start from. These run from one end of the line to the other;
+    /// where the centre of the first or last fragment lies beyond the end, the end is moved there
+    /// (LineInterval).
+    SPANGLE_INLINE void follow(const Diamond<L>& line, int i) {
+        using Int = L::Int;
+        Int remainder;
+        const Int minor = line.first(remainder), denominator = line.length() * subpixel_one;
+        const auto falls = L::less(line.rise, Int{});
+        const Int row = Int{} + row_, one = Int{} + 1;
+        const Int along = L::select(line.along_x, one, row), across = L::select(line.along_x, row, one);
+        const Int x = L::select(line.along_x, line.major, minor),
+                  y = L::select(line.along_x, minor, line.major);
+        L::store(paths_.first.at + i, y * row + x);
+        L::store(paths_.along.at + i, along);
+        L::store(paths_.aside.at + i, L::select(falls, Int(-across), across));
+        L::store(paths_.rest.at + i, L::select(falls, Int(-1 - remainder), Int(remainder - denominator)));
+        L::store(paths_.rise.at + i, L::select(falls, Int(-line.rise), line.rise) * subpixel_one);
+        L::store(paths_.denominator.at + i, denominator);
+        const Int first = line.center(line.major), last = line.center(line.major + line.count - 1);
+        const Int low = L::select(L::less(first, line.low), first, line.low),
+                  high = L::select(L::less(line.high, last), last, line.high);
+        const Int begin = L::select(line.ascends, low, high);
+        L::store(begin_.at + i, begin);
+        L::store(end_.at + i, L::select(line.ascends, high, low));
+        L::store(from_begin_.at + i, line.major - (begin >> subpixel_bits));
+    }
+
+    /// One colour leaves one plane, and that has one direction: what Setup finds, in a few steps.
+    SPANGLE_INLINE void set_up() {
+        for (int i = 0; i < count_; ++i)
+            paths_.word[i] = word_.at[i + b_];
         if (!state_.needs.z)
             return;
-        const PerPixel per_pixel(interval.begin, interval.end);
-        const std::uint32_t from = depth_code(a.z, 16), to = depth_code(b.z, 16);
-        const auto difference = static_cast<std::int32_t>(to >> 1) - static_cast<std::int32_t>(from >> 1);
+        numeric::Reciprocals<Paths::size> of_length;
+        for (int i = 0; i < count_; ++i) {
+            const std::uint32_t length = numeric::abs_u32(end_.at[i] - begin_.at[i]);
+            of_length.set(i, length << numeric::clz32(length | 1));
+        }
+        of_length.finish();
+        for (int i = 0; i < count_; ++i)
+            set_up_depth(i, of_length.at(i));
+    }
+
+    SPANGLE_INLINE void set_up_depth(int i, std::uint32_t reciprocal) {
+        const std::int32_t begin = begin_.at[i], along = end_.at[i] - begin;
+        const PerPixel per_pixel(reciprocal, numeric::clz32(numeric::abs_u32(along) | 1), along < 0);
+        const std::uint32_t from = depth_.at[i];
+        const auto difference =
+            static_cast<std::int32_t>(depth_.at[i + b_] >> 1) - static_cast<std::int32_t>(from >> 1);
         const auto part = [&](std::int32_t coefficient) {
             return scaled_word(numeric::mul_s32(difference, coefficient), per_pixel.exponent - 1);
         };
-        const auto columns = static_cast<std::uint32_t>(at - (interval.begin >> subpixel_bits));
-        path.z.step = part(per_pixel.coefficient);
-        path.z.value = from + (1u << 15) + part(per_pixel.to_center(interval.begin)) + columns * path.z.step;
+        const std::uint32_t step = part(per_pixel.coefficient);
+        paths_.z.step[i] = step;
+        paths_.z.value[i] = from + (1u << 15) + part(per_pixel.to_center(begin)) +
+                            static_cast<std::uint32_t>(from_begin_.at[i]) * step;
     }
 
-    /// Any colours.
-    [[gnu::noinline]] Kind set_up_any(Path& path, std::int32_t at, const FixedVertex& a, const FixedVertex& b,
-                                      const FixedVertex& provoking,
-                                      const detail::LineInterval& interval) const {
+    const FixedVertex& provoking() const { return provoking_ != nullptr ? *provoking_ : *vertex_[1]; }
+
+    /// The only line, of several colours.
+    [[gnu::noinline]] Kind set_up_colored() {
         Span<Fixed> span;
         span.state = &state_;
         span.target = &target_;
-        Setup<Fixed>(span, a, b, provoking, true, interval.begin, interval.end);
-        const auto along = [&](const Span<Fixed>::Affine& plane) {
-            return Path::Ramp{plane.at(at - span.anchor_x, 0), plane.dx};
+        Setup<Fixed>(span, *vertex_[0], *vertex_[1], provoking(), true, begin_.at[0], end_.at[0]);
+        const auto ramp = [&](const Span<Fixed>::Affine& plane, Paths::Ramp& to) {
+            to.value[0] = plane.at(from_begin_.at[0], 0);
+            to.step[0] = plane.dx;
         };
         if (state_.needs.z)
-            path.z = along(span.z);
+            ramp(span.z, paths_.z);
         if (span.kind == Kind::flat)
-            path.word = span.flat_word;
+            paths_.word[0] = span.flat_word;
         else if (state_.needs.rgb)
             for (int c = 0; c < 3; ++c)
-                path.color[c] = along(span.color_value[c]);
+                ramp(span.color_value[c], paths_.color[c]);
         return span.kind;
+    }
+
+    /// Draws what was set up.
+    void walk(Kind kind) {
+        const AnyFunction draw = walk_of(kind);
+        if (draw == nullptr)
+            return rows();
+        if (target_.touched != nullptr)
+            for (int i = 0; i < count_; ++i)
+                touch_line(target_, *vertex_[i * step_], *vertex_[i * step_ + 1]);
+        if (Counters* const counters = state_.counters; counters != nullptr)
+            for (int i = 0; i < count_; ++i)
+                if (paths_.count.at[i] > 0) {
+                    ++counters->triangles;
+                    counters->fragments += static_cast<std::uint32_t>(paths_.count.at[i]);
+                }
+        reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, count_);
+    }
+
+    /// The only line.
+    [[gnu::noinline]] void rows() const {
+        draw_line_of<Fixed>(state_, target_, *vertex_[0], *vertex_[1], provoking(), width_);
     }
 
     const DrawState& state_;
     const Surface& target_;
     const std::int32_t width_;
-    const bool walks_;
-    const std::int32_t row_; ///< pixels from row to row
-    int count_ = 0;
-    Kind kind_ = Kind::flat;
-    Path path_[size];
+    const DrawState::Area area_;
+    const std::int32_t row_; ///< pixels from row to row, of 16 bits
+    const FixedVertex* const* vertex_ = nullptr;
+    const FixedVertex* provoking_ = nullptr; ///< of the only line; or null
+    int step_ = 1, count_ = 0, b_ = 1;
+    bool inside_ = false; ///< of area_, all vertices
+    Ends<std::int32_t> x_, y_;
+    Ends<std::uint32_t> depth_, word_;
+    Paths::Word begin_, end_; ///< of attributes, along the major axis
+    Paths::Word from_begin_;  ///< from the pixel of that to the first fragment
+    Paths paths_;
 };
 
 } // namespace
 
 template <>
-void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const LineEnds<FixedVertex>* line,
-                             const LineEnds<FixedVertex>* end, std::int32_t width) {
-    Paths paths(state, target, width);
-    for (; line != end; ++line)
-        paths.draw(*line->a, *line->b, *line->b);
-    paths.flush();
+void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
+                             int n, int step, std::int32_t width) {
+    LineBatch batch(state, target, width);
+    const int most = step == 1 ? Paths::size + 1 : 2 * Paths::size;
+    while (n > 1) {
+        const int now = n < most ? n : most, left = step == 1 ? 1 : 0;
+        batch.draw(vertex, now, step, nullptr);
+        vertex += now - left;
+        n -= now - left;
+    }
 }
 
 template <>
 void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
                             const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
-    Paths paths(state, target, width);
-    paths.draw(a, b, provoking);
-    paths.flush();
+    const FixedVertex* const ends[2] = {&a, &b};
+    LineBatch(state, target, width).draw(ends, 2, 1, &provoking);
 }
 
 } // namespace spangle::raster

@@ -58,13 +58,15 @@ struct PerPixel {
     int exponent = 32;            ///< times 2^-exponent
     /// From subpixel `begin` to `end`; nothing varies where they are the same.
     SPANGLE_INLINE PerPixel(std::int32_t begin, std::int32_t end) {
-        const std::uint32_t length = numeric::abs_u32(end - begin);
-        if (length == 0)
-            return;
-        const int zeros = numeric::clz32(length);
+        if (const std::uint32_t length = numeric::abs_u32(end - begin); length != 0)
+            *this = PerPixel(numeric::reciprocal(length << numeric::clz32(length)), numeric::clz32(length),
+                             end < begin);
+    }
+    /// The same from the reciprocal of the length, which has so many leading zeros.
+    SPANGLE_INLINE PerPixel(std::uint32_t reciprocal, int zeros, bool back) {
         // 256 / length = mantissa 2^-(53 - zeros)
-        const auto mantissa = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
-        coefficient = end < begin ? -mantissa : mantissa;
+        const auto mantissa = static_cast<std::int32_t>(reciprocal >> 1);
+        coefficient = back ? -mantissa : mantissa;
         exponent = 53 - zeros;
     }
     /// From subpixel v to the centre of its pixel.

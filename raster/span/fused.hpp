@@ -244,11 +244,12 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// The fragments of one path; the list and the pixel are at the first.
-template <class List, class N> SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Path& path) {
-    const std::int32_t along = path.along, aside = path.aside, rise = path.rise,
-                       denominator = path.denominator;
-    std::int32_t count = path.count, rest = path.rest;
+/// The fragments of path i; the list and the pixel are at the first.
+template <class List, class N>
+SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i) {
+    const std::int32_t along = paths.along.at[i], aside = paths.aside.at[i], rise = paths.rise.at[i],
+                       denominator = paths.denominator.at[i];
+    std::int32_t count = paths.count.at[i], rest = paths.rest.at[i];
     do {
         list(p);
         list.step();
@@ -267,10 +268,10 @@ template <class List, class N> SPANGLE_INLINE void walk_path(List& list, Px<N>& 
     } while (--count != 0);
 }
 
-/// Paths whose pixels are counted from window (0, 0).
+/// Pixels are counted from window (0, 0).
 template <class Case>
-[[gnu::noinline]] void fused_path(const DrawState& state, const Surface& target, const Path* path,
-                                  const Path* end) {
+[[gnu::noinline]] void fused_paths(const DrawState& state, const Surface& target, const Paths& paths,
+                                   int count) {
     static_assert(!Case::key.dither && format_info(Case::key.format).bytes_per_pixel == 2 &&
                   Case::key.depth_format != DepthFormat::z24s8);
     using N = typename Case::template System<1>;
@@ -282,15 +283,18 @@ template <class Case>
     span.x = span.y = span.anchor_x = span.anchor_y = 0;
     Px<N> p(span);
     p.live = true;
-    do {
-        span.flat_word = path->word;
-        span.z = {path->z.value, path->z.step, 0};
+    p.selects = !numeric::cheap_branches; // a test goes either way, at random
+    for (int i = 0; i < count; ++i) {
+        if (paths.count.at[i] <= 0)
+            continue;
+        span.flat_word = paths.word[i];
+        span.z = {paths.z.value[i], paths.z.step[i], 0};
         for (int c = 0; c < 3; ++c)
-            span.color_value[c] = {path->color[c].value, path->color[c].step, 0};
+            span.color_value[c] = {paths.color[c].value[i], paths.color[c].step[i], 0};
         typename Case::template List<1> list(span, 0);
-        p.i = path->first;
-        walk_path(list, p, *path);
-    } while (++path != end);
+        p.i = paths.first.at[i];
+        walk_path(list, p, paths, i);
+    }
 }
 
 } // namespace spangle::raster

@@ -125,7 +125,7 @@ template <Key K> class FusedCase {
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
         if constexpr (plain)
-            return &fused_path<FusedCase>;
+            return &fused_paths<FusedCase>;
         else
             return nullptr;
     }

@@ -46,6 +46,9 @@ template <class N> struct Px {
     std::int32_t i;                          ///< first pixel of the group
     typename N::L::Mask live;
     bool row = false; ///< Seq::row said so; a constant of the loop
+    /// One lane, too, stores what was there where it is not alive; a constant of the loop, whose stages all
+    /// can.
+    bool selects = false;
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8

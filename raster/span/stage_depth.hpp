@@ -62,7 +62,14 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
         std::uint8_t* const at = p.depth_plane + 2 * p.i;
         const typename L::U16 incoming = L::high_half(this->z.at);
         if constexpr (N::lanes == 1) {
-            if (!compare<Func>(incoming, L::load(at)))
+            const typename L::U16 stored = L::load(at);
+            if (p.selects) {
+                p.live = compare<Func>(incoming, stored);
+                if constexpr (Write)
+                    L::store(at, L::select(p.live, incoming, stored));
+                return true;
+            }
+            if (!compare<Func>(incoming, stored))
                 return false;
             if constexpr (Write)
                 L::store(at, incoming);

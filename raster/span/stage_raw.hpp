@@ -32,7 +32,7 @@ template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
         typename L::U16 word = p.color.word;
         if constexpr (swaps)
             word = L::swap_bytes(word);
-        if constexpr (Count > 1)
+        if (Count > 1 || p.selects)
             word = L::select(p.live, word, L::load(at));
         L::store(at, word);
         return true;

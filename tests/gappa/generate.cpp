@@ -155,10 +155,10 @@ void edge_small() {
                 subpixel_one, subpixel_one, subpixel_one, most, most, most, rows, rows, subpixel_one);
 }
 
-/// DiamondWalk::place_first() in 32 bits: the numerator is not negative either, |slope| being 1 at most.
+/// Diamond::first() in 32 bits: the numerator is not negative either, |slope| being 1 at most.
 void diamond_first() {
     using namespace spangle::raster;
-    const int most = DiamondWalk::small_length, half = subpixel_one / 2;
+    const int most = Diamond<LineLanes<1>>::small_length, half = subpixel_one / 2;
     std::printf("@whole = fixed<0, ne>;\n"
                 "from = whole(FR); rise = whole(RI); inside = whole(IN); length = whole(LE);\n"
                 "tie = whole(TI); slope = rise / length;\n"

@@ -4,7 +4,6 @@
 
 using spangle::raster::DrawState;
 using spangle::raster::FixedVertex;
-using Ends = spangle::raster::LineEnds<FixedVertex>;
 using spangle::raster::Surface;
 
 // The linker's names (--wrap): GL calls "__wrap_f" where it says f, and "__real_f" is the rasterizer's f.
@@ -12,7 +11,7 @@ void real_point(const DrawState&, const Surface&, const FixedVertex&,
                 std::int32_t) __asm__("__real_" DRAW_POINT);
 void real_line(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&, const FixedVertex&,
                std::int32_t) __asm__("__real_" DRAW_LINE);
-void real_lines(const DrawState&, const Surface&, const Ends*, const Ends*,
+void real_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int,
                 std::int32_t) __asm__("__real_" DRAW_LINES);
 void real_triangle(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&,
                    const FixedVertex&, const FixedVertex&, std::int64_t) __asm__("__real_" DRAW_TRIANGLE);
@@ -20,7 +19,7 @@ void wrap_point(const DrawState&, const Surface&, const FixedVertex&,
                 std::int32_t) __asm__("__wrap_" DRAW_POINT);
 void wrap_line(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&, const FixedVertex&,
                std::int32_t) __asm__("__wrap_" DRAW_LINE);
-void wrap_lines(const DrawState&, const Surface&, const Ends*, const Ends*,
+void wrap_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int,
                 std::int32_t) __asm__("__wrap_" DRAW_LINES);
 void wrap_triangle(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&,
                    const FixedVertex&, const FixedVertex&, std::int64_t) __asm__("__wrap_" DRAW_TRIANGLE);
@@ -42,12 +41,12 @@ void wrap_line(const DrawState& state, const Surface& target, const FixedVertex&
     active->primitives.push_back({2, {a, b, {}}, provoking});
 }
 
-void wrap_lines(const DrawState& state, const Surface& target, const Ends* line, const Ends* end,
-                std::int32_t width) {
+void wrap_lines(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
+                int step, std::int32_t width) {
     if (active == nullptr)
-        return real_lines(state, target, line, end, width);
-    for (; line != end; ++line)
-        active->primitives.push_back({2, {*line->a, *line->b, {}}, *line->b});
+        return real_lines(state, target, vertex, n, step, width);
+    for (int i = 0; i + 1 < n; i += step)
+        active->primitives.push_back({2, {*vertex[i], *vertex[i + 1], {}}, *vertex[i + 1]});
 }
 
 void wrap_triangle(const DrawState& state, const Surface& target, const FixedVertex& a, const FixedVertex& b,

@@ -12,6 +12,21 @@ using namespace spangle::numeric;
 TEST(Kernels, ReciprocalHoldsItsBounds) {
     check_reciprocal(97);
 }
+TEST(Kernels, ReciprocalsTogetherAreThoseAlone) {
+    Random random(12);
+    for (int round = 0; round < 200'000; ++round) {
+        std::uint32_t a[16];
+        Reciprocals<16> together;
+        for (int i = 0; i < 16; ++i) {
+            const std::uint32_t ends[] = {0x80000000u, 0x80000001u, 0xFFFFFFFFu, 0xFFFFFFFEu};
+            a[i] = (round + i) % 9 == 0 ? ends[round & 3] : random.word() | 0x80000000u;
+            together.set(i, a[i]);
+        }
+        together.finish();
+        for (int i = 0; i < 16; ++i)
+            ASSERT_EQ(together.at(i), reciprocal(a[i])) << a[i];
+    }
+}
 TEST(Kernels, RsqrtHoldsItsBounds) {
     check_rsqrt(97);
 }

@@ -99,26 +99,28 @@ TEST(Paths, AreTheirRows) {
 TEST(Paths, ManyAreOneAfterTheOther) {
     std::mt19937 random(22);
     FragmentState fragment;
-    fragment.scissor = {5, 7, 30, 21};
+    fragment.scissor = {5, 7, 36, 27};
     fragment.tier = Tier::balanced;
     fragment.dither = false;
     fragment.depth_test = true;
     fragment.depth_func = Compare::lequal;
     Drawn many(fragment, DepthFormat::z16, true), single(fragment, DepthFormat::z16, true);
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < 400; ++round) {
         std::vector<FixedVertex> v;
-        std::vector<LineEnds<FixedVertex>> lines;
+        std::vector<const FixedVertex*> at;
+        const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8; // or all of them inside
         for (int i = 0; i < 41; ++i) {
-            v.push_back(random_end(random, true, 1));
+            v.push_back(random_end(random, true, beyond));
             v.back().z = v[0].z; // the last line to come is seen
-            if (i > 0 && random() % 2 != 0)
+            if (i > 0 && (round % 5 != 0 || random() % 2 != 0))
                 std::copy_n(v[v.size() - 2].color, 4, v.back().color);
         }
-        for (std::size_t i = 0; i + 1 < v.size(); ++i)
-            lines.push_back({&v[i], &v[i + 1]});
-        draw_lines(many.state, many.canvas.surface, lines.data(), lines.data() + lines.size(), 1);
-        for (const LineEnds<FixedVertex>& line : lines)
-            draw_line(single.state, single.canvas.surface, *line.a, *line.b, *line.b, 1);
+        for (const FixedVertex& vertex : v)
+            at.push_back(&vertex);
+        many.state.fragment.flat = single.state.fragment.flat = round % 7 == 0;
+        draw_lines<FixedVertex>(many.state, many.canvas.surface, at.data(), 41, step, 1);
+        for (int i = 0; i + 1 < 41; i += step)
+            draw_line<FixedVertex>(single.state, single.canvas.surface, *at[i], *at[i + 1], *at[i + 1], 1);
         ASSERT_EQ(many.canvas.color, single.canvas.color) << "round " << round;
         ASSERT_EQ(many.canvas.depth, single.canvas.depth) << "round " << round;
     }

@@ -1,0 +1,71 @@
+// Lines side by side: signed words of 32 bits, one line each. One where the processor has no vectors, four in
+// the vectors of gcc and clang where it has.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::raster {
+
+template <int Count> struct LineLanes;
+
+template <> struct LineLanes<1> {
+    static constexpr int count = 1;
+    using Int = std::int32_t;
+    using Mask = bool;
+    SPANGLE_INLINE static Int load(const std::int32_t* at) { return *at; }
+    SPANGLE_INLINE static void store(std::int32_t* at, Int v) { *at = v; }
+    SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
+    SPANGLE_INLINE static Mask no(Mask m) { return !m; }
+    SPANGLE_INLINE static bool any(Mask m) { return m; }
+    SPANGLE_INLINE static Int one(Mask m) { return static_cast<Int>(m); }
+    template <class T> SPANGLE_INLINE static T select(Mask m, T a, T b) { return m ? a : b; }
+    /// n / d and the remainder, of 0 <= n < 5 d.
+    SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
+        const auto whole = static_cast<Int>(static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(d));
+        n -= whole * d;
+        return whole;
+    }
+};
+
+template <> struct LineLanes<4> {
+    static constexpr int count = 4;
+    using Int [[gnu::vector_size(16)]] = std::int32_t;
+    using Mask = Int; ///< all ones: yes
+    SPANGLE_INLINE static Int load(const std::int32_t* at) {
+        Int v;
+        __builtin_memcpy(&v, at, sizeof v);
+        return v;
+    }
+    SPANGLE_INLINE static void store(std::int32_t* at, Int v) { __builtin_memcpy(at, &v, sizeof v); }
+    SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
+    SPANGLE_INLINE static Mask no(Mask m) { return ~m; }
+    SPANGLE_INLINE static bool any(Mask m) {
+        using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+        const auto halves = std::bit_cast<Halves>(m);
+        return (halves[0] | halves[1]) != 0;
+    }
+    SPANGLE_INLINE static Int one(Mask m) { return -m; }
+    SPANGLE_INLINE static Int select(Mask m, Int a, Int b) { return (m & a) | (~m & b); }
+    /// n / d and the remainder, of 0 <= n < 5 d; anything where d is 0.
+    SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
+        Int whole = n ^ n;
+        for (int i = 0; i < 4; ++i) {
+            const Mask fits = ~(n < d);
+            n -= d & fits;
+            whole -= fits;
+        }
+        return whole;
+    }
+};
+
+/// In this build.
+#if defined(__SSE2__) || defined(__ARM_NEON)
+using HostLines = LineLanes<4>;
+#else
+using HostLines = LineLanes<1>;
+#endif
+
+} // namespace spangle::raster
