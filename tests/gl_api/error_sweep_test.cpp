@@ -1,11 +1,14 @@
 // Every entry point of the table: what it must refuse, and that a refusal changes nothing (GL 1.3, 2.5).
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <string>
 
 #include <spangle/message.hpp>
 
+#include "gl/context/state_table.hpp"
 #include "tests/gl_api/command_table.hpp"
 #include "tests/gl_api/recording_context.hpp"
 
@@ -155,6 +158,82 @@ TEST_F(ErrorSweep, UnknownEnums) {
         }
 }
 
+/// Every token of every command is a wrong one wherever it is not among the accepted.
+TEST_F(ErrorSweep, TokensOfOtherCommands) {
+    std::set<GLenum> tokens;
+    for (const Command& c : commands()) {
+        for (const Arg& arg : c.args)
+            tokens.insert(arg.accepted.begin(), arg.accepted.end());
+        for (const Pname& pname : c.pnames)
+            tokens.insert(pname.name);
+    }
+    EXPECT_GT(tokens.size(), 250u);
+    // What these accept stands in the table of state.
+    const std::set<std::string> queries = {"GetBooleanv", "GetIntegerv",  "GetFloatv",
+                                           "GetDoublev",  "GetFixedvOES", "GetPointerv"};
+    const auto is_value = [&queries](const std::string& family, GLenum token) {
+        const gl::StateRow* const row = gl::find_state(token);
+        return queries.contains(family) && row != nullptr &&
+               (row->source == gl::Source::pointer) == (family == "GetPointerv");
+    };
+    for (const Command& c : commands())
+        for (std::size_t i = 0; c.present && i < c.args.size(); ++i) {
+            const Arg& arg = c.args[i];
+            const bool is_pname = arg.kind == Kind::pname;
+            if (!is_pname && (arg.kind != Kind::enum_ || arg.accepted.empty()))
+                continue;
+            for (const GLenum token : tokens) {
+                const bool known =
+                    is_value(c.family, token) ||
+                    (is_pname
+                         ? std::any_of(c.pnames.begin(), c.pnames.end(),
+                                       [token](const Pname& p) { return p.name == token; })
+                         : std::find(arg.accepted.begin(), arg.accepted.end(), token) != arg.accepted.end());
+                if (known)
+                    continue;
+                auto values = good(c);
+                values[i].integer = token;
+                refused(c, values, GL_INVALID_ENUM,
+                        "argument " + std::to_string(i) + " is token " + std::to_string(token));
+            }
+        }
+}
+
+/// Every Push has its Pop; both say when they cannot, and change nothing then (GL 1.3, 2.5).
+TEST_F(ErrorSweep, StacksThatAreFullOrEmpty) {
+    const auto find = [](const std::string& name) {
+        const auto all = commands();
+        return std::find_if(all.begin(), all.end(), [&name](const Command& c) { return c.name == name; });
+    };
+    GLuint words[4];
+    glSelectBuffer(4, words);
+    glRenderMode(GL_SELECT); // where names have a meaning
+    context->error_code = GL_NO_ERROR;
+    int stacks = 0;
+    for (const Command& push : commands()) {
+        const std::string name = push.name;
+        if (!push.present || name.substr(0, 6) != "glPush")
+            continue;
+        const auto pop = find("glPop" + name.substr(6));
+        ASSERT_NE(pop, commands().end()) << name;
+        for (const GLenum mode : {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE}) {
+            glMatrixMode(mode);
+            refused(*pop, good(*pop), GL_STACK_UNDERFLOW, "empty");
+            int depth = 0;
+            while (call(push, good(push)) == GL_NO_ERROR)
+                ASSERT_LT(++depth, 1000);
+            refused(push, good(push), GL_STACK_OVERFLOW, "full");
+            for (; depth > 0; --depth)
+                EXPECT_EQ(call(*pop, good(*pop)), GLenum{GL_NO_ERROR}) << pop->name;
+            refused(*pop, good(*pop), GL_STACK_UNDERFLOW, "empty again");
+        }
+        ++stacks;
+    }
+    EXPECT_EQ(stacks, 1 + 2 * SPANGLE_FEATURE_ATTRIB_STACKS + SPANGLE_FEATURE_SELECTION);
+    glRenderMode(GL_RENDER);
+    context->error_code = GL_NO_ERROR;
+}
+
 TEST_F(ErrorSweep, EveryAcceptedTokenIsAccepted) {
     for (const Command& c : commands())
         for (std::size_t i = 0; c.present && i < c.args.size(); ++i)
@@ -198,8 +277,12 @@ TEST_F(ErrorSweep, NullPointersDoNoHarm) {
                 continue;
             auto values = good(c);
             values[i].pointer = nullptr;
+            const auto before = snapshot();
             const GLenum code = call(c, values);
             EXPECT_TRUE(code == GL_INVALID_VALUE || code == GL_NO_ERROR) << c.name << ' ' << code;
+            if (code != GL_NO_ERROR) {
+                EXPECT_EQ(snapshot(), before) << c.name;
+            }
         }
 }
 
