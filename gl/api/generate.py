@@ -80,7 +80,7 @@ class Entry:
     def needs(self):
         """The optional systems this entry point takes, each a condition of the preprocessor."""
         features = [self.family.feature] if self.family.feature else []
-        features += ["FIXED_POINT"] if self.name.endswith("OES") else []
+        features += ["FIXED_POINT"] if re.search(r"xv?OES$", self.name) else []
         return tuple(" || ".join(f"SPANGLE_FEATURE_{word}" for word in feature.split("|")) for feature in features)
 
     @property

@@ -214,15 +214,15 @@ void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation) {
     issue<family::ClipPlane>(plane, convert::cast_d(equation[0]), convert::cast_d(equation[1]), convert::cast_d(equation[2]), convert::cast_d(equation[3]));
 }
 
-#endif
-
-#if SPANGLE_FEATURE_CLIP_PLANES && SPANGLE_FEATURE_FIXED_POINT
-
 void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation) {
     if (equation == nullptr)
         return refuse_null(SPANGLE_TEXT("glClipPlanefOES: null pointer"));
     issue<family::ClipPlane>(plane, convert::cast_f(equation[0]), convert::cast_f(equation[1]), convert::cast_f(equation[2]), convert::cast_f(equation[3]));
 }
+
+#endif
+
+#if SPANGLE_FEATURE_CLIP_PLANES && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
     if (equation == nullptr)
@@ -246,6 +246,10 @@ void GLAPIENTRY glClipPlane(GLenum, const GLdouble*) {
     refuse_feature(SPANGLE_TEXT("glClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
 }
 
+void GLAPIENTRY glClipPlanefOES(GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glClipPlanefOES: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
+}
+
 void GLAPIENTRY glGetClipPlane(GLenum, GLdouble*) {
     refuse_feature(SPANGLE_TEXT("glGetClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
 }
@@ -254,10 +258,6 @@ void GLAPIENTRY glGetClipPlane(GLenum, GLdouble*) {
 
 #if !SPANGLE_FEATURE_CLIP_PLANES
 
-void GLAPIENTRY glClipPlanefOES(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlanefOES: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
-}
-
 void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glClipPlanexOES: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
 }
@@ -265,10 +265,6 @@ void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*) {
 #endif
 
 #if SPANGLE_FEATURE_CLIP_PLANES && !SPANGLE_FEATURE_FIXED_POINT
-
-void GLAPIENTRY glClipPlanefOES(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlanefOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
 
 void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glClipPlanexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
