@@ -38,6 +38,16 @@ struct Attribute {
     EGLint value;
 };
 
+/// How the pixels lie in memory, and above those eight bits what a window's present turns them into: 1 + the
+/// display's WireFormat, or 0 where they travel as they are.
+EGLint visual_of(const Display& display, const Config& c) {
+    const auto layout = static_cast<EGLint>(c.format);
+    if (!fits_window(display, c))
+        return layout;
+    const hal::WireFormat wire = display.native->info().wire;
+    return wire == hal::WireFormat::none ? layout : layout | (1 + static_cast<EGLint>(wire)) << 8;
+}
+
 /// EGL 1.4, table 3.1.
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
     const FormatInfo info = format_info(c.format);
@@ -82,7 +92,7 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_TRANSPARENT_TYPE:
         return {true, EGL_NONE};
     case EGL_NATIVE_VISUAL_ID:
-        return {true, static_cast<EGLint>(c.format)};
+        return {true, visual_of(display, c)};
     case EGL_PRECISION_SPANGLE:
         return {true, c.precision};
     case EGL_BIND_TO_TEXTURE_RGB:

@@ -215,8 +215,8 @@ void MonoController::data(std::uint8_t byte, Time now) {
         report_once(Rule::pixel_count,
                     "more bytes than fit from the pointer on; the window has " + std::to_string(window()),
                     now);
-        column_ %= chip_.width;
     }
+    column_ %= chip_.width;
     const int segment = remap_ ? chip_.width - 1 - column_ : column_;
     if (segment < glass_.x || segment >= glass_.x + glass_.width || page_ * 8 >= glass_.y + glass_.height)
         report_once(Rule::window,
@@ -236,13 +236,13 @@ void MonoController::advance() {
         if (++column_ <= last_column_)
             return;
         column_ = first_column_;
-        page_ = page_ == last_page_ ? first_page_ : page_ + 1;
+        page_ = page_ >= last_page_ ? first_page_ : page_ + 1;
         return;
     case Mode::vertical:
         if (++page_ <= last_page_)
             return;
         page_ = first_page_;
-        column_ = column_ == last_column_ ? first_column_ : column_ + 1;
+        column_ = column_ >= last_column_ ? first_column_ : column_ + 1;
         return;
     }
 }

@@ -178,6 +178,45 @@ TEST(WirePanels, APresentReturnsWhileTheFrameIsOnTheWire) {
     EXPECT_EQ(sim.violations_text(), "") << "rule 11 would say so";
 }
 
+/// Cells that were drawn again as they were are not sent, whatever the wire's format.
+TEST(WirePanels, TheRowHashServesThemToo) {
+    for (const hal::Board* named : {&boards::ssd1306_i2c, &boards::ssd1327_spi, &boards::sh1106_i2c}) {
+        std::uint64_t bytes[2];
+        sim::Image seen[2];
+        for (const bool hashed : {false, true}) {
+            hal::Board board = *named;
+            board.display.row_hash = hashed;
+            sim::SimBoard sim(board);
+            ASSERT_TRUE(test::play(sim.display(), *scenes::find("HUD"), 6)) << board.name;
+            seen[hashed] = sim.glass();
+            bytes[hashed] = sim.counters().bytes;
+            EXPECT_EQ(sim.violations_text(), "") << board.name;
+        }
+        EXPECT_EQ(seen[1], seen[0]) << named->name;
+        EXPECT_LT(bytes[1], bytes[0]) << named->name;
+    }
+}
+
+TEST(WirePanels, EglConfigsTellTheFormatOnTheWire) {
+    const struct {
+        const hal::Board& board;
+        EGLint visual;
+    } table[] = {{boards::ssd1306_i2c, 0x600}, {boards::ssd1327_spi, 0x500}, {boards::ssd1351_spi, 0}};
+    for (const auto& row : table) {
+        sim::SimBoard sim(row.board);
+        const EGLDisplay display = eglGetDisplay(native(sim.display()));
+        ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
+        const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                               EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0, visual = -1;
+        ASSERT_TRUE(eglChooseConfig(display, wish, &config, 1, &count) && count == 1);
+        EXPECT_TRUE(eglGetConfigAttrib(display, config, EGL_NATIVE_VISUAL_ID, &visual));
+        EXPECT_EQ(visual, row.visual) << row.board.name;
+        EXPECT_TRUE(eglTerminate(display));
+    }
+}
+
 TEST(WirePanels, AByteLostOnTheWireIsSeen) {
     for (std::uint64_t n : {0u, 1u, 2u, 3u, 200u}) { // address, control, command, parameter, data
         sim::SimBoard sim(boards::ssd1306_i2c);

@@ -86,7 +86,7 @@ class PanelDisplay : public Display {
     Result<void> present() override;
 
     /// Waits until everything presented is on the panel.
-    Result<void> finish();
+    Result<void> finish() override;
     Result<PanelStatus> status();
     Result<std::uint16_t> scanline();
     /// Pixels of the panel's memory, see read_pixels().
