@@ -13,8 +13,8 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_tests.hpp"
-#include "raster/span/stage_texture.hpp"
 #include "raster/span/stage_texture_lod.hpp"
+#include "raster/span/stage_texture_packet.hpp"
 
 namespace spangle::raster {
 
@@ -24,8 +24,9 @@ template <class N> class ChainBuilder {
     explicit ChainBuilder(Variant& variant) : variant_(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
     }
-    template <class S> void add() {
-        variant_.chain[count_++] = reinterpret_cast<AnyFunction>(&chain_stage<N, S>);
+    template <class S> void add() { add(&chain_stage<N, S>); }
+    void add(ChainStage<N> stage) {
+        variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
         variant_.chain[count_] = nullptr;
     }
     /// One of two, decided at run time.
@@ -44,46 +45,56 @@ constexpr bool early_tests(const Key& key) {
 }
 
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
     if (key.stencil)
-        chain.template add<StencilDepth<N>>();
+        chain.template add<StencilDepth<One>>();
     else if (key.depth != Compare::always || key.depth_write)
-        chain.template choose<DepthGeneral<N, DepthFormat::z16>, DepthGeneral<N, DepthFormat::z24s8>>(
+        chain.template choose<DepthGeneral<N, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(
             key.depth_format == DepthFormat::z16);
     if (key.count)
-        chain.template add<Count<N>>();
+        chain.template add<Count<One>>();
 }
+
+template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
 template <class N, int Unit>
 void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     if (!key.unit[Unit].on)
         return;
+    using One = OneLane<N>;
     const Texture& texture = *state.unit[Unit].texture;
-    chain.template choose<Coord<N, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
+    chain.template choose<Coord<One, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
     const bool has_lod = texture.mip != MipFilter::none || texture.mag != texture.min;
     if (has_lod)
-        chain.template add<Lod<N, Unit>>();
-    chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(has_lod);
+        chain.template add<Lod<One, Unit>>();
+    if constexpr (is_fixed<N>)
+        chain.add(&PacketTexture<N>::template run<Unit>);
+    else
+        chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(has_lod);
 }
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
+    using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.blend)
-        chain.template choose<BlendAlpha<N, Format>, Blend<N, Format>>(
+        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Format>>(
             key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha);
     if (key.masked)
-        chain.template add<StoreMasked<N, Format>>();
+        chain.template add<StoreMasked<One, Format>>();
     else
-        chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither);
+        chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither);
 }
 
 /// Everything there is, modes at run time.
 template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
+    using One = OneLane<N>;
     ChainBuilder<N> chain(variant);
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
     if (key.color) {
         if (key.kind == Kind::full)
-            chain.template choose<GouraudQ<N, true>, GouraudQ<N, false>>(key.color_alpha);
+            chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
         else
             chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
     } else {
@@ -92,13 +103,16 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     add_unit<N, 0>(chain, key, state);
     add_unit<N, 1>(chain, key, state);
     if (key.color_sum)
-        chain.template choose<ColorSum<N, true>, ColorSum<N, false>>(key.kind == Kind::full);
+        chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
     if (key.fog) {
-        chain.template choose<FogCoord<N, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
-        chain.template add<Fog<N>>();
+        chain.template choose<FogCoord<One, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+        if constexpr (is_fixed<N>)
+            chain.template choose<FogLinear<N>, Fog<One>>(key.fog_mode == FogMode::linear);
+        else
+            chain.template add<Fog<N>>();
     }
     if (key.alpha != Compare::always)
-        chain.template add<AlphaTest<N>>();
+        chain.template add<AlphaTest<One>>();
     if (!early)
         add_tests(chain, key);
     switch (key.format) {

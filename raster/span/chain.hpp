@@ -1,102 +1,204 @@
-// The chain: any list of stages, run over packets of 16 fragments through one function pointer per stage. It
+// The chain: any list of stages, run over packets of fragments through one function pointer per stage. It
 // is what a state draws with when no fused span exists, and what every fused span is compared with.
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "raster/span/draw_state.hpp"
 #include "raster/span/stage.hpp"
 
 namespace spangle::raster {
 
-inline constexpr std::int32_t packet_length = 16;
+/// 16, or four groups of lanes.
+inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : 16;
 
-/// Fragments between two stages. Packets start at multiples of their length from the anchor.
+/// Fragments between two stages, in groups of N::lanes. Packets start at multiples of their length from the
+/// anchor.
 template <class N> struct Packet {
-    std::int32_t x;    ///< first pixel, counted from the anchor of the span
-    std::int32_t i;    ///< the same, counted from the span's `begin`
-    std::int32_t n;    ///< fragments, 1 .. packet_length
-    std::int32_t dead; ///< how many of them were dropped; `live` is valid when not 0
-    bool live[packet_length];
-    typename N::Color color[packet_length];
-    typename N::Coord coord[max_texture_units][packet_length];
+    static constexpr int lanes = N::lanes, groups = packet_length / lanes;
+    std::uint8_t *color_plane,
+        *depth_plane; ///< where fragment 0 lies, or a copy of a packet that is not full
+    std::int32_t x;   ///< first pixel, counted from the anchor of the span
+    std::int32_t n;   ///< fragments, 1 .. packet_length; lanes beyond them are dead
+    bool alive;       ///< some fragment
+    bool some_dead;   ///< some fragment of the n
+    typename N::L::Mask live[groups];
+    typename N::Color color[groups];
+    typename N::Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
-    typename N::Fog fog[packet_length];
+    typename N::Fog fog[groups];
 };
 
 template <class N> using ChainStage = void (*)(Packet<N>&, const Span<typename N::Policy>&);
 
 namespace detail {
 
-/// Calls one(true, field pointer in Px, array in Packet) for every field of `Fields`.
-template <unsigned Fields, class N, class Move>
-SPANGLE_INLINE void for_fields(Px<N>& p, Packet<N>& k, std::int32_t i, Move move) {
+/// The number system of a stage: that of the packet, or one lane of it.
+template <class S, class M> M system_of(bool (S::*)(Px<M>&));
+template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
+
+/// Calls move(field in Px<M>, of the packet) for fragments [i, i + M::lanes), one(...) where the packet has
+/// more lanes.
+template <unsigned Fields, class M, class N, class Move, class One>
+SPANGLE_INLINE void for_fields(Px<M>& p, Packet<N>& k, std::int32_t i, Move move, One one) {
+    const std::int32_t g = i / N::lanes, lane = i % N::lanes;
+    const auto field = [&](auto& fragment, auto& stored) {
+        if constexpr (M::lanes == N::lanes)
+            move(fragment, stored);
+        else
+            one(fragment, stored, lane);
+    };
     if constexpr ((Fields & field_color) != 0)
-        move(p.color, k.color[i]);
-    if constexpr ((Fields & field_coord) != 0)
-        move(p.coord[0], k.coord[0][i]);
-    if constexpr ((Fields & (field_coord << 1)) != 0)
-        move(p.coord[1], k.coord[1][i]);
-    if constexpr ((Fields & field_lod) != 0)
-        move(p.lod[0][0], k.lod[0][i]);
-    if constexpr ((Fields & (field_lod << 1)) != 0)
-        move(p.lod[1][0], k.lod[1][i]);
+        field(p.color, k.color[g]);
+    for (int unit = 0; unit < max_texture_units; ++unit) {
+        if ((Fields & field_coord << unit) != 0) {
+            for (int l = 0; l < M::lanes; ++l) {
+                move(p.coord[unit].s[l], k.coord[unit][g].s[lane + l]);
+                move(p.coord[unit].t[l], k.coord[unit][g].t[lane + l]);
+            }
+        }
+        if ((Fields & field_lod << unit) != 0)
+            for (int l = 0; l < M::lanes; ++l)
+                move(p.lod[unit][l], k.lod[unit][i + l]);
+    }
     if constexpr ((Fields & field_fog) != 0)
-        move(p.fog, k.fog[i]);
+        field(p.fog, k.fog[g]);
 }
 
 /// `Check`: some fragment may be dead.
-template <bool Check, class N, class S>
-SPANGLE_INLINE void run_stage(Packet<N>& k, const Span<typename N::Policy>& span, S& s, std::int32_t next) {
-    const std::int32_t n = k.n, i0 = k.i, x0 = k.x;
-    for (std::int32_t i = 0; i < n; ++i) {
+template <bool Check, class M, class N, class S>
+SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
+    using L = typename N::L;
+    const std::int32_t n = k.n, x0 = k.x;
+    bool any = false, died = false;
+    for (std::int32_t i = 0; i < n; i += M::lanes) {
         if constexpr (S::runs) {
             if (x0 + i == next)
                 next = s.begin(next);
         }
-        if (!Check || k.live[i]) {
-            Px<N> p(span);
-            p.i = i0 + i;
-            p.live = true;
-            for_fields<S::in>(p, k, i, [](auto& field, auto& stored) { field = stored; });
+        typename L::Mask& live = k.live[i / N::lanes];
+        if (!Check || L::lane(live, i % N::lanes)) {
+            Px<M> p;
+            p.color_plane = k.color_plane;
+            p.depth_plane = k.depth_plane;
+            p.i = i;
+            if constexpr (M::lanes > 1)
+                p.live = live;
+            else
+                p.live = true;
+            for_fields<S::in>(
+                p, k, i, [](auto& fragment, auto& stored) { fragment = stored; },
+                [](auto& fragment, auto& stored, int lane) { lane_of(stored, lane, fragment); });
             [[maybe_unused]] const bool alive = s(p);
-            for_fields<S::out>(p, k, i, [](auto& field, auto& stored) { stored = field; });
+            for_fields<S::out>(
+                p, k, i, [](auto& fragment, auto& stored) { stored = fragment; },
+                [](auto& fragment, auto& stored, int lane) { set_lane(stored, lane, fragment); });
             if constexpr (S::kill) {
-                k.live[i] = alive;
-                k.dead += alive ? 0 : 1;
+                any = any || alive;
+                if constexpr (M::lanes > 1) {
+                    const typename L::Mask left = alive ? p.live : L::negate(L::all);
+                    died = died || L::any(L::both(live, L::negate(left)));
+                    live = left;
+                } else if (!alive) {
+                    died = true;
+                    L::kill(live, i % N::lanes);
+                }
             }
         }
         s.step();
     }
+    if constexpr (S::kill) {
+        k.alive = any;
+        k.some_dead = k.some_dead || died;
+    }
 }
+
+/// What lies in a plane beyond a packet that is not full is not touched: lanes work on a copy.
+class PacketCopy {
+  public:
+    template <class N>
+    SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color_bytes, std::int32_t depth_bytes) {
+        color_plane_ = k.color_plane;
+        depth_plane_ = k.depth_plane;
+        color_bytes_ = k.n * color_bytes;
+        depth_bytes_ = k.n * depth_bytes;
+        copy(k.color_plane = color_, color_plane_, color_bytes_);
+        copy(k.depth_plane = depth_, depth_plane_, depth_bytes_);
+    }
+    SPANGLE_INLINE void leave() const {
+        copy(color_plane_, color_, color_bytes_);
+        copy(depth_plane_, depth_, depth_bytes_);
+    }
+
+  private:
+    alignas(16) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
+    std::uint8_t *color_plane_, *depth_plane_;
+    std::int32_t color_bytes_, depth_bytes_;
+
+    /// Less than 4 packet_length bytes, which are not worth a call.
+    SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
+        static_assert(packet_length <= 32);
+        if (bytes != 0)
+            parts<64, 32, 16, 8, 4, 2, 1>(to, from, bytes);
+    }
+    template <int... Size>
+    SPANGLE_INLINE static void parts(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
+        const auto part = [&](auto size) __attribute__((always_inline)) {
+            if ((bytes & size) != 0) {
+                __builtin_memcpy(to, from, size);
+                to += size;
+                from += size;
+            }
+        };
+        (part(std::integral_constant<int, Size>{}), ...);
+    }
+};
 
 } // namespace detail
 
 /// One stage (or a Seq of them) over a packet.
 template <class N, class S> void chain_stage(Packet<N>& k, const Span<typename N::Policy>& span) {
-    static_assert(N::lanes == 1);
+    using M = decltype(detail::system_of(&S::operator()));
+    static_assert(M::lanes == N::lanes || M::lanes == 1);
     S s(span, k.x);
     std::int32_t next = 0;
     if constexpr (S::runs)
         next = s.begin(k.x);
-    // Until something died, everything lives, and stages before the first test never ask.
-    if ((S::kill || S::effect) && k.dead != 0)
-        detail::run_stage<true>(k, span, s, next);
+    // Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
+    if (M::lanes == 1 && (S::kill || S::effect) && k.some_dead)
+        detail::run_stage<true, M>(k, s, next);
     else
-        detail::run_stage<false>(k, span, s, next);
+        detail::run_stage<false, M>(k, s, next);
 }
 
 /// Runs the chain of the span's kind.
 template <class N> void chain_span(const Span<typename N::Policy>& span) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
+    const std::int32_t color_bytes = format_info(span.target->format).bytes_per_pixel;
+    const DepthFormat depth = span.state->depth_format;
+    const std::int32_t depth_bytes = depth == DepthFormat::none ? 0 : depth == DepthFormat::z16 ? 2 : 4;
     Packet<N> k;
+    [[maybe_unused]] detail::PacketCopy copy;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
-        const std::int32_t boundary = (k.x & -packet_length) + packet_length;
+        const std::int32_t boundary = (k.x & -packet_length) + packet_length, i = k.x - span.begin;
         k.n = (boundary < span.end ? boundary : span.end) - k.x;
-        k.i = k.x - span.begin;
-        k.dead = 0;
-        for (const AnyFunction* f = stages; *f != nullptr && k.dead < k.n; ++f)
+        k.color_plane = span.color + i * color_bytes;
+        k.depth_plane = span.depth + i * depth_bytes;
+        k.alive = true;
+        k.some_dead = false;
+        for (auto& live : k.live)
+            live = N::L::all;
+        const bool copied = N::lanes > 1 && k.n < packet_length;
+        if (copied) {
+            for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
+                k.live[g] = N::L::first(k.n - g * N::lanes);
+            copy.enter(k, color_bytes, depth_bytes);
+        }
+        for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
             reinterpret_cast<ChainStage<N>> (*f)(k, span);
+        if (copied)
+            copy.leave();
     }
 }
 

@@ -95,7 +95,7 @@ struct RunBound {
 /// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
 /// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes 16 always. Where 1/w
 /// does not change along the row, the row is one run.
-template <int Unit> class CoordRuns {
+class CoordRuns {
   public:
     std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
 
@@ -112,8 +112,8 @@ template <int Unit> class CoordRuns {
   public:
     std::uint32_t dt;
 
-    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x)
-        : next_(x), log2_(-1), span_(&span), row_(span, Unit) {}
+    SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
+        : next_(x), log2_(-1), span_(&span), row_(span, unit), unit_(unit) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -128,9 +128,9 @@ template <int Unit> class CoordRuns {
             first_run(x);
         const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
         next_ = from + length;
-        const auto& wraps = span_->state->wraps[Unit];
+        const auto& wraps = span_->state->wraps[unit_];
         if (next_ <= limit && wraps.s && wraps.t) [[likely]] {
-            const Sample end(row_, next_, span_->unit[Unit].exponent);
+            const Sample end(row_, next_, span_->unit[unit_].exponent);
             s = static_cast<std::uint32_t>(last_.s);
             t = static_cast<std::uint32_t>(last_.t);
             ds = static_cast<std::uint32_t>(difference(end.s, last_.s) >> log2_);
@@ -148,11 +148,11 @@ template <int Unit> class CoordRuns {
     /// The start of the first one.
     [[gnu::noinline]] void first_run(std::int32_t x) {
         log2_ = choose_log2();
-        last_ = Sample(row_, x & -(std::int32_t{1} << log2_), span_->unit[Unit].exponent);
+        last_ = Sample(row_, x & -(std::int32_t{1} << log2_), span_->unit[unit_].exponent);
     }
     /// Cut short by the end of the row, or of coordinates that do not wrap.
     [[gnu::noinline]] void other_run(std::int32_t from, std::int32_t to) {
-        const auto& unit = span_->unit[Unit];
+        const auto& unit = span_->unit[unit_];
         const Sample end(row_, to, unit.exponent);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
@@ -163,8 +163,8 @@ template <int Unit> class CoordRuns {
                             static_cast<std::int32_t>(v);
             dv = to == next_ ? static_cast<std::uint32_t>(d >> log2_) : detail::slope(d, to - from);
         };
-        along(last_.s, end.s, span_->state->wraps[Unit].s, unit.s_base, s, ds);
-        along(last_.t, end.t, span_->state->wraps[Unit].t, unit.t_base, t, dt);
+        along(last_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
+        along(last_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
         last_ = end;
     }
 
@@ -193,16 +193,17 @@ template <int Unit> class CoordRuns {
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return 0;
-        const detail::RunBound bound(*span_, Unit, row_);
+        const detail::RunBound bound(*span_, unit_, row_);
         constexpr std::int32_t margin = 6; // of three logarithms
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
-                                    bound.dq - (span_->unit[Unit].exponent << 8) - margin;
+                                    bound.dq - (span_->unit[unit_].exponent << 8) - margin;
         const std::int32_t log2 = square >> 9;
         return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
     }
 
     const Span<Fixed>* span_;
     detail::HomogeneousRow row_;
+    int unit_;
     Sample last_;
 };
 

@@ -33,12 +33,12 @@ struct Differences {
 /// by definition (nearest_bias_bits); 1 means one division per fragment. Where 1/w changes so little along
 /// the row that a straight line is as good, the row is one run. Coordinates that do not wrap divide at every
 /// fragment: they saturate.
-template <int Unit> class CubicRuns {
+class CubicRuns {
   public:
     std::uint32_t s, t; ///< at the current pixel (TexCoords)
 
-    SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x)
-        : span_(&span), row_(span, Unit), next_(x), log2_(-1) {}
+    SPANGLE_INLINE CubicRuns(const Span<Fixed>& span, std::int32_t x, int unit)
+        : span_(&span), row_(span, unit), unit_(unit), next_(x), log2_(-1) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -72,7 +72,7 @@ template <int Unit> class CubicRuns {
     };
 
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
-        const auto& unit = span_->unit[Unit];
+        const auto& unit = span_->unit[unit_];
         const bool first = log2_ < 0;
         if (first)
             log2_ = choose_log2();
@@ -103,8 +103,8 @@ template <int Unit> class CubicRuns {
 
     /// The division of one fragment.
     std::int32_t one_pixel(std::int32_t x) {
-        const auto& unit = span_->unit[Unit];
-        const auto& wraps = span_->state->wraps[Unit];
+        const auto& unit = span_->unit[unit_];
+        const auto& wraps = span_->state->wraps[unit_];
         const Sample at(row_, x, unit.exponent);
         s = detail::to_coord(at.s, wraps.s, unit.s_base);
         t = detail::to_coord(at.t, wraps.t, unit.t_base);
@@ -126,8 +126,8 @@ template <int Unit> class CubicRuns {
     }
 
     int choose_log2() const {
-        const auto& unit = span_->unit[Unit];
-        if (!span_->state->wraps[Unit].s || !span_->state->wraps[Unit].t)
+        const auto& unit = span_->unit[unit_];
+        if (!span_->state->wraps[unit_].s || !span_->state->wraps[unit_].t)
             return 0;
         if (row_.dq == 0)
             return row_log2;
@@ -140,7 +140,7 @@ template <int Unit> class CubicRuns {
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
             return 0;
-        const detail::RunBound bound(*span_, Unit, row_);
+        const detail::RunBound bound(*span_, unit_, row_);
         const std::int32_t q = log2_fraction8(static_cast<std::uint64_t>(least)),
                            exponent = unit.exponent << 8;
         // `through` takes differences of at most 16 repeats and ratios of 1/q of at most 2.
@@ -160,6 +160,7 @@ template <int Unit> class CubicRuns {
 
     const Span<Fixed>* span_;
     detail::HomogeneousRow row_;
+    int unit_;
     Sample last_;
     std::int32_t next_;
     int log2_;

@@ -34,48 +34,43 @@ FogConstants fog_constants(const FragmentState& state) {
     return fog;
 }
 
-std::uint8_t log2_of(std::uint32_t size) {
-    return static_cast<std::uint8_t>(size == 0 ? 0 : 31 - numeric::clz32(size));
-}
-
 bool draws_nothing(const FragmentState& state, const Key& key) {
     const bool writes = state.color_mask != 0 || key.depth_write || key.stencil || key.count;
     return !writes || state.scissor.w <= 0 || state.scissor.h <= 0 || key.alpha == Compare::never ||
            (key.depth == Compare::never && !key.stencil);
 }
 
-using Raw = Raw565<1>;
+using Raw = Raw565<host_lanes>;
+using OneRaw = Raw565<1>;
 
-void assemble_raw(Variant& variant, const Key& key) {
+template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key) {
+    using Store = StoreRaw<host_lanes, Format>;
     ChainBuilder<Raw> chain(variant);
     add_tests(chain, key);
     const UnitKey& unit = key.unit[0];
-    if (unit.on) {
-        if (key.cubic)
-            chain.add<CoordAlong<Raw, 0, CubicRuns<0>>>();
-        else
-            chain.choose<Coord<Raw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
-        chain.choose<
-            TextureFixed<Raw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
-            TextureFixed<Raw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
-            unit.texels == TexelFormat::rgb565);
-    } else if (key.kind == Kind::flat) {
-        chain.add<FlatWord<1>>();
-    } else {
-        chain.add<Gouraud<Raw, false>>();
-    }
-    chain.choose<StoreRaw<1, PixelFormat::rgb565_be>, StoreRaw<1, PixelFormat::rgb565_le>>(
-        key.format == PixelFormat::rgb565_be);
+    if (!unit.on)
+        return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
+            key.kind == Kind::flat);
+    if (key.cubic)
+        chain.add<CoordAlong<OneRaw, 0, CubicRuns>>();
+    else
+        chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
+    chain.choose<
+        TextureFixed<OneRaw, 0, TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::replace>,
+        TextureFixed<OneRaw, 0, TexelFormat::rgb888, BaseFormat::rgb, Filter::nearest, TexEnv::replace>>(
+        unit.texels == TexelFormat::rgb565);
+    chain.add<Store>();
 }
 
 void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     switch (key.number) {
     case Number::raw565:
-        assemble_raw(variant, key);
+        key.format == PixelFormat::rgb565_be ? assemble_raw<PixelFormat::rgb565_be>(variant, key)
+                                             : assemble_raw<PixelFormat::rgb565_le>(variant, key);
         break;
     case Number::balanced:
-        assemble<Balanced<1>>(variant, key, state);
+        assemble<Balanced<host_lanes>>(variant, key, state);
         break;
     default:
         assemble<Exact>(variant, key, state);
@@ -103,9 +98,9 @@ DrawState::Area area_of_paths(const Rect& scissor, const Surface& target) {
 AnyFunction chain_runner(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Raw565<1>>>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Raw>>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<1>>>);
+        return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Balanced<host_lanes>>>);
     default:
         return reinterpret_cast<AnyFunction>(&by_row<Fixed, &chain_span<Exact>>);
     }

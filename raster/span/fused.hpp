@@ -10,13 +10,6 @@
 
 namespace spangle::raster {
 
-/// Lanes of fused spans in this build.
-#if defined(__SSE2__) || defined(__ARM_NEON)
-inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8 : 1;
-#else
-inline constexpr int host_lanes = 1;
-#endif
-
 /// Fragments [i, stop), i < stop, one by one.
 template <bool Row, class N, class List, class Place>
 SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, std::int32_t stop) {

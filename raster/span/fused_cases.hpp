@@ -46,8 +46,8 @@ template <Key K> class FusedCase {
         K.blend && !K.fog && !K.dither && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
-    using Runs = std::conditional_t<!projective, NoRuns,
-                                    std::conditional_t<exact || K.cubic, CubicRuns<0>, CoordRuns<0>>>;
+    using Runs =
+        std::conditional_t<!projective, NoRuns, std::conditional_t<exact || K.cubic, CubicRuns, CoordRuns>>;
     template <int L> struct Stages {
         using N =
             std::conditional_t<raw, Raw565<L>,

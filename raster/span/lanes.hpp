@@ -13,6 +13,13 @@ namespace spangle::raster {
 
 template <int Count> struct Lanes;
 
+/// Lanes of fused spans and of the chain in this build.
+#if defined(__SSE2__) || defined(__ARM_NEON)
+inline constexpr int host_lanes = std::endian::native == std::endian::little ? 8 : 1;
+#else
+inline constexpr int host_lanes = 1;
+#endif
+
 template <> struct Lanes<1> {
     static constexpr int count = 1;
     using U16 = std::uint32_t;
@@ -68,6 +75,9 @@ template <> struct Lanes<1> {
     /// Byte `n`.
     SPANGLE_INLINE static U16 byte(U32 v, int n) { return (v >> (8 * n)) & 0xFF; }
     SPANGLE_INLINE static bool lane(Mask m, int) { return m; }
+    SPANGLE_INLINE static void kill(Mask& m, int) { m = false; }
+    /// The first n lanes, any n.
+    SPANGLE_INLINE static Mask first(std::int32_t n) { return n > 0; }
 };
 
 /// Little-endian hosts only (draw_state.hpp decides). Even and odd lanes of a U32 lie in two vectors, so that
@@ -198,6 +208,31 @@ template <> struct Lanes<8> {
     }
     SPANGLE_INLINE static void scatter(U16 v, std::uint16_t* to) { __builtin_memcpy(to, &v, 16); }
     SPANGLE_INLINE static bool lane(Mask m, int i) { return m[i] != 0; }
+    SPANGLE_INLINE static void kill(Mask& m, int i) { m[i] = 0; }
+    SPANGLE_INLINE static Mask first(std::int32_t n) {
+        return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
+    }
 };
+
+/// One lane of eight, out and in.
+SPANGLE_INLINE void lane_of(const Lanes<8>::U16& v, int i, std::uint32_t& to) {
+    to = v[i];
+}
+SPANGLE_INLINE void set_lane(Lanes<8>::U16& v, int i, std::uint32_t from) {
+    v[i] = static_cast<std::uint16_t>(from);
+}
+SPANGLE_INLINE void lane_of(const Lanes<8>::U32& v, int i, std::uint32_t& to) {
+    to = ((i & 1) != 0 ? v.odd : v.even)[i >> 1];
+}
+SPANGLE_INLINE void set_lane(Lanes<8>::U32& v, int i, std::uint32_t from) {
+    ((i & 1) != 0 ? v.odd : v.even)[i >> 1] = from;
+}
+/// A number is its only lane.
+SPANGLE_INLINE void lane_of(std::uint32_t v, int, std::uint32_t& to) {
+    to = v;
+}
+SPANGLE_INLINE void set_lane(std::uint32_t& v, int, std::uint32_t from) {
+    v = from;
+}
 
 } // namespace spangle::raster

@@ -11,6 +11,12 @@
 namespace spangle::raster {
 
 template <class T> struct Rgba { T r, g, b, a; };
+template <class V, class T> SPANGLE_INLINE void lane_of(const Rgba<V>& v, int i, Rgba<T>& to) {
+    lane_of(v.r, i, to.r), lane_of(v.g, i, to.g), lane_of(v.b, i, to.b), lane_of(v.a, i, to.a);
+}
+template <class V, class T> SPANGLE_INLINE void set_lane(Rgba<V>& v, int i, const Rgba<T>& from) {
+    set_lane(v.r, i, from.r), set_lane(v.g, i, from.g), set_lane(v.b, i, from.b), set_lane(v.a, i, from.a);
+}
 
 /// Texture coordinates of one unit, one per lane. With Wrap::repeat 2^32 is one repeat (the word wraps as the
 /// texture does; texel = s >> (32 - log2 size)); with the other wraps a signed word, `clamped_coord_bits`
@@ -167,6 +173,13 @@ template <int Count> struct Raw565 {
     }
 };
 
+template <class V> SPANGLE_INLINE void lane_of(const V& v, int i, Raw565<1>::Color& to) {
+    lane_of(v.word, i, to.word);
+}
+template <class V> SPANGLE_INLINE void set_lane(V& v, int i, const Raw565<1>::Color& from) {
+    set_lane(v.word, i, from.word);
+}
+
 /// Colours that are 8-bit RGBA texels until they are blended with SRC_ALPHA, ONE_MINUS_SRC_ALPHA into a 565
 /// surface: two components in a word, the bits of Balanced<1>.
 struct Packed {
@@ -230,6 +243,12 @@ inline constexpr bool is_packed = std::is_same_v<N, Packed> || std::is_same_v<N,
 
 template <class N> inline constexpr bool is_balanced = false;
 template <int Count> inline constexpr bool is_balanced<Balanced<Count>> = true;
+
+/// The same system with one lane.
+template <class N> struct WithOneLane { using Type = N; };
+template <int Count> struct WithOneLane<Balanced<Count>> { using Type = Balanced<1>; };
+template <int Count> struct WithOneLane<Raw565<Count>> { using Type = Raw565<1>; };
+template <class N> using OneLane = typename WithOneLane<N>::Type;
 
 /// Systems whose colour has components that can be combined.
 template <class N> inline constexpr bool is_raw = false;

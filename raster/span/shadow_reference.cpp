@@ -99,7 +99,7 @@ template <class N> class Fragment {
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
         if (fixed_.kind >= Kind::textured)
-            run<CoordAlong<N, Unit, CubicRuns<Unit>>, Coord<Reference, Unit, true>>();
+            run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
         else
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
         const auto axis = [&](std::uint32_t fixed, double exact, bool wraps, int log2_size) {
@@ -173,8 +173,9 @@ template <class N> class Fragment {
     }
 };
 
-/// Compares before anything is drawn: the destination of blending is still the old one.
-template <class N> void shadow_span(const Span<Shadow>& span) {
+/// Chain: the system of the chain. Compares before anything is drawn: the destination of blending is still
+/// the old one.
+template <class N, class Chain> void shadow_span(const Span<Shadow>& span) {
     if (ShadowReport* const report = current_report; report != nullptr) {
         Span<Double> twin = span.twin;
         twin.color = span.color;
@@ -185,26 +186,26 @@ template <class N> void shadow_span(const Span<Shadow>& span) {
         for (std::int32_t x = span.begin; x < span.end; ++x)
             Fragment<N>(span, twin, x, *report).compare_all();
     }
-    chain_span<N>(span);
+    chain_span<Chain>(span);
 }
 
-template <class N> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
+template <class N, class Chain> void shadow_rows(Span<Shadow>& span, const Row* row, const Row* end) {
     for (; row != end; ++row) {
         span.twin.x = row->left;
         span.twin.y = row->y;
         enter<Fixed>(span, *row);
-        shadow_span<N>(span);
+        shadow_span<N, Chain>(span);
     }
 }
 
 AnyFunction shadow_runner(Number number) {
     switch (number) {
     case Number::raw565:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Raw565<1>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Raw565<1>, Raw565<host_lanes>>);
     case Number::balanced:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Balanced<1>, Balanced<host_lanes>>);
     default:
-        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact>);
+        return reinterpret_cast<AnyFunction>(&shadow_rows<Exact, Exact>);
     }
 }
 

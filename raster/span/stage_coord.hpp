@@ -30,7 +30,7 @@ template <class N, int Unit> struct Coord<N, Unit, false> : StageBase {
 
 /// In place of runs where a primitive is one.
 struct NoRuns {
-    SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t) {}
+    SPANGLE_INLINE NoRuns(const Span<Fixed>&, std::int32_t, int) {}
 };
 template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
     r.ds.third;
@@ -68,15 +68,14 @@ template <bool Cubic> struct CoordWalk {
 };
 
 /// How texture coordinates of a tier go on between two divisions.
-template <class N, int Unit>
-using RunsOf = std::conditional_t<std::is_same_v<N, Exact>, CubicRuns<Unit>, CoordRuns<Unit>>;
+template <class N> using RunsOf = std::conditional_t<std::is_same_v<N, Exact>, CubicRuns, CoordRuns>;
 
 template <class N, int Unit, class Runs> struct CoordAlong : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned out = field_coord << Unit;
     static constexpr bool runs = true;
     Runs run;
-    SPANGLE_INLINE CoordAlong(const Span<Fixed>& span, std::int32_t first) : run(span, first) {}
+    SPANGLE_INLINE CoordAlong(const Span<Fixed>& span, std::int32_t first) : run(span, first, Unit) {}
     SPANGLE_INLINE std::int32_t begin(std::int32_t at) { return run.begin(at); }
     SPANGLE_INLINE bool operator()(Px<N>& p) {
         p.coord[Unit].s[0] = run.s;
@@ -85,8 +84,8 @@ template <class N, int Unit, class Runs> struct CoordAlong : StageBase {
     }
     SPANGLE_INLINE void step() { run.step(); }
 };
-template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, RunsOf<N, Unit>> {
-    using CoordAlong<N, Unit, RunsOf<N, Unit>>::CoordAlong;
+template <class N, int Unit> struct Coord<N, Unit, true> : CoordAlong<N, Unit, RunsOf<N>> {
+    using CoordAlong<N, Unit, RunsOf<N>>::CoordAlong;
 };
 
 } // namespace spangle::raster

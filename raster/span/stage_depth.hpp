@@ -130,29 +130,46 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
 
 /// Function and write mask at run time: the depth test of the chain.
 template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
-    static_assert(N::lanes == 1);
+    static_assert(N::lanes == 1 || Format == DepthFormat::z16);
     static constexpr bool kill = true, effect = true;
+    using L = typename N::L;
     Compare func;
     bool write;
     SPANGLE_INLINE DepthGeneral(const Span<typename N::Policy>& s, std::int32_t x)
         : DepthValue<N>(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        using Word = std::conditional_t<Format == DepthFormat::z16, std::uint16_t, std::uint32_t>;
-        constexpr int stencil_bits = Format == DepthFormat::z16 ? 0 : 8;
-        constexpr Word stencil = (1u << stencil_bits) - 1;
-        auto* const at = static_cast<std::uint8_t*>(
-            __builtin_assume_aligned(p.depth_plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
-        Word stored;
-        __builtin_memcpy(&stored, at, sizeof stored);
-        const auto word = static_cast<Word>(this->word() >> (32 - 8 * sizeof(Word)));
-        if (!compare<std::uint32_t>(func, word >> stencil_bits, stored >> stencil_bits))
-            return false;
-        if (write) {
-            const auto merged = static_cast<Word>((word & ~stencil) | (stored & stencil));
-            __builtin_memcpy(at, &merged, sizeof merged);
+        if constexpr (N::lanes > 1) {
+            std::uint8_t* const at = p.depth_plane + 2 * p.i;
+            const typename L::U16 incoming = L::high_half(this->z.at), stored = L::load(at);
+            const typename L::Mask less = L::less(incoming, stored), greater = L::less(stored, incoming);
+            p.live &= (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
+            if (write)
+                L::store(at, L::select(p.live, incoming, stored));
+            return L::any(p.live);
+        } else {
+            using Word = std::conditional_t<Format == DepthFormat::z16, std::uint16_t, std::uint32_t>;
+            constexpr int stencil_bits = Format == DepthFormat::z16 ? 0 : 8;
+            constexpr Word stencil = (1u << stencil_bits) - 1;
+            auto* const at = static_cast<std::uint8_t*>(
+                __builtin_assume_aligned(p.depth_plane + static_cast<int>(sizeof(Word)) * p.i, sizeof(Word)));
+            Word stored;
+            __builtin_memcpy(&stored, at, sizeof stored);
+            const auto word = static_cast<Word>(this->word() >> (32 - 8 * sizeof(Word)));
+            if (!compare<std::uint32_t>(func, word >> stencil_bits, stored >> stencil_bits))
+                return false;
+            if (write) {
+                const auto merged = static_cast<Word>((word & ~stencil) | (stored & stencil));
+                __builtin_memcpy(at, &merged, sizeof merged);
+            }
+            return true;
         }
-        return true;
+    }
+
+  private:
+    /// All lanes, where the function lets an outcome pass (see compare).
+    SPANGLE_INLINE typename L::Mask when(unsigned outcome) const {
+        return (static_cast<unsigned>(func) & outcome) != 0 ? L::all : L::negate(L::all);
     }
 };
 

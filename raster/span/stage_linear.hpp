@@ -41,7 +41,7 @@ template <class T, int Unit, class Runs> class LinearWalk : public TexelWalk<T, 
     }
 
   private:
-    using Weights = typename T::template Filter4<N::lanes>;
+    using Weights = typename T::Colors::Weights;
     const std::uint8_t *near_, *far_; ///< texels of the two rows
     Weights across_{N::L::splat(0)};
 
@@ -58,8 +58,9 @@ template <class T, int Unit, class Runs> class LinearWalk : public TexelWalk<T, 
             return T::words([&](std::uint32_t k)
                                 __attribute__((always_inline)) { return this->texel(row(k), column(k)); });
         };
-        return this->environment(p, T::mix(weights, texels(near, i), texels(near, next), texels(far, i),
-                                           texels(far, next), s.template fractions<typename N::L>()));
+        return this->environment(p,
+                                 T::Colors::mix(weights, texels(near, i), texels(near, next), texels(far, i),
+                                                texels(far, next), s.template fractions<typename N::L>()));
     }
 };
 

@@ -2,12 +2,22 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
-#include "raster/span/filter.hpp"
 #include "raster/span/stage.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/span/texel_color.hpp"
 #include "raster/span/texture_env.hpp"
 
 namespace spangle::raster {
+
+/// Of two levels, `next` / 2^16 of the one behind; not 0.
+template <class N>
+SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, const typename N::Color& b,
+                                                typename N::L::U16 next) {
+    const typename N::L::U16 none = N::L::splat(0), rest = N::L::splat(65535) - next + N::L::splat(1);
+    const auto mix = [&](typename N::T v, typename N::T w) {
+        return N::weighted(v, rest, w, next, none, none, none, none);
+    };
+    return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
+}
 
 /// A texture and its environment, all modes at run time. Out of line, because the chain calls it from two
 /// units.
@@ -32,43 +42,48 @@ template <class N> struct TextureFunction {
                      wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t), constant);
     }
 
-  private:
     /// Level and filter by lambda (GL 1.3, 3.8.8).
-    [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
+    struct Sampling {
+        int level;
+        Filter filter;
+        std::uint32_t next; ///< weight of the level behind, 2^-16
+        bool alike(const Sampling& other) const {
+            return level == other.level && filter == other.filter && (next == 0) == (other.next == 0);
+        }
+    };
+    Sampling sampling(std::int32_t lod) const {
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         lod = lod > texture.max_lod ? texture.max_lod : lod;
         const bool late =
             texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;
         const bool magnified = lod <= (late ? 128 : 0);
-        const Filter filter = magnified ? texture.mag : texture.min;
-        const int last = texture.level_count - 1;
-        int level = 0;
-        std::uint32_t next = 0; // weight of the level behind, 2^-16
-        if (!magnified && texture.mip != MipFilter::none) {
-            level = texture.mip == MipFilter::linear ? lod >> 8
+        Sampling how = {0, magnified ? texture.mag : texture.min, 0};
+        if (magnified || texture.mip == MipFilter::none)
+            return how;
+        how.level = texture.mip == MipFilter::linear ? lod >> 8
                     : lod <= 128                     ? 0
                                                      : (lod + 127) >> 8; // ceil(lambda + 1/2) - 1
-            next = texture.mip == MipFilter::linear ? (static_cast<std::uint32_t>(lod) & 255) << 8 : 0;
-            if (level >= last)
-                level = last, next = 0;
-        }
-        const Color a = filtered(level, filter, s, t);
-        if (next == 0)
-            return a;
-        const Color b = filtered(level + 1, filter, s, t);
-        const auto mix = [&](typename N::T v, typename N::T w) {
-            return N::weighted(v, 65536 - next, w, next, 0, 0, 0, 0);
-        };
-        return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
+        how.next = texture.mip == MipFilter::linear ? (static_cast<std::uint32_t>(lod) & 255) << 8 : 0;
+        const int last = texture.level_count - 1;
+        if (how.level >= last)
+            how.level = last, how.next = 0;
+        return how;
+    }
+
+  private:
+    [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
+        const Sampling how = sampling(lod);
+        const Color a = filtered(how.level, how.filter, s, t);
+        return how.next == 0 ? a : between_levels<N>(a, filtered(how.level + 1, how.filter, s, t), how.next);
     }
 
     [[gnu::noinline]] Color filtered(int level, Filter filter, std::uint32_t s, std::uint32_t t) const {
         const TextureLevel& image = texture.level[level];
         const int w = log2_of(image.width), h = log2_of(image.height);
         if (filter == Filter::nearest)
-            return texel(image, nearest(texture.wrap_s, s, w, image.width),
-                         nearest(texture.wrap_t, t, h, image.height));
-        const TexelIndex i = linear(texture.wrap_s, s, w), j = linear(texture.wrap_t, t, h);
+            return texel(image, wrapped_nearest(texture.wrap_s, s, w, image.width),
+                         wrapped_nearest(texture.wrap_t, t, h, image.height));
+        const TexelIndex i = wrapped_linear(texture.wrap_s, s, w), j = wrapped_linear(texture.wrap_t, t, h);
         return filtered(image, i, j);
     }
 
@@ -98,19 +113,6 @@ template <class N> struct TextureFunction {
             }
         }
         return bilinear<N>(c00, c10, c01, c11, i.weight, j.weight);
-    }
-
-    static int log2_of(std::uint32_t size) { return 31 - numeric::clz32(size | 1); }
-
-    static std::int32_t nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
-        if (wrap == Wrap::repeat)
-            return repeat_nearest(s, log2_size);
-        const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
-        return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
-    }
-    static TexelIndex linear(Wrap wrap, std::uint32_t s, int log2_size) {
-        return wrap == Wrap::repeat ? repeat_linear(s, log2_size)
-                                    : clamped_linear(wrap, static_cast<std::int32_t>(s), log2_size);
     }
 
     bool stored(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
@@ -182,18 +184,21 @@ struct TextureFixed : StageBase {
         } else if constexpr (N::lanes == 1) {
             return environment(p, read_texel<N, Texels>(address(0)));
         } else {
-            return environment(p, unpack(words(address)));
+            return environment(p, Colors::unpack(words(address)));
         }
     }
     /// With the texels of all lanes, as words.
     static constexpr bool loads_words = Texels == TexelFormat::rgba8888 && N::lanes > 1;
     template <class Words> SPANGLE_INLINE bool combine_words(Px<N>& p, const Words& words) const {
-        return environment(p, unpack(words));
+        return environment(p, Colors::unpack(words));
     }
     /// Sprites, text, floors: little else is done with a texel than to fetch it.
     static constexpr bool stores_texels = Env == TexEnv::replace || Texels == TexelFormat::rgba8888;
 
   protected:
+    static constexpr bool has_alpha =
+        Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
+    using Colors = TexelColors<N, Texels == TexelFormat::rgb565, has_alpha>;
     SPANGLE_INLINE const std::uint8_t* row_of(std::uint32_t j) const {
         return texels + (j << log2_width) * bytes;
     }
@@ -212,32 +217,6 @@ struct TextureFixed : StageBase {
         return N::L::generate([&](std::uint32_t k)
                                   __attribute__((always_inline)) { return word_at(address(k)); });
     }
-    template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
-        if constexpr (Texels == TexelFormat::rgb565)
-            return {N::from5(v >> 11), N::from6((v >> 5) & 63), N::from5(v & 31), N::from_units(color_one)};
-        else
-            return {N::from8(N::L::byte(v, 0)), N::from8(N::L::byte(v, 1)), N::from8(N::L::byte(v, 2)),
-                    has_alpha ? N::from8(N::L::byte(v, 3)) : N::from_units(color_one)};
-    }
-    /// LINEAR of the exact tier, weight of row j + 1.
-    struct FilterExact {
-        std::uint32_t b;
-        SPANGLE_INLINE explicit FilterExact(std::uint32_t weight) : b(weight) {}
-    };
-    template <int Count>
-    using Filter4 = std::conditional_t<
-        std::is_same_v<N, Exact>, FilterExact,
-        std::conditional_t<Texels == TexelFormat::rgb565, Filter565<Count>, Filter8<Count>>>;
-    template <class Mixer, class V, class W>
-    SPANGLE_INLINE static Color mix(const Mixer& mixer, const V& c00, const V& c10, const V& c01,
-                                    const V& c11, const W& a) {
-        if constexpr (std::is_same_v<N, Exact>)
-            return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, mixer.b);
-        else if constexpr (Texels == TexelFormat::rgb565)
-            return mixer(c00, c10, c01, c11, a);
-        else
-            return mixer.template texels<has_alpha>(c00, c10, c01, c11, a);
-    }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
         if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
@@ -245,8 +224,6 @@ struct TextureFixed : StageBase {
             apply_env<N>(Env, Base, p.color, s, Color{});
         return true;
     }
-    static constexpr bool has_alpha =
-        Texels != TexelFormat::rgb565 && Texels != TexelFormat::rgb888 && Texels != TexelFormat::l8;
     /// The 565 word of a texel.
     SPANGLE_INLINE static std::uint32_t raw(const std::uint8_t* texel) {
         if constexpr (Texels == TexelFormat::rgb565)

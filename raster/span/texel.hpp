@@ -111,6 +111,21 @@ SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t s
     return i < low ? low : i > high ? high : i;
 }
 
+/// The texel of a coordinate, and where it lies between two, in any wrap mode.
+inline std::int32_t wrapped_nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
+    if (wrap == Wrap::repeat)
+        return repeat_nearest(s, log2_size);
+    const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
+    return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
+}
+inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size) {
+    return wrap == Wrap::repeat ? repeat_linear(s, log2_size)
+                                : clamped_linear(wrap, static_cast<std::int32_t>(s), log2_size);
+}
+constexpr std::uint8_t log2_of(std::int32_t size) {
+    return static_cast<std::uint8_t>(31 - numeric::clz32(static_cast<std::uint32_t>(size) | 1));
+}
+
 /// The bytes of an 8-bit texel in one word, R lowest; for lanes.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
     static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
@@ -119,6 +134,23 @@ template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std:
     if constexpr (Format == TexelFormat::rgb888)
         word |= std::uint32_t{at[2]} << 16;
     return word;
+}
+
+/// The same of every format of 8-bit components, with what a format lacks.
+template <TexelFormat Format> SPANGLE_INLINE std::uint32_t rgba_word(const std::uint8_t* at) {
+    constexpr std::uint32_t gray = 0x00010101, opaque = 0xFF000000;
+    if constexpr (Format == TexelFormat::a8)
+        return std::uint32_t{at[0]} << 24 | 0x00FFFFFF;
+    else if constexpr (Format == TexelFormat::l8)
+        return at[0] * gray | opaque;
+    else if constexpr (Format == TexelFormat::i8)
+        return at[0] * (gray | 0x01000000);
+    else if constexpr (Format == TexelFormat::la88)
+        return at[0] * gray | std::uint32_t{at[1]} << 24;
+    else if constexpr (Format == TexelFormat::rgb888)
+        return texel_word<Format>(at) | opaque;
+    else
+        return texel_word<Format>(at);
 }
 
 /// Four texels by 8-bit weights a (along s) and b (along t).

@@ -63,13 +63,13 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     static constexpr unsigned in = T::in & field_color, out = T::out;
     static constexpr bool runs = !std::is_same_v<Runs, NoRuns>;
 
-    SPANGLE_INLINE TexelWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run_(span, x) {
+    SPANGLE_INLINE TexelWalk(const Span<Fixed>& span, std::int32_t x) : T(span, x), run_(span, x, Unit) {
         if constexpr (!runs)
             walk(span, x);
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
         if constexpr (runs)
-            run_ = Runs(span, x);
+            run_ = Runs(span, x, Unit);
         else
             walk(span, x);
     }

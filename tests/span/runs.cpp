@@ -59,7 +59,7 @@ struct Found {
 
 template <class Runs> Found follow(const RandomRow& row, int log2_size) {
     Found found;
-    Runs run(row.span, 0);
+    Runs run(row.span, 0, 0);
     std::int32_t next = 0;
     for (std::int32_t x = 0; x < row.span.length; ++x, run.step(), ++found.fragments) {
         if (x == next) {
@@ -72,7 +72,7 @@ template <class Runs> Found follow(const RandomRow& row, int log2_size) {
         };
         found.worst =
             std::fmax(found.worst, std::fmax(off(run.s, row.span.unit[0].s), off(run.t, row.span.unit[0].t)));
-        Runs other(row.span, x); // any pixel can be the first
+        Runs other(row.span, x, 0); // any pixel can be the first
         EXPECT_EQ(other.begin(x), next);
         EXPECT_EQ(other.s, run.s);
         EXPECT_EQ(other.t, run.t);
@@ -85,7 +85,7 @@ TEST(Runs, CubicsKeepWhatNearestLeavesOpen) {
     for (const int log2_size : {4, 6, 9})
         for (std::uint32_t seed = 0; seed < 300; ++seed) {
             const RandomRow row(seed, log2_size, true);
-            const Found f = follow<CubicRuns<0>>(row, log2_size);
+            const Found f = follow<CubicRuns>(row, log2_size);
             ASSERT_LE(f.worst, std::ldexp(1., -13) + row.division(log2_size)) << seed;
             runs += f.runs;
             fragments += f.fragments;
@@ -118,7 +118,7 @@ TEST(Runs, LinesKeepAQuarterOfATexel) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         RandomRow row(seed, 6, true);
         row.state.tier = Tier::balanced;
-        ASSERT_LE(follow<CoordRuns<0>>(row, 6).worst, .25 + row.division(6)) << seed;
+        ASSERT_LE(follow<CoordRuns>(row, 6).worst, .25 + row.division(6)) << seed;
     }
 }
 
@@ -126,7 +126,7 @@ TEST(Runs, LinesKeepAQuarterOfATexel) {
 TEST(Runs, ClampedCoordinatesDivide) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         const RandomRow row(seed, 6, false);
-        CubicRuns<0> run(row.span, 0);
+        CubicRuns run(row.span, 0, 0);
         for (std::int32_t x = 0; x < row.span.length; ++x) {
             ASSERT_EQ(run.begin(x), x + 1);
             const double want = std::fmin(row.divided(row.span.unit[0].s, x), 7.9999999);

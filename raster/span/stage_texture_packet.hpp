@@ -1,0 +1,129 @@
+// The texture function of one unit in the chain: a packet at a time, so that modes are looked at once, and
+// texels are combined in lanes.
+#pragma once
+
+#include "raster/span/stage_texture.hpp"
+#include "raster/span/texel_packet.hpp"
+
+namespace spangle::raster {
+
+/// N: of the packet. The same bytes as Texture2D.
+template <class N> class PacketTexture {
+    using One = OneLane<N>;
+    using L = typename N::L;
+    using Color = typename N::Color;
+    static constexpr int lanes = N::lanes;
+
+  public:
+    template <int Unit> static void run(Packet<N>& k, const Span<typename N::Policy>& span) {
+        apply(k, span.state->fragment.unit[Unit], Unit);
+    }
+
+  private:
+    Packet<N>& k_;
+    const TextureUnit& unit_;
+    const Texture& texture_;
+    const TextureFunction<One> function_;
+    const std::int32_t n_; ///< whole groups
+    const int which_;
+
+    PacketTexture(Packet<N>& k, const TextureUnit& unit, int which)
+        : k_(k), unit_(unit), texture_(*unit.texture), function_(unit), n_((k.n + lanes - 1) & -lanes),
+          which_(which) {}
+
+    [[gnu::noinline]] static void apply(Packet<N>& k, const TextureUnit& unit, int which) {
+        const PacketTexture stage(k, unit, which);
+        if (!stage.together())
+            stage.one_by_one();
+    }
+
+    /// False: not all fragments take the same levels by the same filter, or some see the border colour.
+    bool together() const {
+        using Sampling = typename TextureFunction<One>::Sampling;
+        Sampling how = {0, texture_.mag, 0};
+        std::uint16_t next[packet_length] = {};
+        if (function_.wants_lod) {
+            how = function_.sampling(k_.lod[which_][0]);
+            for (std::int32_t i = 0; i < k_.n; ++i) {
+                const Sampling other = function_.sampling(k_.lod[which_][i]);
+                if (!other.alike(how))
+                    return false;
+                next[i] = static_cast<std::uint16_t>(other.next);
+            }
+        }
+        Color texels[Packet<N>::groups];
+        if (!filtered(how.level, how.filter, texels))
+            return false;
+        if (how.next != 0) {
+            Color behind[Packet<N>::groups];
+            if (!filtered(how.level + 1, how.filter, behind))
+                return false;
+            for (std::int32_t g = 0; g * lanes < n_; ++g)
+                texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
+        }
+        const std::uint32_t* const c = unit_.env_color;
+        const Color constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]),
+                                N::from_units(c[3])};
+        for (std::int32_t g = 0; g * lanes < n_; ++g)
+            apply_env<N>(unit_.env, texture_.base, k_.color[g], texels[g], constant);
+        return true;
+    }
+    [[gnu::noinline]] void one_by_one() const {
+        for (std::int32_t i = 0; i < k_.n; ++i) {
+            const auto& coord = k_.coord[which_][i / lanes];
+            typename One::Color color;
+            lane_of(k_.color[i / lanes], i % lanes, color);
+            function_.apply(color, coord.s[i % lanes], coord.t[i % lanes],
+                            function_.wants_lod ? k_.lod[which_][i] : 0);
+            set_lane(k_.color[i / lanes], i % lanes, color);
+        }
+    }
+
+    [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
+        const TextureLevel& image = texture_.level[level];
+        const auto& coord = k_.coord[which_][0];
+        constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
+        const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
+        TexelOffsets s, t;
+        const bool stored =
+            find_texels<lanes>(s, linear,
+                               {texture_.wrap_s, image.width, texel_bytes(texture_.format), border}, coord.s,
+                               group, n_) &&
+            find_texels<lanes>(
+                t, linear, {texture_.wrap_t, image.height, static_cast<std::int32_t>(image.stride), border},
+                coord.t, group, n_);
+        if (!stored)
+            return false;
+        if (texture_.format == TexelFormat::rgb565)
+            combine<std::uint16_t>(image.texels, linear, s, t, to);
+        else
+            combine<std::uint32_t>(image.texels, linear, s, t, to);
+        return true;
+    }
+
+    /// Word: of a texel in lanes.
+    template <class Word>
+    void combine(const std::uint8_t* from, bool linear, const TexelOffsets& s, const TexelOffsets& t,
+                 Color* to) const {
+        using Texels = TexelColors<N, sizeof(Word) == 2, true>;
+        Word texel[4][packet_length];
+        const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
+            fetch_texels(texture_.format, from, across, up, n_, words);
+        };
+        fetch(s.at, t.at, texel[0]);
+        if (!linear) {
+            for (std::int32_t g = 0, i = 0; i < n_; ++g, i += lanes)
+                to[g] = Texels::unpack(L::gather(texel[0] + i));
+            return;
+        }
+        fetch(s.next, t.at, texel[1]);
+        fetch(s.at, t.next, texel[2]);
+        fetch(s.next, t.next, texel[3]);
+        for (std::int32_t g = 0, i = 0; i < n_; ++g, i += lanes)
+            to[g] = Texels::mix(typename Texels::Weights(L::gather(t.weight + i)), L::gather(texel[0] + i),
+                                L::gather(texel[1] + i), L::gather(texel[2] + i), L::gather(texel[3] + i),
+                                L::gather(s.weight + i));
+    }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,40 @@
+// Texels as they lie in memory, one word per lane, become colours: alone, or four of them filtered.
+#pragma once
+
+#include "raster/span/filter.hpp"
+#include "raster/span/texel.hpp"
+
+namespace spangle::raster {
+
+/// Words R5 G6 B5, or of 8-bit components with R in the lowest byte. Alpha: there is one.
+template <class N, bool Is565, bool Alpha> struct TexelColors {
+    using Color = typename N::Color;
+    using L = typename N::L;
+
+    template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
+        if constexpr (Is565)
+            return {N::from5(v >> 11), N::from6((v >> 5) & 63), N::from5(v & 31), N::from_units(color_one)};
+        else
+            return {N::from8(L::byte(v, 0)), N::from8(L::byte(v, 1)), N::from8(L::byte(v, 2)),
+                    Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};
+    }
+    /// LINEAR of the exact tier, weight of row j + 1.
+    struct Exactly {
+        std::uint32_t b;
+        SPANGLE_INLINE explicit Exactly(std::uint32_t weight) : b(weight) {}
+    };
+    using Weights = std::conditional_t<std::is_same_v<N, Exact>, Exactly,
+                                       std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>;
+    template <class V, class W>
+    SPANGLE_INLINE static Color mix(const Weights& weights, const V& c00, const V& c10, const V& c01,
+                                    const V& c11, const W& a) {
+        if constexpr (std::is_same_v<N, Exact>)
+            return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
+        else if constexpr (Is565)
+            return weights(c00, c10, c01, c11, a);
+        else
+            return weights.template texels<Alpha>(c00, c10, c01, c11, a);
+    }
+};
+
+} // namespace spangle::raster

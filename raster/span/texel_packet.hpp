@@ -1,0 +1,98 @@
+// Texels for the fragments of a packet: where they lie, and their words. Modes are looked at once per packet.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/texel.hpp"
+
+namespace spangle::raster {
+
+/// One axis: offsets of texels and, with LINEAR, of their neighbours, in bytes; weights of these.
+struct TexelOffsets {
+    std::int32_t at[packet_length], next[packet_length];
+    std::uint16_t weight[packet_length];
+};
+
+/// An axis of an image.
+struct TexelScale {
+    Wrap wrap;
+    std::int32_t size, bytes; ///< from texel to texel
+    bool border;              ///< the image has one
+};
+
+/// `coord`: one axis of the coordinates, in groups that are `group` words apart. False: some texel is of a
+/// border that is a colour.
+template <int Lanes>
+[[gnu::noinline]] bool find_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
+                                   const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
+    const int log2_size = log2_of(axis.size);
+    const auto each = [&](auto f) {
+        for (std::int32_t i = 0; i < n; i += Lanes, coord += group)
+            for (int lane = 0; lane < Lanes; ++lane)
+                f(i + lane, coord[lane]);
+    };
+    if (axis.wrap == Wrap::repeat) {
+        const std::int32_t mask = axis.size - 1;
+        if (linear)
+            each([&](std::int32_t i, std::uint32_t v) {
+                const TexelIndex texel = repeat_linear(v, log2_size);
+                to.at[i] = texel.i * axis.bytes;
+                to.next[i] = ((texel.i + 1) & mask) * axis.bytes;
+                to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+            });
+        else
+            each([&](std::int32_t i, std::uint32_t v) {
+                to.at[i] = repeat_nearest(v, log2_size) * axis.bytes;
+            });
+        return true;
+    }
+    std::int32_t least = 0, most = 0;
+    each([&](std::int32_t i, std::uint32_t v) {
+        TexelIndex texel{};
+        if (linear)
+            texel = clamped_linear(axis.wrap, static_cast<std::int32_t>(v), log2_size);
+        else
+            texel.i = wrapped_nearest(axis.wrap, v, log2_size, axis.size);
+        const std::int32_t at = linear ? wrap_texel(axis.wrap, texel.i, axis.size) : texel.i,
+                           next = linear ? wrap_texel(axis.wrap, texel.i + 1, axis.size) : at;
+        least = at < least ? at : least;
+        most = next > most ? next : most;
+        to.at[i] = at * axis.bytes;
+        to.next[i] = next * axis.bytes;
+        to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+    });
+    return axis.border || (least >= 0 && most < axis.size);
+}
+
+/// n words R5 G6 B5.
+inline void fetch_texels(TexelFormat, const std::uint8_t* from, const std::int32_t* s, const std::int32_t* t,
+                         std::int32_t n, std::uint16_t* to) {
+    for (std::int32_t i = 0; i < n; ++i)
+        to[i] = static_cast<std::uint16_t>(Lanes<1>::load(from + t[i] + s[i]));
+}
+/// n words of 8-bit components, whatever the format has of them.
+[[gnu::noinline]] inline void fetch_texels(TexelFormat format, const std::uint8_t* from,
+                                           const std::int32_t* s, const std::int32_t* t, std::int32_t n,
+                                           std::uint32_t* to) {
+    const auto each = [&](auto word) {
+        for (std::int32_t i = 0; i < n; ++i)
+            to[i] = word(from + t[i] + s[i]);
+    };
+    switch (format) {
+    case TexelFormat::a8:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::a8>(at); });
+    case TexelFormat::l8:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::l8>(at); });
+    case TexelFormat::i8:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::i8>(at); });
+    case TexelFormat::la88:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::la88>(at); });
+    case TexelFormat::rgb888:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgb888>(at); });
+    case TexelFormat::rgba8888:
+        return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgba8888>(at); });
+    case TexelFormat::rgb565:
+        return; // words of 16 bits
+    }
+}
+
+} // namespace spangle::raster
