@@ -47,11 +47,15 @@ template <class T, class Convert> Matrix16 matrix(const T* m, Convert convert) {
 
 // A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
 // as a GLfixed is not scaled (GL_OES_fixed_point).
+Param param_real(Kind kind, Real v) {
+    return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(v)))
+                                 : Param::from(v);
+}
 Param param_f(Kind kind, GLfloat v) {
-    const Real real = cast_f(v);
-    return kind == Kind::integer
-               ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(real)))
-               : Param::from(real);
+    return param_real(kind, cast_f(v));
+}
+Param param_d(Kind kind, GLdouble v) {
+    return param_real(kind, cast_d(v));
 }
 Param param_i(Kind kind, GLint v) {
     if (kind == Kind::integer)
@@ -103,6 +107,9 @@ Params scalar_f(Shape shape, GLfloat value) {
 Params scalar_i(Shape shape, GLint value) {
     return scalar(shape, value, param_i);
 }
+Params scalar_d(Shape shape, GLdouble value) {
+    return scalar(shape, value, param_d);
+}
 Params scalar_x(Shape shape, GLfixed value) {
     return scalar(shape, value, param_x);
 }
@@ -111,6 +118,9 @@ Params vector_f(Shape shape, const GLfloat* values) {
 }
 Params vector_i(Shape shape, const GLint* values) {
     return vector(shape, values, param_i);
+}
+Params vector_d(Shape shape, const GLdouble* values) {
+    return vector(shape, values, param_d);
 }
 Params vector_x(Shape shape, const GLfixed* values) {
     return vector(shape, values, param_x);
@@ -121,6 +131,9 @@ void store_f(Shape shape, const Params& found, GLfloat* out) {
 }
 void store_i(Shape shape, const Params& found, GLint* out) {
     store(shape, found, out, to_int);
+}
+void store_d(Shape shape, const Params& found, GLdouble* out) {
+    store(shape, found, out, to_double);
 }
 void store_x(Shape shape, const Params& found, GLfixed* out) {
     store(shape, found, out, to_fixed);

@@ -98,6 +98,10 @@ constexpr StateRow of_color_index(StateRow row) {
     return of_feature(SPANGLE_FEATURE_COLOR_INDEX != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"), row);
 }
+constexpr StateRow of_texgen(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_TEXGEN != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_TEXGEN"),
+                      row);
+}
 constexpr StateRow of_clip_planes(StateRow row) {
     return of_feature(SPANGLE_FEATURE_CLIP_PLANES != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_CLIP_PLANES"), row);
@@ -201,6 +205,8 @@ void bits(const Context& context, GLenum name, Param* out) {
 #define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
 #define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
 #define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
+#define TEXGEN(NAME, I)                                                                                      \
+    of_texgen(of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I])))
 #define PLANE(I) of_clip_planes(SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I]))
 #define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
 
@@ -328,6 +334,11 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_FRONT_FACE, polygon.front_face),
     in(Group::texture),
     of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d)),
+    TEXGEN(GL_TEXTURE_GEN_S, 0),
+    TEXGEN(GL_TEXTURE_GEN_T, 1),
+    TEXGEN(GL_TEXTURE_GEN_R, 2),
+    TEXGEN(GL_TEXTURE_GEN_Q, 3),
+    of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen)),
     HELD(texture.active),
     computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, binding),
     in(Group::scissor),
@@ -466,6 +477,7 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef FEEDBACK_ROW
 #undef LIGHT
 #undef PLANE
+#undef TEXGEN
 
 constexpr std::size_t count_sections() {
     std::size_t n = 0;

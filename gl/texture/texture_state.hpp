@@ -6,11 +6,24 @@
 
 namespace spangle::gl {
 
+/// TexGen of one coordinate (GL 1.3, 2.10.4).
+struct TexGenState {
+    GLenum mode = GL_EYE_LINEAR;
+    Real object_plane[4] = {}, eye_plane[4] = {}; ///< the latter in eye space
+};
+
 struct TextureUnitState {
+    TextureUnitState() {
+        for (int c = 0; c < 2; ++c)
+            gen[c].object_plane[c] = gen[c].eye_plane[c] = numeric::one;
+    }
+
     bool texture_2d = false;
     TextureObject* bound_2d = nullptr; ///< null: the default texture (name 0)
     GLenum env_mode = GL_MODULATE;
     Real env_color[4] = {};
+    bool gen_on[4] = {}; ///< of S, T, R, Q
+    TexGenState gen[4];
 };
 
 struct TextureState {

@@ -6,19 +6,14 @@
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "raster/numeric/matrix_build.hpp"
+#include "gl/vertex/eye_plane.hpp"
 
 namespace spangle::gl::cmd {
 
-/// Planes are kept in eye space: p' = p M^-1 with the modelview matrix of this moment. With a singular one,
-/// which GL leaves open, they are taken as if they were given in eye space.
 void ClipPlane(Context& context, GLenum plane, Real a, Real b, Real c, Real d) {
     if (plane - GL_CLIP_PLANE0 >= max_clip_planes)
         return error(context, GL_INVALID_ENUM);
-    TransformState& transform = context.transform;
-    numeric::Matrix inverse;
-    numeric::inverse(transform.modelview.entry[transform.modelview.top], inverse);
-    numeric::row_times({a, b, c, d}, inverse, transform.clip_plane[plane - GL_CLIP_PLANE0]);
+    to_eye_plane(context.transform, {a, b, c, d}, context.transform.clip_plane[plane - GL_CLIP_PLANE0]);
     context.changed(dirty_vertex);
 }
 

@@ -18,26 +18,7 @@ class DoubleLighting {
         on_ = context.lighting.lighting;
         two_side_ = context.lighting.two_side;
         tracks_ = on_ && context.lighting.color_material;
-        const DoubleMath::Matrix m =
-            DoubleMath::matrix(context.transform.modelview.entry[context.transform.modelview.top]);
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) { // cofactors, cyclic: the inverse transpose times the determinant
-                const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-                normal_[i][j] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
-            }
-        const double d = m.m[0][0] * normal_[0][0] + m.m[1][0] * normal_[1][0] + m.m[2][0] * normal_[2][0];
-        double row = 0.0;
-        for (auto& line : normal_)
-            for (int j = 0; j < 3; ++j) {
-                if (d != 0.0)
-                    line[j] /= d;
-                if (j == 2)
-                    row += line[j] * line[j];
-            }
-        if (context.transform.rescale_normal && row > 0.0)
-            for (auto& line : normal_)
-                for (double& v : line)
-                    v /= std::sqrt(row);
+        DoubleMath::normal_matrix(context.transform, normal_);
     }
     void materials_changed() {}
     bool needs_eye() const { return on_; }
@@ -54,8 +35,8 @@ class DoubleLighting {
         const Material& material = state.material[side];
         double n[3];
         for (int i = 0; i < 3; ++i)
-            n[i] = normal_[i][0] * vertex.normal[0] + normal_[i][1] * vertex.normal[1] +
-                   normal_[i][2] * vertex.normal[2];
+            n[i] = normal_[i] * vertex.normal[0] + normal_[3 + i] * vertex.normal[1] +
+                   normal_[6 + i] * vertex.normal[2];
         if (context.transform.normalize)
             unit(n);
         if (side != 0)
@@ -83,7 +64,7 @@ class DoubleLighting {
 
   private:
     bool on_ = false, two_side_ = false, tracks_ = false;
-    double normal_[3][3] = {};
+    double normal_[9] = {}; ///< column-major
 
     static double real(Real v) { return DoubleMath::number(v); }
     static double clamp(double v) { return v > 0.0 ? (v < 1.0 ? v : 1.0) : 0.0; }

@@ -62,10 +62,12 @@ struct DoubleMath {
     }
 
     static Clip times(const Matrix& a, const Real (&v)[4]) {
+        return times(a, {number(v[0]), number(v[1]), number(v[2]), number(v[3])});
+    }
+    static Clip times(const Matrix& a, const double (&v)[4]) {
         Clip out;
         for (int i = 0; i < 4; ++i)
-            out.v[i] = a.m[i][0] * number(v[0]) + a.m[i][1] * number(v[1]) + a.m[i][2] * number(v[2]) +
-                       a.m[i][3] * number(v[3]);
+            out.v[i] = a.m[i][0] * v[0] + a.m[i][1] * v[1] + a.m[i][2] * v[2] + a.m[i][3] * v[3];
         return out;
     }
     /// Vertices take the way through clip coordinates, all of them.
@@ -138,6 +140,39 @@ struct DoubleMath {
         }
     }
 
+    // --- numbers, for what is seldom asked of a vertex
+
+    using Scalar = double;
+    static Scalar scalar(Real v) { return number(v); }
+    static Scalar scalar(const Eye& v, int i) { return v.v[i]; }
+    static Scalar rsqrt(Scalar v) { return v > 0.0 ? 1.0 / std::sqrt(v) : 0.0; }
+
+    /// What normals are multiplied with, column-major; RESCALE_NORMAL is in it.
+    static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
+        const Matrix m = matrix(state.modelview.entry[state.modelview.top]);
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) { // cofactors, cyclic: the inverse transpose times the determinant
+                const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+                out[3 * j + i] = m.m[i1][j1] * m.m[i2][j2] - m.m[i1][j2] * m.m[i2][j1];
+            }
+        const double d = m.m[0][0] * out[0] + m.m[1][0] * out[1] + m.m[2][0] * out[2];
+        if (d != 0.0)
+            for (double& v : out)
+                v /= d;
+        const double row = out[6] * out[6] + out[7] * out[7] + out[8] * out[8];
+        if (state.rescale_normal && row > 0.0)
+            for (double& v : out)
+                v /= std::sqrt(row);
+    }
+
+    static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool, Window& out) {
+        const Clip v = texture_of(t, strq, unit);
+        out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
+    }
+    static Eye texture_of(const Transforms& t, const Scalar (&strq)[4], int unit) {
+        return times(t.texture[unit], strq);
+    }
+
     static void project(const Transforms& t, const Clip& c, Window& out) {
         out.inv_w = 1.0 / c.v[3];
         out.x_exact = t.center[0] + t.scale[0] * (c.v[0] / c.v[3]);
@@ -161,7 +196,6 @@ struct DoubleMath {
         for (int c = 0; c < 4; ++c)
             out[c] = numeric::from_double(v.color[c]);
     }
-    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) { return times(t.texture[0], strq); }
     static void reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)
             out[c] = numeric::from_double(v.v[c]);

@@ -124,11 +124,7 @@ void FixedLighting::derive(const Context& context) {
     local_viewer_ = state.local_viewer;
     separate_ = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
     normalize_ = context.transform.normalize;
-    numeric::NormalMatrix normal =
-        numeric::inverse_transpose(context.transform.modelview.entry[context.transform.modelview.top]);
-    if (context.transform.rescale_normal)
-        for (numeric::Block& element : normal.at)
-            element = numeric::mul(element, normal.row_scale);
+    const numeric::NormalMatrix normal = FixedMath::normal_matrix(context.transform);
     normal_matrix_ = numeric::to_block_matrix(normal);
     const std::int32_t(&row)[3] = normal_matrix_.row;
     common_rows_ = row[0] == row[1] && row[1] == row[2];

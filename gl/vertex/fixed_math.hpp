@@ -8,6 +8,7 @@
 #include "gl/context/context.hpp"
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/block_matrix.hpp"
+#include "raster/numeric/matrix_build.hpp"
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/vertex.hpp"
 
@@ -234,6 +235,33 @@ struct FixedMath {
         }
     }
 
+    // --- numbers of any size, for what is seldom asked of a vertex
+
+    struct Scalar {
+        numeric::Block v;
+
+        [[gnu::noinline]] friend Scalar operator*(Scalar a, Scalar b) { return {numeric::mul(a.v, b.v)}; }
+        [[gnu::noinline]] friend Scalar operator+(Scalar a, Scalar b) { return {numeric::add(a.v, b.v)}; }
+        friend Scalar operator-(Scalar a, Scalar b) { return a + Scalar{numeric::negate(b.v)}; }
+    };
+    static Scalar scalar(Real v) { return {numeric::to_block(v)}; }
+    static Scalar scalar(const Eye& v, int i) { return {numeric::component(v, i)}; }
+    static Scalar rsqrt(Scalar v) { return {numeric::rsqrt(v.v)}; }
+
+    /// What normals are multiplied with, column-major; RESCALE_NORMAL is in it.
+    static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
+        const numeric::NormalMatrix normal = normal_matrix(state);
+        for (int i = 0; i < 9; ++i)
+            out[i] = {normal.at[i]};
+    }
+    static numeric::NormalMatrix normal_matrix(const TransformState& state) {
+        numeric::NormalMatrix normal = numeric::inverse_transpose(state.modelview.entry[state.modelview.top]);
+        if (state.rescale_normal)
+            for (numeric::Block& element : normal.at)
+                element = numeric::mul(element, normal.row_scale);
+        return normal;
+    }
+
     // --- after the division
 
     /// Perspective division, viewport, depth range (GL 1.3, 2.10.1). The vertex is within the guard band and
@@ -283,11 +311,17 @@ struct FixedMath {
         for (int c = 0; c < 4; ++c)
             out[c] = numeric::to_real(numeric::div(numeric::make_block(v.color[c], 0), one));
     }
-    /// Texture coordinates behind the matrix of unit 0, all four.
-    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) {
-        if (t.texture_is_identity[0])
-            return numeric::to_block(strq[0], strq[1], strq[2], strq[3]);
-        return numeric::transform(t.texture[0], strq);
+    /// Generated coordinates. Where q is what was given, 1 and not generated, it stays 1.
+    static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
+                            Window& out) {
+        const numeric::Block4 v = texture_of(t, strq, unit);
+        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
+        out.tex[unit].q_is_one = q_is_one && t.texture_is_identity[unit] ? 1 : 0;
+    }
+    /// Behind the matrix of the unit, all four.
+    static Eye texture_of(const Transforms& t, const Scalar (&strq)[4], int unit) {
+        const numeric::Block4 v = numeric::to_block(strq[0].v, strq[1].v, strq[2].v, strq[3].v);
+        return t.texture_is_identity[unit] ? v : numeric::transform(t.texture[unit], v);
     }
     static void reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)

@@ -9,6 +9,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
+#include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
 #include "raster/primitive/draw.hpp"
 
@@ -155,6 +156,7 @@ template <class M, class L> class Pipeline {
     typename M::Transforms transforms_;
     L lighting_;
     UserPlanes<M> planes_;
+    TexGen<M> texgen_;
     Window unlit_{};           ///< holds the current colour in the rasterizer's units
     Real unlit_color_[4] = {}; ///< of which this was converted
     bool has_unlit_color_ = false;
@@ -170,6 +172,7 @@ template <class M, class L> class Pipeline {
             M::derive(context.transform, transforms_);
             lighting_.derive(context);
             planes_.derive(context.transform);
+            texgen_.derive(context);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
             forget();
         }
@@ -269,10 +272,37 @@ template <class M, class L> class Pipeline {
         has_unlit_color_ = true;
     }
 
+    /// The coordinates that a unit has behind its matrix, all four.
+    [[gnu::noinline]] typename M::Eye texture_of(const CurrentState& current, const Vertex& v,
+                                                 int unit) const {
+        const Real(&given)[4] = current.tex_coord[unit].v;
+        typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
+                                      M::scalar(given[3])};
+        if (generates(unit))
+            texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+        return M::texture_of(transforms_, strq, unit);
+    }
+
+    bool generates(int unit) const {
+        return (texgen_.units() >> unit & 1) != 0;
+    }
+
+    [[gnu::noinline]] void generated(const CurrentState& current, Vertex& v, int unit) {
+        const Real(&given)[4] = current.tex_coord[unit].v;
+        typename M::Scalar strq[4];
+        texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+        M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && given[3] == numeric::one, v.window);
+    }
+
     [[gnu::noinline]] void textures(const CurrentState& current, Vertex& v) {
-        for (int u = 0; u < texture_units; ++u)
-            if ((units_ >> u & 1) != 0)
+        for (int u = 0; u < texture_units; ++u) {
+            if ((units_ >> u & 1) == 0)
+                continue;
+            if (generates(u))
+                generated(current, v, u);
+            else
                 M::set_texture(transforms_, current.tex_coord[u].v, u, v.window);
+        }
     }
 
     template <int N> static bool same(const Real* a, const Real* b) {
@@ -521,7 +551,7 @@ template <class M, class L> class Pipeline {
             v.flags |= edge_flag;
 #if SPANGLE_FEATURE_FEEDBACK
         if (captures())
-            texture_[&v - slot_] = M::texture_of(transforms_, current.tex_coord[0].v);
+            texture_[&v - slot_] = texture_of(current, v, 0);
 #endif
         if (lighting_.tracks_color())
             color(v);

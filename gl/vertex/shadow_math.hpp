@@ -91,6 +91,42 @@ struct ShadowMath {
         DoubleMath::mix(a.twin, b.twin, t.twin, units, out.twin);
     }
 
+    struct Scalar {
+        FixedMath::Scalar fixed;
+        double twin;
+
+        friend Scalar operator*(Scalar a, Scalar b) { return {a.fixed * b.fixed, a.twin * b.twin}; }
+        friend Scalar operator+(Scalar a, Scalar b) { return {a.fixed + b.fixed, a.twin + b.twin}; }
+        friend Scalar operator-(Scalar a, Scalar b) { return {a.fixed - b.fixed, a.twin - b.twin}; }
+    };
+    static Scalar scalar(Real v) { return {FixedMath::scalar(v), DoubleMath::scalar(v)}; }
+    static Scalar scalar(const Eye& v, int i) {
+        return {FixedMath::scalar(v.fixed, i), DoubleMath::scalar(v.twin, i)};
+    }
+    static Scalar rsqrt(Scalar v) { return {FixedMath::rsqrt(v.fixed), DoubleMath::rsqrt(v.twin)}; }
+    static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
+        FixedMath::Scalar fixed[9];
+        double twin[9];
+        FixedMath::normal_matrix(state, fixed);
+        DoubleMath::normal_matrix(state, twin);
+        for (int i = 0; i < 9; ++i)
+            out[i] = {fixed[i], twin[i]};
+    }
+    static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
+                            Window& out) {
+        FixedMath::set_texture(t.fixed, {strq[0].fixed, strq[1].fixed, strq[2].fixed, strq[3].fixed}, unit,
+                               q_is_one, out.fixed);
+        DoubleMath::set_texture(t.twin, {strq[0].twin, strq[1].twin, strq[2].twin, strq[3].twin}, unit,
+                                q_is_one, out.twin);
+        report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
+    }
+    static Eye texture_of(const Transforms& t, const Scalar (&strq)[4], int unit) {
+        return {
+            FixedMath::texture_of(t.fixed, {strq[0].fixed, strq[1].fixed, strq[2].fixed, strq[3].fixed},
+                                  unit),
+            DoubleMath::texture_of(t.twin, {strq[0].twin, strq[1].twin, strq[2].twin, strq[3].twin}, unit)};
+    }
+
     static void project(const Transforms& t, const Clip& c, Window& out) {
         FixedMath::project(t.fixed, c.fixed, out.fixed);
         project_twin(t, c.twin, out);
@@ -117,9 +153,6 @@ struct ShadowMath {
         FixedMath::window_of(t.fixed, c.fixed, out);
     }
     static void color_of(const Window& v, Real (&out)[4]) { FixedMath::color_of(v.fixed, out); }
-    static Eye texture_of(const Transforms& t, const Real (&strq)[4]) {
-        return {FixedMath::texture_of(t.fixed, strq), DoubleMath::texture_of(t.twin, strq)};
-    }
     static void reals(const Eye& v, Real (&out)[4]) { FixedMath::reals(v.fixed, out); }
 
     static void set_color(Window& out, const Real (&rgba)[4]) {

@@ -3,6 +3,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/vertex/eye_plane.hpp"
 #include "raster/numeric/matrix_build.hpp"
 
 namespace spangle::gl {
@@ -67,6 +68,14 @@ GLint stack_depth(const Context& context, GLenum pname) {
         return t.texture[context.texture.active].top + 1;
     return t.modelview.top + 1;
 }
+
+#if SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_TEXGEN
+void to_eye_plane(const TransformState& transform, const Real (&plane)[4], Real (&out)[4]) {
+    numeric::Matrix inverse;
+    numeric::inverse(transform.modelview.entry[transform.modelview.top], inverse);
+    numeric::row_times(plane, inverse, out);
+}
+#endif
 
 namespace cmd {
 

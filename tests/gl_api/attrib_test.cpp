@@ -94,6 +94,9 @@ std::map<GLenum, GLbitfield> server_state() {
     }
     if (SPANGLE_FEATURE_COLOR_INDEX)
         groups[GL_CURRENT_INDEX] = GL_CURRENT_BIT;
+    if (SPANGLE_FEATURE_TEXGEN)
+        for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
+            groups[cap] = GL_TEXTURE_BIT | GL_ENABLE_BIT;
     if (SPANGLE_FEATURE_CLIP_PLANES)
         for (GLenum cap = GL_CLIP_PLANE0; cap <= GL_CLIP_PLANE5; ++cap)
             groups[cap] = GL_TRANSFORM_BIT | GL_ENABLE_BIT;
@@ -157,6 +160,11 @@ class Attrib : public RecordingContext {
         for (GLenum face : {GL_FRONT, GL_BACK})
             note(GL_LIGHTING_BIT, [face](GLenum n, GLfloat* f) { glGetMaterialfv(face, n, f); },
                  {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS});
+#endif
+#if SPANGLE_FEATURE_TEXGEN
+        for (const GLenum coord : {GL_S, GL_T, GL_R, GL_Q})
+            note(GL_TEXTURE_BIT, [coord](GLenum n, GLfloat* f) { glGetTexGenfv(coord, n, f); },
+                 {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE});
 #endif
 #if SPANGLE_FEATURE_CLIP_PLANES
         const auto equation = [](GLenum plane, GLfloat* f) {
@@ -239,6 +247,14 @@ class Attrib : public RecordingContext {
         for (GLenum name : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
             glFogf(name, f(2));
         glFogi(GL_FOG_MODE, k != 0 ? GL_LINEAR : GL_EXP2);
+#endif
+#if SPANGLE_FEATURE_TEXGEN
+        for (const GLenum coord : {GL_S, GL_T, GL_R, GL_Q}) {
+            glTexGeni(coord, GL_TEXTURE_GEN_MODE,
+                      static_cast<GLint>(either(GL_OBJECT_LINEAR, GL_EYE_LINEAR)));
+            glTexGenfv(coord, GL_OBJECT_PLANE, four);
+            glTexGenfv(coord, GL_EYE_PLANE, four);
+        }
 #endif
 #if SPANGLE_FEATURE_CLIP_PLANES
         for (GLenum plane = GL_CLIP_PLANE0; plane <= GL_CLIP_PLANE5; ++plane)

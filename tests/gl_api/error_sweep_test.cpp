@@ -32,8 +32,13 @@ class ErrorSweep : public RecordingContext {
         if (!c.pnames.empty()) { // the vector form's first value
             const auto value = static_cast<GLint>(c.pnames[pname].good);
             const auto number = static_cast<GLfloat>(value);
-            const bool floats = std::strstr(c.name, "fv") != nullptr;
-            std::memcpy(client, floats ? static_cast<const void*>(&number) : &value, 4);
+            const GLdouble wide = number;
+            if (std::strstr(c.name, "dv") != nullptr)
+                std::memcpy(client, &wide, sizeof wide);
+            else if (std::strstr(c.name, "fv") != nullptr)
+                std::memcpy(client, &number, sizeof number);
+            else
+                std::memcpy(client, &value, sizeof value);
         }
         for (const Arg& arg : c.args) {
             Value v{};

@@ -170,6 +170,9 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG, {1}},
                                    {GL_EDGE_FLAG_ARRAY, {0}},
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    if (SPANGLE_FEATURE_TEXGEN)
+        for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
+            table.push_back({cap, {0}});
     if (SPANGLE_FEATURE_CLIP_PLANES) {
         table.push_back({GL_MAX_CLIP_PLANES, {6}});
         for (GLenum i = 0; i < 6; ++i)
@@ -338,6 +341,9 @@ TEST_F(State, EveryCapabilityToggles) {
             caps.push_back(cap);
     if (SPANGLE_FEATURE_FOG)
         caps.push_back(GL_FOG);
+    if (SPANGLE_FEATURE_TEXGEN)
+        for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
+            caps.push_back(cap);
     if (SPANGLE_FEATURE_CLIP_PLANES)
         for (GLenum i = 0; i < 6; ++i)
             caps.push_back(GL_CLIP_PLANE0 + i);
@@ -371,6 +377,7 @@ TEST_F(State, AbsentSystemsAreNamed) {
     said.clear();
     const std::pair<GLenum, bool> caps[] = {{GL_FOG, SPANGLE_FEATURE_FOG != 0},
                                             {GL_LIGHTING, SPANGLE_FEATURE_LIGHTING != 0},
+                                            {GL_TEXTURE_GEN_R, SPANGLE_FEATURE_TEXGEN != 0},
                                             {GL_CLIP_PLANE5, SPANGLE_FEATURE_CLIP_PLANES != 0},
                                             {GL_LIGHT7, SPANGLE_FEATURE_LIGHTING != 0},
                                             {GL_COLOR_MATERIAL, SPANGLE_FEATURE_LIGHTING != 0}};

@@ -7,7 +7,7 @@
 namespace spangle::oracle {
 
 scenes::SceneList probes() {
-    static const scenes::Scene all[] = {outlines, two_units, cut_torus};
+    static const scenes::Scene all[] = {outlines, two_units, cut_torus, sphere_mapped, planes_mapped};
     return {all, sizeof all / sizeof all[0]};
 }
 

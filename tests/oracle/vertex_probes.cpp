@@ -1,6 +1,7 @@
 #include "tests/oracle/vertex_probes.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 #include "boards/scenes/gl.hpp"
 
@@ -148,8 +149,55 @@ void draw_torus(int) {
     torus(16, 32);
 }
 
+/// Rings of colours, fine enough to see where the coordinates are.
+void ring_texture() {
+    GLubyte texels[64][64][3];
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const int u = x - 32, v = y - 32, far = u * u + v * v;
+            texels[y][x][0] = static_cast<GLubyte>(far / 9 % 256);
+            texels[y][x][1] = static_cast<GLubyte>(4 * x);
+            texels[y][x][2] = static_cast<GLubyte>(255 - 4 * y);
+        }
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    glEnable(GL_TEXTURE_2D);
+}
+
+void set_up_sphere_map(int width, int height) {
+    in_perspective(width, height);
+    ring_texture();
+    glEnable(GL_NORMALIZE);
+    for (const GLenum coord : {GL_S, GL_T}) {
+        glTexGeni(coord, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
+        glEnable(coord == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T);
+    }
+    glColor3f(1, 1, 1);
+}
+
+/// s by the object, t by the eye under another matrix, and lighting with a highlight of its own on top.
+void set_up_planes(int width, int height) {
+    in_perspective(width, height);
+    light(false);
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+    ring_texture();
+    const GLfloat object[4] = {0.8f, 0.5f, 0.1f, 0.2f}, eye[4] = {0.2f, 0.9f, -0.4f, 0.3f};
+    glTexGenfv(GL_S, GL_OBJECT_PLANE, object);
+    glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+    glPushMatrix();
+    glRotatef(50, 0.1f, 0.2f, 1);
+    glTexGenfv(GL_T, GL_EYE_PLANE, eye);
+    glPopMatrix();
+    glEnable(GL_TEXTURE_GEN_S);
+    glEnable(GL_TEXTURE_GEN_T);
+}
+
 } // namespace
 
+const scenes::Scene sphere_mapped = {"P-sphere-map", "SPHERE_MAP", set_up_sphere_map, draw_torus};
+const scenes::Scene planes_mapped = {"P-texgen-planes", "OBJECT_LINEAR, EYE_LINEAR, separate specular",
+                                     set_up_planes, draw_torus};
 const scenes::Scene cut_torus = {"P-clip-planes", "a torus cut open", set_up_cut_torus, draw_torus};
 const scenes::Scene outlines = {"P-outlines", "PolygonMode and edge flags", pixels, draw_outlines};
 const scenes::Scene two_units = {"P-two-units", "two textures", set_up_two_units, draw_two_units};

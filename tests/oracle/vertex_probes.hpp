@@ -5,6 +5,6 @@
 
 namespace spangle::oracle {
 
-extern const scenes::Scene outlines, two_units, cut_torus;
+extern const scenes::Scene outlines, two_units, cut_torus, sphere_mapped, planes_mapped;
 
 } // namespace spangle::oracle

@@ -71,6 +71,8 @@ void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real 
 void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
 void DepthRange(Context& context, Real near_val, Real far_val);
 void ClipPlane(Context& context, GLenum plane, Real a, Real b, Real c, Real d);
+void TexGen(Context& context, GLenum coord, GLenum pname, const Params& params);
+void GetTexGen(Context& context, GLenum coord, GLenum pname, Params& params);
 void GetClipPlane(Context& context, GLenum plane, GLdouble* equation);
 
 // Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5).
@@ -565,6 +567,20 @@ struct ClipPlane {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glClipPlane between glBegin and glEnd");
+};
+struct TexGen {
+    static constexpr auto run = &cmd::TexGen;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexGen between glBegin and glEnd");
+};
+struct GetTexGen {
+    static constexpr auto run = &cmd::GetTexGen;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetTexGen between glBegin and glEnd");
 };
 struct GetClipPlane {
     static constexpr auto run = &cmd::GetClipPlane;

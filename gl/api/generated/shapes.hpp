@@ -6,6 +6,30 @@
 
 namespace spangle::gl::shape {
 
+inline Shape TexGen(GLenum pname) {
+    switch (pname) {
+    case GL_TEXTURE_GEN_MODE:
+        return {Kind::integer, 1};
+    case GL_OBJECT_PLANE:
+    case GL_EYE_PLANE:
+        return {Kind::real, 4};
+    default:
+        return {};
+    }
+}
+
+inline Shape GetTexGen(GLenum pname) {
+    switch (pname) {
+    case GL_TEXTURE_GEN_MODE:
+        return {Kind::integer, 1};
+    case GL_OBJECT_PLANE:
+    case GL_EYE_PLANE:
+        return {Kind::real, 4};
+    default:
+        return {};
+    }
+}
+
 inline Shape Light(GLenum pname) {
     switch (pname) {
     case GL_AMBIENT:

@@ -232,6 +232,94 @@ void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
 
 #endif
 
+#if SPANGLE_FEATURE_TEXGEN
+
+void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
+    issue<family::TexGen>(coord, pname, convert::scalar_f(shape::TexGen(pname), param));
+}
+
+void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexGenfv: null pointer"));
+    issue<family::TexGen>(coord, pname, convert::vector_f(shape::TexGen(pname), params));
+}
+
+void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
+    issue<family::TexGen>(coord, pname, convert::scalar_i(shape::TexGen(pname), param));
+}
+
+void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexGeniv: null pointer"));
+    issue<family::TexGen>(coord, pname, convert::vector_i(shape::TexGen(pname), params));
+}
+
+void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
+    issue<family::TexGen>(coord, pname, convert::scalar_d(shape::TexGen(pname), param));
+}
+
+void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexGendv: null pointer"));
+    issue<family::TexGen>(coord, pname, convert::vector_d(shape::TexGen(pname), params));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
+    issue<family::TexGen>(coord, pname, convert::scalar_x(shape::TexGen(pname), param));
+}
+
+void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glTexGenxvOES: null pointer"));
+    issue<family::TexGen>(coord, pname, convert::vector_x(shape::TexGen(pname), params));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_TEXGEN
+
+void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexGenfv: null pointer"));
+    Params found;
+    fetch<family::GetTexGen>(found, coord, pname);
+    convert::store_f(shape::GetTexGen(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexGeniv: null pointer"));
+    Params found;
+    fetch<family::GetTexGen>(found, coord, pname);
+    convert::store_i(shape::GetTexGen(pname), found, params);
+}
+
+void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexGendv: null pointer"));
+    Params found;
+    fetch<family::GetTexGen>(found, coord, pname);
+    convert::store_d(shape::GetTexGen(pname), found, params);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
+    Params found;
+    fetch<family::GetTexGen>(found, coord, pname);
+    convert::store_x(shape::GetTexGen(pname), found, params);
+}
+
+#endif
+
 #if SPANGLE_FEATURE_CLIP_PLANES
 
 void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) {
@@ -312,6 +400,78 @@ void GLAPIENTRY glOrthoxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed
 
 void GLAPIENTRY glDepthRangexOES(GLclampx, GLclampx) {
     refuse_feature(SPANGLE_TEXT("glDepthRangexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_TEXGEN
+
+void GLAPIENTRY glTexGenf(GLenum, GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glTexGenf: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGenfv(GLenum, GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGeni(GLenum, GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glTexGeni: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGeniv(GLenum, GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGend(GLenum, GLenum, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glTexGend: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGendv(GLenum, GLenum, const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glTexGendv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glGetTexGenfv(GLenum, GLenum, GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glGetTexGeniv(GLenum, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glGetTexGendv(GLenum, GLenum, GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexGendv: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_TEXGEN
+
+void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexGenxOES: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_TEXGEN && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glTexGenxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

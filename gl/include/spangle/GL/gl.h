@@ -385,6 +385,22 @@ GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const v
 #define GL_MAX_VIEWPORT_DIMS 0x0D3A
 #define GL_DEPTH_RANGE 0x0B70
 #define GL_SUBPIXEL_BITS 0x0D50
+#define GL_S 0x2000
+#define GL_T 0x2001
+#define GL_R 0x2002
+#define GL_Q 0x2003
+#define GL_TEXTURE_GEN_S 0x0C60
+#define GL_TEXTURE_GEN_T 0x0C61
+#define GL_TEXTURE_GEN_R 0x0C62
+#define GL_TEXTURE_GEN_Q 0x0C63
+#define GL_TEXTURE_GEN_MODE 0x2500
+#define GL_OBJECT_PLANE 0x2501
+#define GL_EYE_PLANE 0x2502
+#define GL_EYE_LINEAR 0x2400
+#define GL_OBJECT_LINEAR 0x2401
+#define GL_SPHERE_MAP 0x2402
+#define GL_NORMAL_MAP 0x8511
+#define GL_REFLECTION_MAP 0x8512
 #define GL_CLIP_PLANE0 0x3000
 #define GL_CLIP_PLANE1 0x3001
 #define GL_CLIP_PLANE2 0x3002
@@ -430,6 +446,18 @@ GLAPI void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val);
 GLAPI void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation);
 GLAPI void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation);
 GLAPI void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation);
+GLAPI void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params);
+GLAPI void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param);
+GLAPI void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params);
+GLAPI void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param);
+GLAPI void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params);
+GLAPI void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param);
+GLAPI void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params);
+GLAPI void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params);
+GLAPI void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params);
+GLAPI void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params);
+GLAPI void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params);
 GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 
 /* Lighting, shading, facing, sizes (GL 1.3, 2.13, 3.3 to 3.5) */

@@ -1,0 +1,146 @@
+// Texture coordinates made from positions and normals (GL 1.3, 2.10.4), for every numeric policy.
+#pragma once
+
+#include "gl/context/context.hpp"
+#include "gl/context/features.hpp"
+
+namespace spangle::gl {
+
+#if SPANGLE_FEATURE_TEXGEN
+
+template <class M> class TexGen {
+  public:
+    using Scalar = typename M::Scalar;
+
+    void derive(const Context& context) {
+        units_ = 0;
+        bool normals = false;
+        for (int u = 0; u < texture_units; ++u) {
+            const TextureUnitState& state = context.texture.unit[u];
+            Unit& unit = unit_[u];
+            unit.mapped = false;
+            for (int c = 0; c < 4; ++c) {
+                const TexGenState& gen = state.gen[c];
+                unit.mode[c] = state.gen_on[c] ? gen.mode : GLenum{GL_NONE};
+                if (!state.gen_on[c])
+                    continue;
+                units_ |= 1u << u;
+                const bool linear = gen.mode == GL_OBJECT_LINEAR || gen.mode == GL_EYE_LINEAR;
+                for (int k = 0; linear && k < 4; ++k)
+                    unit.plane[c][k] =
+                        M::scalar((gen.mode == GL_EYE_LINEAR ? gen.eye_plane : gen.object_plane)[k]);
+                unit.mapped = unit.mapped || !linear;
+            }
+            normals = normals || unit.mapped;
+        }
+        normalize_ = context.transform.normalize;
+        if (normals)
+            M::normal_matrix(context.transform, normal_);
+    }
+
+    /// Bit u: unit u has coordinates that are generated.
+    unsigned units() const { return units_; }
+    bool keeps_q(int unit) const { return unit_[unit].mode[3] == GL_NONE; }
+
+    /// Those of a vertex before the texture matrix. `current` stand where nothing is generated.
+    [[gnu::noinline]] void generate(const typename M::Transforms& transforms, int unit,
+                                    const Real (&position)[4], const Real (&normal)[3],
+                                    const Real (&current)[4], Scalar (&out)[4]) const {
+        const Unit& gen = unit_[unit];
+        const typename M::Eye eye4 = M::to_eye(transforms, position);
+        Scalar object[4], eye[4], n[3], r[3];
+        for (int k = 0; k < 4; ++k) {
+            object[k] = M::scalar(position[k]);
+            eye[k] = M::scalar(eye4, k);
+        }
+        if (gen.mapped) {
+            eye_normal(normal, n);
+            reflect(eye, n, r);
+        }
+        for (int c = 0; c < 4; ++c)
+            switch (gen.mode[c]) {
+            case GL_OBJECT_LINEAR:
+                out[c] = dot<4>(gen.plane[c], object);
+                break;
+            case GL_EYE_LINEAR:
+                out[c] = dot<4>(gen.plane[c], eye);
+                break;
+            case GL_SPHERE_MAP: // errors keep it, and those below, to coordinates that it has
+                out[c] = sphere(r, c);
+                break;
+            case GL_REFLECTION_MAP:
+                out[c] = r[c];
+                break;
+            case GL_NORMAL_MAP:
+                out[c] = n[c];
+                break;
+            default:
+                out[c] = M::scalar(current[c]);
+            }
+    }
+
+  private:
+    struct Unit {
+        GLenum mode[4] = {};
+        bool mapped = false; ///< some coordinate asks for the normal
+        Scalar plane[4][4];
+    };
+    unsigned units_ = 0;
+    bool normalize_ = false;
+    Unit unit_[texture_units];
+    Scalar normal_[9]; ///< column-major
+
+    template <int N> static Scalar dot(const Scalar* a, const Scalar* b) {
+        Scalar sum = a[0] * b[0];
+        for (int k = 1; k < N; ++k)
+            sum = sum + a[k] * b[k];
+        return sum;
+    }
+
+    static void make_unit(Scalar (&v)[3]) {
+        const Scalar by = M::rsqrt(dot<3>(v, v));
+        for (Scalar& c : v)
+            c = c * by;
+    }
+
+    void eye_normal(const Real (&given)[3], Scalar (&n)[3]) const {
+        const Scalar v[3] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2])};
+        for (int i = 0; i < 3; ++i)
+            n[i] = normal_[i] * v[0] + normal_[3 + i] * v[1] + normal_[6 + i] * v[2];
+        if (normalize_)
+            make_unit(n);
+    }
+
+    /// r = u - 2 n (n . u), u from the eye to the vertex.
+    static void reflect(const Scalar (&eye)[4], const Scalar (&n)[3], Scalar (&r)[3]) {
+        Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]}; // w may be negative
+        make_unit(u);
+        const Scalar along = dot<3>(n, u), twice = along + along;
+        for (int i = 0; i < 3; ++i)
+            r[i] = u[i] - n[i] * twice;
+    }
+
+    /// r / m + 1/2, m = 2 sqrt(rx rx + ry ry + (rz + 1)(rz + 1)).
+    static Scalar sphere(const Scalar (&r)[3], int c) {
+        const Scalar half = M::scalar(Real{0x3F000000});
+        const Scalar high[3] = {r[0], r[1], r[2] + M::scalar(numeric::one)};
+        return r[c] * (M::rsqrt(dot<3>(high, high)) * half) + half;
+    }
+};
+
+#else
+
+/// A build without it: nothing is ever generated.
+template <class M> class TexGen {
+  public:
+    using Scalar = typename M::Scalar;
+    void derive(const Context&) {}
+    static constexpr unsigned units() { return 0; }
+    static constexpr bool keeps_q(int) { return true; }
+    static void generate(const typename M::Transforms&, int, const Real (&)[4], const Real (&)[3],
+                         const Real (&)[4], Scalar (&)[4]) {}
+};
+
+#endif
+
+} // namespace spangle::gl
