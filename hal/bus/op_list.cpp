@@ -169,6 +169,18 @@ std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
     return cycles_time(bus_cycles(caps, bytes * 8), caps.write_hz);
 }
 
+std::int64_t wire_nanoseconds(const BusCaps& caps, std::uint64_t bytes) {
+    const std::uint64_t cycles = bus_cycles(caps, bytes * 8);
+    return caps.write_hz == 0 ? 0 : static_cast<std::int64_t>(cycles * 1000000000u / caps.write_hz);
+}
+
+std::uint64_t OpList::bytes() const {
+    Work work;
+    for (std::size_t i = 0; i < size_; ++i)
+        work.add(ops_[i]);
+    return work.bytes;
+}
+
 std::uint32_t OpList::duration(const BusCaps& caps) const {
     Work work;
     for (std::size_t i = 0; i < size_; ++i)

@@ -9,16 +9,17 @@ constexpr std::int32_t lag_lines = 8;
 } // namespace
 
 std::int32_t SafeStart::slack_lines() const {
-    const std::int64_t room = latest_ - earliest_ - 2 * std::int64_t{refresh_.line};
-    if (room <= 0 || refresh_.line <= 0)
+    if (refresh_.line <= 0)
         return 0;
+    // A line that begins after `earliest` may be one whole line later.
+    const std::int64_t room = latest_ - refresh_.jitter - earliest_ - refresh_.line;
     const std::int64_t period = refresh_.period();
-    return static_cast<std::int32_t>((room < period ? room : period) / refresh_.line);
+    return room <= 0 ? 0 : static_cast<std::int32_t>((room < period ? room : period) / refresh_.line);
 }
 
 std::int32_t SafeStart::first_line() const {
-    std::int64_t first = earliest_ + 2 * std::int64_t{refresh_.line} - 1; // whole lines from here on
-    while (first < 0) // earliest_ is a row's scan less a time within the transfer, which is below two periods
+    std::int64_t first = earliest_ + refresh_.line - 1;
+    while (first < 0) // a row's scan less a time within the transfer, which is below two periods
         first += refresh_.period();
     return static_cast<std::int32_t>(first / refresh_.line % refresh_.lines);
 }
@@ -26,7 +27,7 @@ std::int32_t SafeStart::first_line() const {
 std::int64_t SafeStart::after_blanking() const {
     const std::int64_t period = refresh_.period();
     std::int64_t first = earliest_ - refresh_.blanking(),
-                 last = latest_ - refresh_.blanking() - refresh_.line;
+                 last = latest_ - refresh_.jitter - refresh_.blanking();
     for (; last >= period; last -= period)
         first -= period;
     for (; last < 0; last += period)

@@ -5,9 +5,6 @@
 namespace spangle::hal {
 namespace {
 
-/// Keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 4 bytes.
-constexpr std::uint64_t dearest_window = 1u << 18;
-
 bool empty(RowSpan row) {
     return row.begin >= row.end;
 }

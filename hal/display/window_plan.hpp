@@ -15,6 +15,9 @@ struct WindowCost {
     std::uint32_t pixel = 2;
 };
 
+/// No window costs more. Keeps every sum below 2^32: 4096 windows and 4096 x 4096 pixels of 32 bits.
+inline constexpr std::uint32_t dearest_window = 1u << 18;
+
 /// In bits. Where a window is no larger than one row of bytes anyway, opening it costs nothing more.
 WindowCost window_cost(const BusCaps& caps, const CommandSet& set, std::uint32_t bits_per_pixel);
 

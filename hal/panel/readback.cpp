@@ -68,11 +68,15 @@ std::uint32_t ones(const Identity& identity) {
 
 } // namespace
 
+std::uint8_t register_dummy_bits(const BusCaps& caps, const PanelDesc& panel) {
+    return dummy_bits(caps, panel.identity.register_dummy_bits);
+}
+
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch) {
     const Result<BusCaps> caps = readable_as_dcs(bus, panel);
     if (!caps)
         return caps.error();
-    const std::uint8_t wide = dummy_bits(caps.value(), panel.identity.register_dummy_bits);
+    const std::uint8_t wide = register_dummy_bits(caps.value(), panel);
     const std::uint8_t narrow = dummy_bits(caps.value(), 0);
     scratch = {};
     Op storage[8];
@@ -101,8 +105,7 @@ Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratc
     scratch = {};
     Op storage[1];
     OpList ops(storage, nullptr, 1);
-    ops.read(dcs::RDSCANLINE, dummy_bits(caps.value(), panel.identity.register_dummy_bits), scratch.scanline,
-             2);
+    ops.read(dcs::RDSCANLINE, register_dummy_bits(caps.value(), panel), scratch.scanline, 2);
     if (const Result<void> done = run(bus, caps.value(), ops); !done)
         return done.error();
     return static_cast<std::uint16_t>(big_endian(scratch.scanline, 2));

@@ -13,22 +13,23 @@ namespace {
 
 /// The memory PanelDisplay asks its owner for.
 struct Bookkeeping {
-    std::vector<RowSpan> touched, damage, content[2];
+    static constexpr std::size_t list = 2048; ///< one for any frame
+    std::vector<RowSpan> touched, damage, turned, held, content[2];
     std::vector<std::uint16_t> plan;
-    std::vector<hal::Op> ops = std::vector<hal::Op>(64);
-    std::vector<hal::OpParams> params = std::vector<hal::OpParams>(64);
+    std::vector<hal::Op> ops = std::vector<hal::Op>(list);
+    std::vector<hal::OpParams> params = std::vector<hal::OpParams>(list);
     std::vector<std::uint32_t> hashes, changed;
     std::int32_t height;
     std::uint8_t buffers;
 
-    Bookkeeping(const hal::PanelConfig& config, hal::Extent size)
-        : height(size.height), buffers(config.buffers) {
-        const auto n = static_cast<std::size_t>(size.height);
+    explicit Bookkeeping(const hal::PanelConfig& config)
+        : height(hal::book_height(config)), buffers(config.buffers) {
+        const auto n = static_cast<std::size_t>(height);
         if (config.row_hash) {
-            hashes.resize(n * static_cast<std::size_t>(hal::RowHash::cells_of(size.width)));
+            hashes.resize(n * static_cast<std::size_t>(hal::RowHash::cells_of(hal::sent_size(config).width)));
             changed.resize(n);
         }
-        for (std::vector<RowSpan>* v : {&touched, &damage, &content[0], &content[1]})
+        for (std::vector<RowSpan>* v : {&touched, &damage, &turned, &held, &content[0], &content[1]})
             v->resize(n);
         plan.resize(n);
     }
@@ -41,7 +42,7 @@ struct Bookkeeping {
         return {touched.data(), damage.data(), {content[0].data(), content[buffers - 1].data()},
                 plan.data(),    height,        buffers,
                 ops.data(),     params.data(), ops.size(),
-                hash_memory()};
+                hash_memory(),  turned.data(), held.data()};
     }
 };
 
@@ -57,8 +58,7 @@ struct SimBoard::Parts {
 
     explicit Parts(const hal::Board& b)
         : board(b), controller(make_controller(*b.display.panel, b.bus)), bus(*controller, hal::bus_caps(b)),
-          books(b.display, hal::place(*b.display.panel, b.display.orientation).size),
-          display(bus, board.display, books.memory()) {}
+          books(b.display), display(bus, board.display, books.memory()) {}
 };
 
 SimBoard::SimBoard(const hal::Board& board) : parts_(std::make_unique<Parts>(board)) {}

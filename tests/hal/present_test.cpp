@@ -59,7 +59,7 @@ struct Painter {
 
 struct Bench {
     FakePanelBus bus;
-    PanelStorage<64, 2, 8, 64> storage; // eight ops: most frames take several lists
+    PanelStorage<64, 2, 8, 64, true, true> storage; // eight ops: most frames take several lists
     PanelDisplay display;
     PanelConfig config;
 
@@ -82,7 +82,7 @@ struct Bench {
 
     /// The pixel of the panel's memory behind picture (x, y), found as the controller would write it.
     std::uint32_t on_panel(int x, int y) const {
-        const Placement& placed = display.placement();
+        const Placement placed = place(tiny, config.orientation);
         int column = x + placed.offset.x, row = y + placed.offset.y;
         if (placed.madctl & 0x20)
             std::swap(column, row);
@@ -204,6 +204,143 @@ TEST(Present, PanelEqualsSurfaceInAllOrientations) {
                 run_oracle(config(o, buffers, format), spi(), ++seed, false, 120, tally);
     EXPECT_EQ(tally.frames, 8 * 2 * 2 * 120);
     EXPECT_EQ(tally.failures, 0);
+}
+
+TEST(Present, TurnedFramesEqualTheSurface) {
+    Tally tally;
+    unsigned seed = 1;
+    for (const Orientation o : orientations)
+        for (const bool hash : {false, true})
+            for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb888}) {
+                PanelConfig c = config(o, 2, format);
+                c.scan_order = true;
+                c.row_hash = hash;
+                run_oracle(c, spi(), ++seed, false, 100, tally);
+                run_oracle(c, spi(), ++seed, true, 100, tally);
+            }
+    EXPECT_GT(tally.failures, 100);
+}
+
+/// On a bus that is always slower than the program: what is put off is not lost.
+TEST(Present, FramesPutOffAreCarriedByTheNext) {
+    for (const Pacing pacing : {Pacing::drop, Pacing::coalesce})
+        for (unsigned seed = 1; seed <= 24; ++seed) {
+            PanelConfig c = config(orientations[seed % 8], 2);
+            c.pacing = pacing;
+            c.scan_order = seed % 3 == 0;
+            c.row_hash = seed % 4 == 0;
+            Bench bench(c);
+            ASSERT_TRUE(bench.display.init().ok());
+            std::mt19937 random(seed);
+            std::uint32_t put_off = 0;
+            for (int n = 0; n < 150; ++n) {
+                const auto frame = bench.display.acquire();
+                ASSERT_TRUE(frame.ok()) << frame.error().rule;
+                random_frame(random, {frame.value(), bench.display.info()});
+                ASSERT_TRUE(bench.display.present().ok());
+                const bool sent = bench.display.counters().put_off == put_off;
+                put_off = bench.display.counters().put_off;
+                const int what = pick(random, 4);
+                if (what == 0) { // the wire comes free by itself
+                    bench.bus.run_pending();
+                    if (sent) {
+                        ASSERT_TRUE(bench.shows(frame.value())) << "frame " << n;
+                    }
+                    ASSERT_TRUE(bench.display.poll().ok());
+                } else if (what == 1) {
+                    ASSERT_TRUE(bench.display.finish().ok());
+                    if (sent || pacing == Pacing::coalesce) {
+                        ASSERT_TRUE(bench.shows(frame.value())) << "frame " << n << " of seed " << seed;
+                    }
+                }
+            }
+            EXPECT_GT(put_off, 20u);
+        }
+}
+
+TEST(Present, ADroppedFrameIsNotOwedACoalescedOneIs) {
+    for (const Pacing pacing : {Pacing::drop, Pacing::coalesce}) {
+        PanelConfig c = config({}, 2);
+        c.pacing = pacing;
+        Bench bench(c);
+        ASSERT_TRUE(bench.display.init().ok());
+        bench.acquire().clear(0x1111);
+        ASSERT_TRUE(bench.display.present().ok());
+        Painter second = bench.acquire();
+        second.clear(0x2222);
+        ASSERT_TRUE(bench.display.present().ok()); // the first is still on the wire
+        EXPECT_EQ(bench.display.counters().put_off, 1u);
+        EXPECT_EQ(bench.display.counters().sent, 1u);
+        const Painter again = bench.acquire();
+        EXPECT_EQ(again.frame.pixels, second.frame.pixels);
+        EXPECT_EQ(again.frame.age, 1) << "the frame that was put off";
+        ASSERT_TRUE(bench.display.finish().ok());
+        EXPECT_EQ(bench.on_panel(3, 3), pacing == Pacing::drop ? 0x1111u : 0x2222u);
+        // Drawn over, it is not what was presented any more.
+        bench.acquire().clear(0x3333);
+        ASSERT_TRUE(bench.display.present().ok());
+        bench.acquire().clear(0x4444);
+        ASSERT_TRUE(bench.display.present().ok());
+        bench.acquire().draw({0, 0, 2, 2}, 0x5555);
+        ASSERT_TRUE(bench.display.finish().ok());
+        EXPECT_EQ(bench.on_panel(3, 3), 0x3333u);
+        ASSERT_TRUE(bench.display.present().ok());
+        ASSERT_TRUE(bench.display.finish().ok());
+        EXPECT_EQ(bench.on_panel(3, 3), 0x4444u);
+        EXPECT_EQ(bench.on_panel(1, 1), 0x5555u);
+    }
+}
+
+TEST(Present, ASwapIntervalOfZeroNeverWaits) {
+    Bench bench(config({}, 2));
+    ASSERT_TRUE(bench.display.init().ok());
+    bench.display.swap_interval(0);
+    for (int n = 0; n < 3; ++n) {
+        bench.acquire().clear(static_cast<std::uint32_t>(n));
+        ASSERT_TRUE(bench.display.present().ok());
+    }
+    EXPECT_EQ(bench.display.counters().put_off, 2u);
+    bench.display.swap_interval(1);
+    bench.acquire().clear(9);
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.display.counters().put_off, 2u);
+    ASSERT_TRUE(bench.display.finish().ok());
+    EXPECT_EQ(bench.on_panel(0, 0), 9u);
+}
+
+TEST(Present, WhatIsOnTheWireIsNotHandedOut) {
+    Bench bench(config({}, 2));
+    ASSERT_TRUE(bench.display.init().ok());
+    for (int n = 0; n < 5; ++n) {
+        Painter painter = bench.acquire();
+        const std::uint8_t* const on_wire =
+            bench.bus.last_list.empty() ? nullptr : bench.bus.last_list.back().data;
+        painter.clear(static_cast<std::uint32_t>(n));
+        if (n > 0) {
+            EXPECT_NE(on_wire, painter.frame.pixels);
+        }
+        ASSERT_TRUE(bench.display.present().ok());
+    }
+}
+
+TEST(Present, AFrameThatIsSentWhileTheNextIsDrawnIsOneList) {
+    Bench bench(config({}, 2)); // eight operations: two windows
+    ASSERT_TRUE(bench.display.init().ok());
+    for (int n = 0; n < 2; ++n) {
+        bench.acquire().clear(0);
+        ASSERT_TRUE(bench.display.present().ok());
+    }
+    Painter painter = bench.acquire();
+    painter.clear(0);
+    for (int y = 0; y < 48; y += 7)
+        painter.draw({y % 30, y, 3, 2}, 0x1234);
+    ASSERT_TRUE(bench.display.finish().ok());
+    const int submits = bench.bus.submits;
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.bus.submits, submits + 1);
+    EXPECT_LE(bench.bus.last_list.size(), 8u);
+    ASSERT_TRUE(bench.display.finish().ok());
+    EXPECT_TRUE(bench.shows(painter.frame));
 }
 
 TEST(Present, NoFaultLosesDamage) {
@@ -409,6 +546,32 @@ TEST(Present, ExtentsOutsideThePictureAreClipped) {
     EXPECT_TRUE(bench.shows(painter.frame));
 }
 
+TEST(Present, TheBeamIsAskedForByReadingItsLine) {
+    PanelConfig c = config({}, 1);
+    c.poll_line = true;
+    Bench bench(c, spi(2000000));
+    ASSERT_TRUE(bench.display.init().ok());
+    ASSERT_TRUE(bench.display.present().ok());
+    EXPECT_EQ(bench.bus.line_waits, 1);
+    const Op wait = bench.bus.last_list.front();
+    EXPECT_EQ(wait.kind, Op::Kind::wait_line);
+    EXPECT_EQ(wait.command, 0x45);
+    EXPECT_EQ(wait.dummy_bits, 1);
+    EXPECT_EQ(wait.length, 10u) << "the glass begins in row 9";
+    EXPECT_EQ(wait.stride, 70);
+    EXPECT_EQ(bench.display.counters().lagged, 1u);
+    bench.bus.te_missing = true;
+    bench.acquire().draw({0, 0, 1, 1}, 1);
+    EXPECT_EQ(bench.display.present().error().fault, Fault::timeout);
+    bench.bus.te_missing = false;
+    EXPECT_TRUE(bench.display.present().ok());
+    BusCaps deaf = spi();
+    deaf.read_hz = 0;
+    Bench refused(c, deaf);
+    EXPECT_STREQ(refused.display.init().error().rule,
+                 "display: polling the scanned line, but the bus cannot read");
+}
+
 TEST(Present, FollowsOrLeadsTheBeam) {
     struct {
         std::uint32_t hz;
@@ -417,7 +580,10 @@ TEST(Present, FollowsOrLeadsTheBeam) {
         const char* why;
     } const cases[] = {
         {40000000, {Rotation::r0}, 0, "0.7 ms of pixels fit in 10 ms: lead"},
-        {2000000, {Rotation::r0}, 10000 / 70 * (6 + 8), "14.4 ms do not: follow eight lines behind"},
+        {2000000,
+         {Rotation::r0},
+         10000 * (6 + 9 + 1 + 8) / 70 - 3,
+         "14.4 ms do not: blanking, the glass's offset, its first row, eight lines, less 4 us of RAMWR"},
         {2000000, {Rotation::r90}, 0, "columns are not scan order"},
         {2000000, {Rotation::r180}, 0, "rows from the bottom are not scan order"},
     };

@@ -47,7 +47,7 @@ std::vector<Write> block(std::int32_t top, std::int32_t rows, std::int64_t time,
     return out;
 }
 
-constexpr Refresh ili9341 = {43902, 324, 4};
+constexpr Refresh ili9341 = {43902, 324, 4, 43902};
 
 } // namespace
 
@@ -60,7 +60,8 @@ TEST(SafeStart, LeadsWhenFasterThanTheBeamLagsWhenSlower) {
     EXPECT_EQ(slow.after_blanking(), std::int64_t{43902} * (4 + 1 + 8)) << "eight lines behind the first row";
     EXPECT_FALSE(safe(ili9341, block(0, 320, 90000)).possible()) << "more than two refreshes";
     EXPECT_FALSE(safe(ili9341, block(0, 320, 40000, true)).possible()) << "against the scan";
-    EXPECT_TRUE(safe({43902, 344, 24}, block(0, 320, 400, true)).possible()) << "all of it in the blanking";
+    EXPECT_TRUE(safe({43902, 344, 24, 43902}, block(0, 320, 400, true)).possible())
+        << "all of it in the blanking";
     EXPECT_TRUE(SafeStart(ili9341).possible()) << "nothing to write";
 }
 
@@ -71,7 +72,7 @@ TEST(SafeStart, NoRefreshIsTornAndNoneIsMissed) {
     int possible = 0, impossible = 0;
     for (int n = 0; n < 4000; ++n) {
         const std::int32_t lines = 20 + static_cast<std::int32_t>(random() % 60);
-        const Refresh r = {1000, lines, 2 + static_cast<std::int32_t>(random() % 8)};
+        const Refresh r = {1000, lines, 2 + static_cast<std::int32_t>(random() % 8), 1000};
         const std::int32_t rows = lines - r.porch;
         std::vector<Write> writes;
         std::int64_t at = random() % 500;

@@ -32,6 +32,10 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return broken("board: a picture that is turned into another format needs one buffer", on);
     if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
         return broken("board: reading back needs a read clock and a panel that answers", on);
+    if (display.poll_line && !display.read_back)
+        return broken("board: polling the scanned line without reading back", on);
+    if (display.scan_order && (display.buffers != 2 || display.wire != nullptr))
+        return broken("board: turning frames into the order of the scan takes two buffers, as they are", on);
     if (display.wait_te && !board.has_te)
         return broken("board: waiting for TE without a TE line", on);
     if (board.write_hz == 0)
@@ -68,9 +72,9 @@ constexpr BusCaps bus_caps(const Board& board) {
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
 template <const Board& board>
 class BoardDisplay final
-    : private PanelStorage<
-          place(*board.display.panel, board.display.orientation).size.height, board.display.buffers, 64,
-          board.display.row_hash ? place(*board.display.panel, board.display.orientation).size.width : 0>,
+    : private PanelStorage<book_height(board.display), board.display.buffers, 64,
+                           board.display.row_hash ? sent_size(board.display).width : 0, turns(board.display),
+                           board.display.pacing == Pacing::coalesce>,
       public PanelDisplay {
   public:
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}

@@ -21,6 +21,7 @@ class OpList {
         : ops_(ops), params_(params), capacity_(capacity) {}
 
     std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
     std::size_t room() const { return capacity_ - size_; }
     const Op* data() const { return ops_; }
     void clear() { size_ = 0, overflow_ = false; }
@@ -47,6 +48,8 @@ class OpList {
 
     /// Hands the list to the bus. A list that had no room for an op is refused whole.
     Result<Token> submit(Bus& bus) const;
+    /// Bytes it writes.
+    std::uint64_t bytes() const;
     /// How long the list takes on this bus, in microseconds.
     std::uint32_t duration(const BusCaps& caps) const;
 
@@ -60,6 +63,9 @@ class OpList {
     std::size_t size_ = 0;
     bool overflow_ = false, parameters_are_commands_ = false;
 };
+
+/// Nanoseconds that `bytes` < 2^28 take on a bus that has a clock.
+std::int64_t wire_nanoseconds(const BusCaps& caps, std::uint64_t bytes);
 
 /// Microseconds that `bytes` take on a bus, rounded up; 0xFFFFFFFF when it has no clock.
 std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes);

@@ -6,14 +6,24 @@
 #include <cstdint>
 
 #include <spangle/hal/bus.hpp>
+#include <spangle/hal/bus_buffer.hpp>
 #include <spangle/hal/display.hpp>
 #include <spangle/hal/op_list.hpp>
 #include <spangle/hal/orientation.hpp>
 #include <spangle/hal/readback.hpp>
+#include <spangle/hal/refresh.hpp>
 #include <spangle/hal/row_hash.hpp>
+#include <spangle/hal/scan_order.hpp>
 #include <spangle/hal/window.hpp>
 
 namespace spangle::hal {
+
+class FramePlan;
+
+/// A frame is presented while the one before is still on the wire: `block` waits; `drop` does not send it,
+/// and the next one presented in time carries its changes too; `coalesce` does the same, and sends it still,
+/// at the latest at finish(), unless another is drawn over it first.
+enum class Pacing : std::uint8_t { block, drop, coalesce };
 
 struct PanelConfig {
     const PanelDesc* panel = nullptr;
@@ -26,8 +36,13 @@ struct PanelConfig {
         1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
     bool reset_line = true; ///< false: SWRESET instead
     bool read_back = false; ///< the panel's data line is wired back: init() checks what answers
-    bool wait_te = false;   ///< present starts at the tearing-effect edge, or follows the beam
-    bool row_hash = false;  ///< cells of 16x1 pixels that were drawn again as they were are not sent
+    bool wait_te = false;   ///< tear-free: presents lead or lag the beam, which the TE line tells
+    bool poll_line = false; ///< tear-free: the same by reading the scanned line (45h)
+    /// Frames are turned into the order of the panel's scan, where the picture's rows are not: such a picture
+    /// can be free of tears. The second buffer is the turned one; presents return while it is on the wire.
+    bool scan_order = false;
+    Pacing pacing = Pacing::block;
+    bool row_hash = false; ///< cells of 16x1 pixels that were drawn again as they were are not sent
 };
 
 constexpr WireFormat wire_format(const PanelConfig& config) {
@@ -39,6 +54,22 @@ struct PanelContent {
     RowSpan* rows = nullptr;
     std::uint32_t clear_value = 0;
 };
+
+/// The picture's size, and that of the buffer that is sent.
+constexpr bool turns(const PanelConfig& c) {
+    return c.scan_order && scan_order(*c.panel, c.orientation).turns();
+}
+constexpr Extent picture_size(const PanelConfig& c) {
+    return place(*c.panel, c.orientation).size;
+}
+constexpr Extent sent_size(const PanelConfig& c) {
+    return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
+}
+/// Rows of either.
+constexpr std::int32_t book_height(const PanelConfig& c) {
+    const std::int32_t drawn = picture_size(c).height, sent = sent_size(c).height;
+    return drawn > sent ? drawn : sent;
+}
 
 /// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows have `height` elements.
 struct PanelMemory {
@@ -52,24 +83,47 @@ struct PanelMemory {
     OpParams* params = nullptr;
     std::size_t op_count = 0;
     RowHashMemory hash = {};
+    RowSpan* turned = nullptr; ///< for PanelConfig::scan_order
+    RowSpan* held = nullptr;   ///< for Pacing::coalesce; without it frames are dropped
 };
 
-/// That memory for pictures up to `Height` rows, and `HashedWidth` columns if they are to be hashed. A list
-/// longer than `Ops` goes out in several transfers.
-template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0>
+/// That memory for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns if they are to be
+/// hashed. A list longer than `Ops` goes out in several transfers; frames that are tear-free or sent while
+/// the next is drawn are made of as few windows as one list holds.
+template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
+          bool Turned = false, bool Held = false>
 struct PanelStorage {
     static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
 
-    RowSpan touched[Height], damage[Height], content[Buffers][Height];
+    RowSpan touched[Height], damage[Height], content[Buffers][Height], turned[Turned ? Height : 1],
+        held[Held ? Height : 1];
     std::uint16_t plan[Height];
     Op ops[Ops];
     OpParams params[Ops];
     RowHashStorage<Height, HashedWidth> hash;
 
     PanelMemory memory() {
-        return {touched, damage,       {content[0], content[Buffers - 1]}, plan, Height, Buffers, ops, params,
-                Ops,     hash.memory()};
+        return {touched,
+                damage,
+                {content[0], content[Buffers - 1]},
+                plan,
+                Height,
+                Buffers,
+                ops,
+                params,
+                Ops,
+                hash.memory(),
+                Turned ? turned : nullptr,
+                Held ? held : nullptr};
     }
+};
+
+/// What became of the frames presented so far.
+struct PresentCounters {
+    std::uint32_t sent = 0;            ///< with at least one window
+    std::uint32_t put_off = 0;         ///< the wire was busy: dropped, or merged with the next
+    std::uint32_t led = 0, lagged = 0; ///< tear-free: started in the blanking, or behind the beam
+    std::uint32_t unsafe = 0;          ///< no start is free of tears
 };
 
 class PanelDisplay : public Display {
@@ -85,13 +139,19 @@ class PanelDisplay : public Display {
     /// present(), which then sends nothing.
     Result<void> present() override;
 
-    /// Waits until everything presented is on the panel.
+    /// Waits until everything presented is on the panel, and sends what was put off unless something was
+    /// drawn since.
     Result<void> finish() override;
+    /// The same without waiting, before the next frame is acquired: for idle loops of programs that coalesce.
+    Result<void> poll();
+    void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
+    const PresentCounters& counters() const { return counters_; }
     Result<PanelStatus> status();
     Result<std::uint16_t> scanline();
     /// Pixels of the panel's memory, see read_pixels().
     Result<void> read_back(const Rect& area, std::uint8_t* rgb);
 
+    /// Of what is sent.
     const Placement& placement() const { return placement_; }
 
   private:
@@ -111,37 +171,62 @@ class PanelDisplay : public Display {
     std::size_t convert(const Rect& window);
     void widen_damage();
     Result<void> append_pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows);
-    void append_sync(std::uint32_t bytes);
-    void accept();
+    void append_sync(FramePlan& plan);
+    SafeStart safe_start(FramePlan& plan) const;
+    template <class Visit> void rehearse(FramePlan& plan, Visit visit) const;
+    std::size_t ops_of(FramePlan& plan) const;
+    std::size_t pixel_ops(const Rect& window) const;
+    Result<void> send_windows(FramePlan& plan);
+    Result<void> read_turned(const Rect& area, std::uint8_t* rgb);
+    void turn_damage();
+    Result<void> show(bool in_place);
+    void accept(bool in_place);
+    bool put_off();
+    void hold_extents();
+    void restore_extents();
+    void forget_extents();
+    bool drawn_since() const;
+    Result<void> settle();
 
     Result<void> make_room(std::size_t ops);
     Result<void> start();
     Result<void> complete();
 
-    std::uint32_t stride() const { return static_cast<std::uint32_t>(placement_.size.width) * pixel_bytes_; }
     std::uint32_t wire_bits() const { return wire_info(wire_format(config_)).bits; }
     std::size_t wire_bytes(const Extent& size) const;
+    bool tear_free() const { return config_.wait_te || config_.poll_line; }
+    std::uint8_t canvases() const { return turns_ ? 1 : config_.buffers; }
+    BusBuffer& sent_buffer() { return config_.wire != nullptr ? wire_ : buffers_[turns_ ? 1 : back_]; }
+    RowSpan* sent_damage() const { return turns_ ? memory_.turned : memory_.damage; }
+    std::uint32_t stride() const { return static_cast<std::uint32_t>(picture_.width) * pixel_bytes_; }
+    std::uint32_t sent_stride() const {
+        return static_cast<std::uint32_t>(placement_.size.width) * pixel_bytes_;
+    }
     std::uint32_t op_limit() const;
 
     Bus& bus_;
     PanelConfig config_;
     PanelMemory memory_;
     BusCaps caps_;
-    Placement placement_;
+    Placement placement_; ///< of the buffer that is sent
+    ScanOrder scan_;
+    Extent picture_;
+    bool turns_ = false;
     std::uint32_t pixel_bytes_ = 0;
     Windows windows_;
     RowHash hash_;
     OpList ops_;
     ReadScratch scratch_{};
 
-    Buffer buffers_[2];
-    Buffer wire_;              ///< where pixels are turned into another format
+    BusBuffer buffers_[2];
+    BusBuffer wire_;           ///< where pixels are turned into another format
     std::size_t wire_end_ = 0; ///< of what the list under way takes from it
     PanelContent content_[2];
     RowExtents extents_;
-    std::uint8_t presented_ = 0; ///< frames accepted, no further than 2
-    std::uint8_t front_ = 0;     ///< the buffer the panel shows
-    std::uint8_t back_ = 0;      ///< the buffer being drawn
+    std::uint32_t frame_ = 0;        ///< presents that succeeded
+    std::uint32_t drawn_in_[2] = {}; ///< the last of them that each buffer holds; 0: none
+    std::uint8_t front_ = 0;         ///< the buffer the panel shows
+    std::uint8_t back_ = 0;          ///< the buffer being drawn
 
     Token token_;
     std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take
@@ -150,6 +235,12 @@ class PanelDisplay : public Display {
     bool in_flight_ = false;
     bool late_ = false;    ///< the running transfer missed its deadline; its buffer may have changed since
     bool suspect_ = false; ///< what the panel holds inside `damage` is unknown
+    bool behind_ = false;  ///< the other buffer, or the panel, lacks what `damage` holds
+    bool owed_ = false;    ///< a frame was put off, to be sent yet; what it touched is in `held`
+    bool held_cleared_ = false;
+    std::uint32_t held_clear_value_ = 0;
+    bool waits_ = true; ///< the swap interval
+    PresentCounters counters_;
 };
 
 } // namespace spangle::hal

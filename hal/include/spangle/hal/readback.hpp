@@ -31,6 +31,9 @@ struct ReadScratch {
 /// Reads the identity, 09h and 0Ah to 0Fh in one transfer.
 Result<PanelStatus> read_status(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 
+/// Dummy bits of 04h, 09h and 45h on this bus.
+std::uint8_t register_dummy_bits(const BusCaps& caps, const PanelDesc& panel);
+
 /// 45h: the line the controller is showing.
 Result<std::uint16_t> read_scanline(Bus& bus, const PanelDesc& panel, ReadScratch& scratch);
 

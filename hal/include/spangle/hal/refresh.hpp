@@ -7,9 +7,10 @@ namespace spangle::hal {
 
 /// Times in nanoseconds. Row 0 of the memory is scanned first; blanking follows the last.
 struct Refresh {
-    std::int32_t line = 0;  ///< time of one
-    std::int32_t lines = 0; ///< porches included
-    std::int32_t porch = 0; ///< lines of blanking
+    std::int32_t line = 0;   ///< time of one
+    std::int32_t lines = 0;  ///< porches included
+    std::int32_t porch = 0;  ///< lines of blanking
+    std::int32_t jitter = 0; ///< from the moment that is waited for to the first byte, at most
 
     std::int64_t period() const { return std::int64_t{line} * lines; }
     /// TE rises.
@@ -32,7 +33,7 @@ class SafeStart {
         latest_ = before < latest_ ? before : latest_;
     }
 
-    /// Phases that are left, in lines, less one at each end: the moment itself is known to about a line.
+    /// Whole lines in which a transfer may be told to start.
     std::int32_t slack_lines() const;
     bool possible() const { return slack_lines() > 0; }
     /// Nanoseconds to wait after TE rises.
