@@ -126,7 +126,10 @@ void SimBus::send(std::uint8_t byte, bool data) {
 /// One byte on the wire; false when the wire lost it.
 bool SimBus::carry(std::uint8_t byte, bool data) {
     const unsigned period = period_ns(), cycles = is_i2c() ? 9u : 8u / caps_.bits_per_cycle;
-    const Time length = static_cast<Time>(period) * cycles;
+    // Exact over a whole transfer: a clock's period is seldom a whole number of nanoseconds.
+    owed_ += Time(1'000'000'000) * cycles;
+    const Time length = owed_ / caps_.write_hz;
+    owed_ %= caps_.write_hz;
     if (listener_ != nullptr)
         listener_->byte(wire_, period, data, byte);
     wire_ += length;

@@ -59,6 +59,7 @@ class SimBus final : public hal::Bus {
     BusCounters counters_;
     Listener* listener_ = nullptr;
     Time now_ = 0, wire_ = 0; ///< processor; end of what the wire was given
+    Time owed_ = 0;           ///< time of the wire not yet passed, in nanoseconds / write_hz
     std::uint32_t last_token_ = 0;
     Time token_end_ = 0;
     std::vector<Watched> watched_;

@@ -49,8 +49,8 @@ class DcsController final : public Controller {
 
     std::uint64_t pixels_written() const { return pixels_written_; }
 
-    /// Called at the end of each refresh with what it showed, in the order of the memory. Refreshes long ago,
-    /// between which nothing was written, may be left out.
+    /// Called at the end of each refresh with what it showed, in the order of the memory. Of a series between
+    /// which nothing was written some may be left out.
     std::function<void(const std::vector<Rgb666>& shown)> watch_refreshes;
 
   private:
@@ -122,6 +122,7 @@ class DcsController final : public Controller {
     Rgb666 decode(int nibble) const;
     std::uint64_t window_pixels() const;
     void scan_until(Time now);
+    void begin_line(Time line);
     void scan_row(int row);
 };
 

@@ -50,22 +50,31 @@ void DcsController::scan_row(int row) {
         }
 }
 
+void DcsController::begin_line(Time line) {
+    const auto row = static_cast<int>(line % Time(chip_.height + chip_.porch_lines));
+    if (row >= chip_.height)
+        return;
+    scan_row(row);
+    if (row + 1 == chip_.height && watch_refreshes)
+        watch_refreshes(shown_);
+}
+
 void DcsController::scan_until(Time now) {
     if (now <= scanned_to_)
         return;
-    const Time line = chip_.line_ns;
-    Time at = scanned_to_ / line, end = now / line;
-    const Time lines = refresh_time() / line;
-    if (end - at > 2 * lines)
-        at = end - 2 * lines; // older frames have been overwritten
-    for (; at < end; ++at)
-        if (const auto row = static_cast<int>((at + 1) % lines); row < chip_.height) {
-            scan_row(row);
-            if (row + 1 == chip_.height && watch_refreshes)
-                watch_refreshes(shown_);
-        }
+    const Time lines = Time(chip_.height + chip_.porch_lines);
+    Time next = scanned_to_ / chip_.line_ns + 1;
+    const Time end = now / chip_.line_ns + 1;
+    if (end - next >
+        2 * lines) { // the refresh under way, and the last one that begins: all between are alike
+        for (; next % lines != 0; ++next)
+            begin_line(next);
+        next = (end / lines - 1) * lines;
+    }
+    for (; next < end; ++next)
+        begin_line(next);
     scanned_to_ = now;
-    next_row_at_ = (end + 1) * line;
+    next_row_at_ = end * chip_.line_ns;
 }
 
 std::vector<Rgb666> DcsController::glass(Time now) {
