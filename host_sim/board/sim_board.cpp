@@ -91,6 +91,10 @@ BoardCounters SimBoard::counters() const {
     return {c.bytes, c.commands, c.pixel_bytes, c.transfers, c.busy_ns};
 }
 
+hal::PresentCounters SimBoard::presents() const {
+    return parts_->display.counters();
+}
+
 const Violations& SimBoard::violations() const {
     return parts_->controller->violations();
 }

@@ -232,6 +232,30 @@ int spangle_main(int argc, char** argv) {
     run->add_option("--dither", dither, "GL_DITHER")
         ->check(CLI::IsMember({"on", "off"}))
         ->capture_default_str();
+    run->add_option("--tear-free", options.present.tear_free,
+                    "presents lead or lag the beam: te waits for the tearing-effect line, poll reads the "
+                    "scanned line (45h); landscape is sent in the order of the scan")
+        ->check(CLI::IsMember({"off", "te", "poll"}))
+        ->capture_default_str()
+        ->excludes("--size");
+    run->add_option(
+           "--pacing", options.present.pacing,
+           "a frame while the last is still on the wire: waits, is dropped, or is merged with the next")
+        ->check(CLI::IsMember({"block", "drop", "coalesce"}))
+        ->capture_default_str()
+        ->excludes("--size");
+    run->add_option("--buffers", options.present.buffers,
+                    "2: the next frame is drawn while the last is on the wire")
+        ->check(CLI::Range(1, 2))
+        ->excludes("--size");
+    run->add_option("--draw-ms", options.present.draw_ms,
+                    "what drawing takes the board's processor, in virtual time")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str()
+        ->excludes("--size");
+    run->add_flag("--row-hash", options.present.row_hash,
+                  "cells of 16x1 pixels that were drawn again as they were are not sent")
+        ->excludes("--size");
     run->add_option("--shot", options.shot, "write the last frame as PNG");
     run->add_flag("--compare", options.compare,
                   "draw with the double reference too: error figures and a difference picture");

@@ -16,6 +16,18 @@ enum class Precision : std::uint8_t {
     shadow_fast
 };
 
+/// How the board presents; what is left as it is stays as the board has it.
+struct PresentOptions {
+    std::string tear_free = "off"; ///< te, poll
+    std::string pacing = "block";  ///< drop, coalesce
+    int buffers = 0;
+    int draw_ms = 0; ///< what the processor takes for a frame, in virtual time
+    bool row_hash = false;
+    bool any() const {
+        return tear_free != "off" || pacing != "block" || buffers != 0 || draw_ms != 0 || row_hash;
+    }
+};
+
 struct RunOptions {
     std::string scene; ///< id of a scene; empty when a model is drawn
     std::string model; ///< file of a model; empty when a scene is drawn
@@ -24,6 +36,7 @@ struct RunOptions {
     int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size
     Precision precision = Precision::exact;
     bool dither = true;
+    PresentOptions present;
     std::string shot;     ///< PNG file of the last frame
     std::string vcd;      ///< trace of the wires
     std::string log;      ///< text log of the bus

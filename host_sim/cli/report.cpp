@@ -32,6 +32,10 @@ std::string to_json(const Report& r) {
         out["coverage_unsnapped"] = r.coverage_unsnapped;
         out["coverage_snapping"] = r.coverage_snapping;
     }
+    if (r.presents)
+        out["presents"] = {{"sent", r.presents->sent},     {"put_off", r.presents->put_off},
+                           {"led", r.presents->led},       {"lagged", r.presents->lagged},
+                           {"unsafe", r.presents->unsafe}, {"fps", r.virtual_fps}};
     if (r.memory)
         out["memory"] = {{"context", r.memory->context},
                          {"surface", r.memory->surface},
@@ -63,6 +67,11 @@ std::string to_table(const Report& r) {
                            per_frame(r.bus_bytes), per_frame(r.bus_commands),
                            100.0 * per_frame(r.bus_bytes) / static_cast<double>(r.full_frame_bytes),
                            r.fps_at_bus_clock);
+    if (r.presents)
+        out += fmt::format("  presents    {:>10} sent, {} put off; {} led the beam, {} lagged behind it, {} "
+                           "could not but tear; {:.1f} fps\n",
+                           r.presents->sent, r.presents->put_off, r.presents->led, r.presents->lagged,
+                           r.presents->unsafe, r.virtual_fps);
     if (r.compared)
         out += fmt::format(
             "  error       {:>10.4f} % of {} covered pixels identical in RGB565, worst channel {} steps, "

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <spangle/hal/panel_display.hpp>
+
 namespace spangle::cli {
 
 /// One stage of the pipeline in integers, held against its double twin (raster/span/shadow.hpp).
@@ -41,11 +43,13 @@ struct Report {
     std::uint64_t covered = 0; ///< pixel samples the coverage counts looked at
     bool compared = false;     ///< the six above were measured
     std::uint64_t bus_bytes = 0, bus_commands = 0;
-    std::uint64_t full_frame_bytes = 0; ///< of one whole frame without commands
-    double fps_at_bus_clock = 0.0;      ///< 0 without a board
-    std::string picture_hash;           ///< of the last frame
-    std::optional<Memory> memory;       ///< with --stats
-    std::vector<StageError> stages;     ///< of a run in shadow precision, in the order of the pipeline
+    std::uint64_t full_frame_bytes = 0;           ///< of one whole frame without commands
+    double fps_at_bus_clock = 0.0;                ///< 0 without a board
+    double virtual_fps = 0.0;                     ///< of drawing and sending; with `presents`
+    std::optional<hal::PresentCounters> presents; ///< when the command line said how to present
+    std::string picture_hash;                     ///< of the last frame
+    std::optional<Memory> memory;                 ///< with --stats
+    std::vector<StageError> stages; ///< of a run in shadow precision, in the order of the pipeline
 };
 
 /// One JSON object, keys as the fields are called.

@@ -66,6 +66,29 @@ const hal::Board* find_board(const std::string& name) {
     return nullptr;
 }
 
+/// The board with other ways to present, or the rule that this breaks.
+std::string present_as(const PresentOptions& options, hal::Board& board) {
+    hal::PanelConfig& display = board.display;
+    display.row_hash = options.row_hash || display.row_hash;
+    if (options.tear_free == "te")
+        display.wait_te = board.has_te = true;
+    if (options.tear_free == "poll")
+        display.poll_line = true;
+    if (options.pacing != "block") {
+        display.pacing = options.pacing == "drop" ? hal::Pacing::drop : hal::Pacing::coalesce;
+        display.buffers = display.wire == nullptr ? 2 : 1;
+    }
+    if (options.buffers != 0)
+        display.buffers = static_cast<std::uint8_t>(options.buffers);
+    const bool against_the_scan = hal::scan_order(*display.panel, display.orientation).turns();
+    if (options.tear_free != "off" && against_the_scan && display.wire == nullptr && options.buffers != 1) {
+        display.scan_order = true;
+        display.buffers = 2;
+    }
+    const char* const rule = hal::flaw(board);
+    return rule == nullptr ? "" : std::string(board.name) + ": " + rule;
+}
+
 void start(const Program& program, const Session& session, bool dither) {
     program.setup(session.width(), session.height());
     if (dither)
@@ -180,7 +203,12 @@ RunResult run(const RunOptions& options) {
     }
     if (options.precision == Precision::reference || is_shadow(options.precision))
         egl::use_reference_engines();
-    std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(*description) : nullptr;
+    hal::Board built = on_board ? *description : hal::Board{};
+    if (on_board)
+        result.error = present_as(options.present, built);
+    if (!result.error.empty())
+        return result;
+    std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(built) : nullptr;
     Session session;
     result.error = on_board ? session.open_board(*board, options.precision)
                             : session.open_picture(options.width, options.height, options.precision);
@@ -211,6 +239,7 @@ RunResult run(const RunOptions& options) {
         window.open(program.name, session.width(), session.height());
 
     const sim::BoardCounters before = on_board ? board->counters() : sim::BoardCounters{};
+    const sim::Time started = on_board ? board->now() : 0;
     Report& report = result.report;
     std::string last_hash;
     for (int f = 0; f < options.frames && !window.closed(); ++f) {
@@ -222,6 +251,8 @@ RunResult run(const RunOptions& options) {
         const bool last = f + 1 == options.frames;
         if (last || options.compare)
             result.picture = session.read();
+        if (on_board)
+            board->pass(static_cast<sim::Time>(options.present.draw_ms) * 1'000'000);
         if (on_board && !session.swap()) {
             result.error = session.error();
             return result;
@@ -249,6 +280,11 @@ RunResult run(const RunOptions& options) {
     report.full_frame_bytes =
         static_cast<std::uint64_t>(session.width()) * static_cast<std::uint64_t>(session.height()) * 2;
     if (on_board) {
+        if (const auto shown = board->display().finish(); !shown.ok())
+            result.error = shown.error().rule;
+        if (options.present.any())
+            report.presents = board->presents();
+        report.virtual_fps = report.frames / (static_cast<double>(board->now() - started) * 1e-9);
         const sim::BoardCounters after = board->counters();
         report.bus_bytes = after.bytes - before.bytes;
         report.bus_commands = after.commands - before.commands;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests the command line as a user meets it.
 
-usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|window
+usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|presents|window
 """
 import json
 import os
@@ -98,6 +98,28 @@ def shadow():
         print(f"{stage:<14}{error:.2e}")
     table = run("run", "S6", "--precision", "shadow").stdout
     check(all(word in table for word in ("max error", "rms error", "saturated", "window x", "1/256 pixel")), "a table for people")
+
+
+def presents():
+    """How a board presents: free of tears, in its own pace, without what did not change."""
+    plain = report("HUD", "--frames", "20")
+    hashed = report("HUD", "--frames", "20", "--row-hash")
+    check(hashed["picture_hash"] == plain["picture_hash"], "the row hash changes no picture")
+    check(hashed["bus_bytes"] * 3 < plain["bus_bytes"], f"row hash: {hashed['bus_bytes']} of {plain['bus_bytes']} bytes")
+    check("presents" not in plain, "only when it is asked for")
+    for how in ("te", "poll"):
+        tearless = report("S6", "--frames", "12", "--tear-free", how)
+        done = tearless["presents"]
+        check(done["led"] + done["lagged"] >= 10 and done["unsafe"] <= 2, f"--tear-free {how}: {done}")
+        check(tearless["picture_hash"] == report("S6", "--frames", "12")["picture_hash"], "landscape in the order of the scan is the same picture")
+    paced = {pacing: report("S6", "--frames", "20", "--buffers", "2", "--pacing", pacing, "--draw-ms", "2") for pacing in ("block", "drop", "coalesce")}
+    check(paced["block"]["presents"]["put_off"] == 0, "a blocked program sends every frame")
+    for pacing in ("drop", "coalesce"):
+        check(paced[pacing]["presents"]["put_off"] > 10 and paced[pacing]["presents"]["fps"] > 3 * paced["block"]["presents"]["fps"], f"{pacing}: {paced[pacing]['presents']}")
+    check("led the beam" in run("run", "S6", "--tear-free", "te").stdout, "presents in the table")
+    for words, advice in ((["--size", "9x9", "--row-hash"], "--size excludes --row-hash"), (["--tear-free", "maybe"], "--tear-free"),
+                          (["--board", "st7735-128x160", "--tear-free", "poll"], "polling the scanned line")):
+        check(advice in run("run", "S5", *words).stderr, f"{words}: {run('run', 'S5', *words).stderr!r} says {advice!r}")
 
 
 def errors():
@@ -225,7 +247,7 @@ def window():
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "window"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "window"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()

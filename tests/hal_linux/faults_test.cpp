@@ -230,6 +230,35 @@ TEST_P(Faults, TheTearingLineMayBeMissing) {
     expect_mended(rig);
 }
 
+TEST_P(Faults, TheScannedLineMayNeverCome) {
+    if (!can_read(GetParam()))
+        return; // refused: Transfer.AListIsRefusedWholeBeforeItsFirstByte
+    RigOptions options;
+    options.poll_line = true;
+    Rig rig(GetParam(), options);
+    rig.start();
+    expect_unharmed_frame(rig);
+    const hal::PresentCounters counted = rig.display->counters();
+    EXPECT_EQ(counted.sent, 1u);
+    EXPECT_EQ(counted.led + counted.lagged + counted.unsafe, 1u);
+    if (is_spidev(GetParam())) { // bit by bit a frame may take many refreshes
+        EXPECT_EQ(counted.unsafe, 0u);
+    }
+    hal::Op never;
+    never.kind = hal::Op::Kind::wait_line;
+    never.command = 0x45;
+    never.dummy_bits = hal::register_dummy_bits(rig.bus().caps(), tiny_panel);
+    never.length = 5000; // no panel has such a line
+    never.stride = 9000;
+    never.micros = 2000;
+    const auto token = rig.bus().submit(&never, 1);
+    ASSERT_TRUE(token.ok());
+    const auto missing = rig.bus().wait(token.value(), 1000000);
+    EXPECT_EQ(missing.error().fault, Fault::timeout);
+    EXPECT_NE(std::string(missing.error().rule).find("scanned line (45h)"), std::string::npos);
+    expect_unharmed_frame(rig);
+}
+
 TEST_P(Faults, ReadsFailToo) {
     if (!can_read(GetParam()))
         return; // refused, whatever the kernel says: Transfer.AListIsRefusedWholeBeforeItsFirstByte

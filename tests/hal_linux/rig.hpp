@@ -133,7 +133,7 @@ struct RigOptions {
     hal::Orientation orientation = {};
     std::uint32_t spi_hz = 40000000;
     std::uint8_t buffers = 1;
-    bool asynchronous = false, wait_te = false, read_back = false;
+    bool asynchronous = false, wait_te = false, read_back = false, poll_line = false;
 };
 
 class Rig {
@@ -153,6 +153,7 @@ class Rig {
         config.buffers = options.buffers;
         config.read_back = options.read_back;
         config.wait_te = options.wait_te;
+        config.poll_line = options.poll_line;
         display.emplace(bus(), config, storage_.memory());
     }
 

@@ -158,6 +158,7 @@ TEST(Transfer, AListIsRefusedWholeBeforeItsFirstByte) {
         {read, "bus: a read without room for the answer"},
         {readable, "bus: this bus cannot read"},
         {op_of(Kind::wait_te), "bus: no tearing-effect line is wired"},
+        {op_of(Kind::wait_line), "bus: this bus cannot read"},
         {op_of(Kind::reset), "bus: no reset line is wired"},
     };
     for (const auto& c : cases) {

@@ -173,10 +173,15 @@ void hold(const hal::Board& board, const Habit& habit, bool single) {
 
 TEST(DamageOracle, PanelMemoryEqualsSurfaceAfterEveryPresent) {
     for (const Habit& habit : habits)
-        for (const unsigned variant : {0u, 1u, 2u, 3u}) {
+        for (const unsigned variant : {0u, 1u, 2u, 3u, 4u}) {
             hal::Board board = boards::st7735_128x160;
             board.display.buffers = static_cast<std::uint8_t>(1 + variant % 2);
             board.display.row_hash = variant >= 2;
+            if (variant == 4) {
+                board.display.orientation = {hal::Rotation::r270};
+                board.display.buffers = 2;
+                board.display.scan_order = true;
+            }
             hold(board, habit, false);
         }
 }

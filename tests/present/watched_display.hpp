@@ -32,6 +32,9 @@ class WatchedDisplay final : public hal::Display {
         return sent;
     }
 
+    hal::Result<void> finish() override { return sim_.display().finish(); }
+    void swap_interval(std::int32_t interval) override { sim_.display().swap_interval(interval); }
+
     bool compare = true;
     std::vector<std::uint8_t> surface; ///< as it was presented, two bytes a pixel
     std::vector<std::uint64_t> bytes;  ///< on the wire, of each present

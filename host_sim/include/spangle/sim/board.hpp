@@ -8,6 +8,7 @@
 #include <spangle/hal/board.hpp>
 #include <spangle/hal/bus.hpp>
 #include <spangle/hal/display.hpp>
+#include <spangle/hal/panel_display.hpp>
 #include <spangle/sim/image.hpp>
 #include <spangle/sim/violations.hpp>
 
@@ -39,6 +40,8 @@ class SimBoard {
     Image memory() const;
 
     BoardCounters counters() const;
+    /// What became of the frames presented.
+    hal::PresentCounters presents() const;
     const Violations& violations() const;
     /// All violations, a line each; empty when the bus kept every rule.
     std::string violations_text() const;
