@@ -141,11 +141,12 @@ void lit(Writer& w) {
     shapes(w);
 }
 
-/// A level of a texture, as run_command_stream() reads sizes (value + 2) and levels (value + 3, not 8).
+/// A level of a texture, as run_command_stream() reads sizes (value + 2), levels (value + 3, not 8) and
+/// borders (value + 1).
 void image(Writer& w, unsigned level, unsigned size, GLenum format, GLenum type) {
     const unsigned level_byte = level == 5 ? 76 : level + 3;
     w.call("glTexImage2D", {GL_TEXTURE_2D, format, type},
-           {{1, level_byte}, {3, size + 2}, {4, size + 2}, {5, 3}});
+           {{1, level_byte}, {3, size + 2}, {4, size + 2}, {5, 1}});
 }
 
 void textured(Writer& w) {
@@ -205,7 +206,7 @@ void set(Writer& w, const Preset& p) {
     const unsigned width = 1u << w.lot(6), height = 1u << w.lot(6);
     w.call("glTexImage2D",
            {GL_TEXTURE_2D, p.kept == rgba ? GLenum{GL_RGBA} : GLenum{GL_RGB}, GL_UNSIGNED_BYTE},
-           {{1, 3}, {2, p.kept}, {3, width + 2}, {4, height + 2}, {5, 3}});
+           {{1, 3}, {2, p.kept}, {3, width + 2}, {4, height + 2}, {5, 1}});
     for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         w.call("glTexParameteri", {GL_TEXTURE_2D, name}, {{2, p.filter}});
     w.call("glTexEnvi", {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE}, {{2, p.environment}});
@@ -249,6 +250,43 @@ void arrays(Writer& w) {
     }
 }
 
+/// Drawing into the buffers of selection and feedback, names between, stacks of attributes around.
+void captured(Writer& w) {
+    for (int i = 0; i < 3; ++i) {
+        w.call("glPushAttrib");
+        w.call("glPushClientAttrib");
+        w.call("glFeedbackBuffer");
+        w.call("glSelectBuffer");
+        w.call("glRenderMode", {i % 2 != 0 ? GLenum{GL_FEEDBACK} : GLenum{GL_SELECT}});
+        for (const char* name : {"glPushName", "glLoadName", "glPassThrough"})
+            w.call(name);
+        w.call("glPolygonMode");
+        w.primitive(modes[w.lot(10)], 6);
+        w.call("glPopName");
+        w.primitive(modes[w.lot(10)], 6);
+        w.call("glRenderMode", {GL_RENDER});
+        w.call("glPopClientAttrib");
+        w.call("glPopAttrib");
+    }
+}
+
+/// Maps of every target, points and meshes of them.
+void evaluated(Writer& w) {
+    for (const GLenum on : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_MAP1_TEXTURE_COORD_2,
+                            GL_AUTO_NORMAL, GL_LIGHTING, GL_LIGHT0})
+        w.call("glEnable", {on});
+    for (int i = 0; i < 12; ++i) {
+        w.call(i % 2 != 0 ? "glMap1f" : "glMap2d");
+        w.call(i % 2 != 0 ? "glMapGrid1f" : "glMapGrid2f");
+        w.call("glBegin", {modes[w.lot(10)]});
+        for (const char* name : {"glEvalCoord1f", "glEvalCoord2f", "glEvalPoint1", "glEvalPoint2"})
+            w.call(name);
+        w.call("glEnd");
+        w.call(i % 2 != 0 ? "glEvalMesh1" : "glEvalMesh2");
+        w.call("glGetMapfv");
+    }
+}
+
 void anything(Writer& w) {
     for (int i = 0; i < 30; ++i) {
         w.some_state();
@@ -260,7 +298,8 @@ void anything(Writer& w) {
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> command_seeds() {
-    constexpr Fill fills[] = {shapes, lit, textured, fragments, fused, lists, arrays, anything};
+    constexpr Fill fills[] = {shapes, lit,    textured, fragments, fused,
+                              lists,  arrays, captured, evaluated, anything};
     std::vector<std::vector<std::uint8_t>> seeds;
     unsigned number = 0;
     for (int round = 0; round < 12; ++round)

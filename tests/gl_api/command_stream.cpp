@@ -178,6 +178,10 @@ class Run {
                 v.integer = internal_formats[how % std::size(internal_formats)];
                 break;
             }
+            if (arg.high - arg.low < most_items && how % 8 != 0) { // in the range, or one beside it
+                v.integer = arg.low - 1 + how % (arg.high - arg.low + 3);
+                break;
+            }
             v.integer = how % 8 == 0 && !reads_by_number(family) ? static_cast<std::int32_t>(in.word())
                                                                  : how % 68 - 3;
             break;

@@ -114,6 +114,26 @@ TEST_F(Selection, OnlyWhatIsLeftAfterClippingHits) {
     EXPECT_EQ(near[2], 0u);
 }
 
+#if SPANGLE_FEATURE_CLIP_PLANES
+/// The clip volume is the view volume and the planes of the user (GL 1.3, 2.11 and 5.2).
+TEST_F(Selection, ClipPlanesCutToo) {
+    const GLdouble right[4] = {1, 0, 0, -0.25}; // x >= 0.25
+    glClipPlane(GL_CLIP_PLANE0, right);
+    glEnable(GL_CLIP_PLANE0);
+    EXPECT_EQ(select([] { point(0.2f, 0, 0); })[0], 0u);
+    EXPECT_EQ(select([] { point(0.3f, 0, 0); })[0], 1u);
+    EXPECT_EQ(select([] { triangle(0, 0, 0, -0.5f); })[0], 0u);
+    const Words line = select([] {
+        glBegin(GL_LINES);
+        glVertex3f(-0.25f, 0, -0.5f);
+        glVertex3f(0.75f, 0, 0.5f);
+        glEnd();
+    });
+    EXPECT_NEAR(line[2], depth(0), 16);
+    EXPECT_NEAR(line[3], depth(0.5), 16);
+}
+#endif
+
 TEST_F(Selection, CulledPolygonsDoNotHit) {
     glEnable(GL_CULL_FACE);
     EXPECT_EQ(select([] { triangle(0, 0, 0); })[0], 1u);

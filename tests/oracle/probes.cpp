@@ -2,12 +2,14 @@
 
 #include <cstring>
 
+#include "tests/oracle/eval_probes.hpp"
 #include "tests/oracle/vertex_probes.hpp"
 
 namespace spangle::oracle {
 
 scenes::SceneList probes() {
-    static const scenes::Scene all[] = {outlines, two_units, cut_torus, sphere_mapped, planes_mapped};
+    static const scenes::Scene all[] = {outlines,      two_units,     cut_torus,
+                                        sphere_mapped, planes_mapped, patches};
     return {all, sizeof all / sizeof all[0]};
 }
 
