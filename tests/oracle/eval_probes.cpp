@@ -40,7 +40,6 @@ void set_up_patches(int width, int height) {
     map_sheet();
     for (const GLenum on : {GL_MAP2_VERTEX_4, GL_AUTO_NORMAL, GL_NORMALIZE, GL_LIGHT0, GL_DEPTH_TEST})
         glEnable(on);
-    glMapGrid2f(12, 0, 1, 9, 0, 1);
     glMapGrid1f(20, 0, 1);
 }
 
@@ -55,7 +54,9 @@ void draw_patches(int) {
         (n < 2 ? glEnable : glDisable)(GL_LIGHTING);
         (n < 2 ? glDisable : glEnable)(GL_MAP2_COLOR_4);
         glColor3f(1, 1, 1);
-        glEvalMesh2(n == 3 ? GL_LINE : GL_FILL, 0, n == 1 ? 7 : 12, 0, 9);
+        const GLint fine = n == 3 ? 1 : 4; // quads so small that their diagonals do not tell
+        glMapGrid2f(12 * fine, 0, 1, 9 * fine, 0, 1);
+        glEvalMesh2(n == 3 ? GL_LINE : GL_FILL, 0, (n == 1 ? 7 : 12) * fine, 0, 9 * fine);
         glPopMatrix();
     }
     glEnable(GL_MAP1_VERTEX_4);
