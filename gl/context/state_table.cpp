@@ -102,6 +102,10 @@ constexpr StateRow of_texgen(StateRow row) {
     return of_feature(SPANGLE_FEATURE_TEXGEN != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_TEXGEN"),
                       row);
 }
+constexpr StateRow of_raster_pos(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_RASTER_POS != 0,
+                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_RASTER_POS"), row);
+}
 constexpr StateRow of_clip_planes(StateRow row) {
     return of_feature(SPANGLE_FEATURE_CLIP_PLANES != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_CLIP_PLANES"), row);
@@ -241,6 +245,13 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
     of_unit(PerUnit::active, sizeof(CurrentState::TexCoord),
             STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0].v)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_POSITION, current.raster.position)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_POSITION_VALID, current.raster.valid)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_DISTANCE, current.raster.distance)),
+    of_raster_pos(linear(STORED(GL_CURRENT_RASTER_COLOR, current.raster.color))),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_INDEX, current.raster.index)),
+    of_raster_pos(of_unit(PerUnit::active, sizeof(RasterPosition::TexCoord),
+                          STORED(GL_CURRENT_RASTER_TEXTURE_COORDS, current.raster.tex_coord[0].v))),
     in(Group::client_vertex_array),
     CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
     STORED(GL_VERTEX_ARRAY_SIZE, arrays.vertex.size),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/types.hpp"
+#include "gl/vertex/raster_position_state.hpp"
 
 namespace spangle::gl {
 
@@ -13,6 +14,7 @@ struct CurrentState {
     struct TexCoord {
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     } tex_coord[texture_units];
+    RasterPosition raster;
 };
 
 } // namespace spangle::gl

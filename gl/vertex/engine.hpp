@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 #include "raster/span/draw_state.hpp"
 
@@ -25,6 +26,10 @@ struct Engine {
     void (*end)(Context&);
     /// Before a material changes inside Begin/End: vertices given so far get their colours.
     void (*settle_colors)(Context&);
+#if SPANGLE_FEATURE_RASTER_POS
+    /// The current raster position from one in object space, with what is current.
+    void (*raster_position)(Context&, const Real (&position)[4]) = nullptr;
+#endif
 };
 
 /// The product's policy.

@@ -53,9 +53,19 @@ void settle_colors(Context& context) {
     pipeline(context).settle_colors();
 }
 
+#if SPANGLE_FEATURE_RASTER_POS
+void raster_position(Context& context, const Real (&position)[4]) {
+    pipeline(context).raster_position(context, position);
+}
+#endif
+
 } // namespace
 
-const Engine fixed_engine = {sizeof(FixedPipeline), construct, compile, begin, vertex, elements, end,
-                             settle_colors};
+const Engine fixed_engine = {
+    sizeof(FixedPipeline), construct, compile, begin, vertex, elements, end, settle_colors,
+#if SPANGLE_FEATURE_RASTER_POS
+    raster_position,
+#endif
+};
 
 } // namespace spangle::gl

@@ -20,20 +20,24 @@ template <class P> P& pipeline(Context& context) {
 template <class M, class L> constexpr Engine engine_of() {
     using P = Pipeline<M, L>;
     return {
-        sizeof(P),
-        [](void* memory) { new (memory) P; },
-        [](const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
-            out = raster::compile<typename M::Window>(fragment, target);
-        },
-        [](Context& context, GLenum mode) { pipeline<P>(context).begin(context, mode); },
-        [](Context& context, Real x, Real y, Real z, Real w) {
-            pipeline<P>(context).vertex(context, x, y, z, w);
-        },
-        [](Context& context, std::uint32_t count, const Indices& indices) {
-            pipeline<P>(context).elements(context, count, indices);
-        },
-        [](Context& context) { pipeline<P>(context).end(); },
-        [](Context& context) { pipeline<P>(context).settle_colors(); },
+        sizeof(P), [](void* memory) { new (memory) P; },
+            [](const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
+                out = raster::compile<typename M::Window>(fragment, target);
+            },
+            [](Context& context, GLenum mode) { pipeline<P>(context).begin(context, mode); },
+            [](Context& context, Real x, Real y, Real z, Real w) {
+                pipeline<P>(context).vertex(context, x, y, z, w);
+            },
+            [](Context& context, std::uint32_t count, const Indices& indices) {
+                pipeline<P>(context).elements(context, count, indices);
+            },
+            [](Context& context) { pipeline<P>(context).end(); },
+            [](Context& context) { pipeline<P>(context).settle_colors(); },
+#if SPANGLE_FEATURE_RASTER_POS
+            [](Context& context, const Real(&position)[4]) {
+                pipeline<P>(context).raster_position(context, position);
+            },
+#endif
     };
 }
 

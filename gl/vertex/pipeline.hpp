@@ -90,6 +90,44 @@ template <class M, class L> class Pipeline {
             outlined_fan(true);
     }
 
+    /// RasterPos: a vertex that is not drawn. Outside of the clip volume only `valid` changes.
+    void raster_position(Context& context, const Real (&position)[4]) {
+        context_ = &context;
+        derive(context);
+        const CurrentState& current = context.current;
+        Vertex& v = slot_[0];
+        for (int c = 0; c < 4; ++c)
+            v.position[c] = position[c];
+        for (int c = 0; c < 3; ++c)
+            v.normal[c] = current.normal[c];
+        const typename M::Clip clip = M::to_clip(transforms_, v.position);
+        RasterPosition& out = context.current.raster;
+        out.valid =
+            (flags_of(clip) & outside_mask) == 0 && M::in_front(clip) && (!planes_.any() || outside(v) == 0);
+        if (!out.valid)
+            return;
+        Real eye[4];
+        M::reals(M::to_eye(transforms_, v.position), eye);
+        M::window_of(transforms_, clip, out.position);
+        out.distance = numeric::abs(eye[2]);
+        out.index = current.index;
+        v.flags = 0;
+        if (lit_)
+            light(v, 0, v.window);
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = numeric::clamp01(current.color[c]);
+        if (lit_)
+            M::color_of(v.window, out.color);
+        for (int u = 0; u < texture_units; ++u)
+            M::reals(texture_of(current, v, u), out.tex_coord[u].v);
+#if SPANGLE_FEATURE_SELECTION
+        if (context.render.mode == GL_SELECT) {
+            M::project(transforms_, clip, v.window);
+            record_hit(context, M::depth_word(v.window), M::depth_word(v.window));
+        }
+#endif
+    }
+
     /// A material is about to change: vertices given so far get their colours from the old one.
     void settle_colors() {
         for (int i = 0; i < held_; ++i)

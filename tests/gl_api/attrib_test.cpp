@@ -94,6 +94,9 @@ std::map<GLenum, GLbitfield> server_state() {
     }
     if (SPANGLE_FEATURE_COLOR_INDEX)
         groups[GL_CURRENT_INDEX] = GL_CURRENT_BIT;
+    if (SPANGLE_FEATURE_RASTER_POS)
+        for (GLenum name = GL_CURRENT_RASTER_COLOR; name <= GL_CURRENT_RASTER_DISTANCE; ++name)
+            groups[name] = GL_CURRENT_BIT;
     if (SPANGLE_FEATURE_TEXGEN)
         for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
             groups[cap] = GL_TEXTURE_BIT | GL_ENABLE_BIT;
@@ -270,6 +273,12 @@ class Attrib : public RecordingContext {
 #endif
 #if SPANGLE_FEATURE_COLOR_INDEX
         glIndexf(f(7));
+#endif
+#if SPANGLE_FEATURE_RASTER_POS
+        glWindowPos3f(f(5), f(6), f(0.25f));
+        context->current.raster.distance = numeric::from_i32(k); // what only RasterPos changes
+        context->current.raster.index = numeric::from_i32(k);
+        context->current.raster.valid = k != 0;
 #endif
 #if SPANGLE_FEATURE_LISTS
         glListBase(static_cast<GLuint>(k) + 3);

@@ -170,6 +170,13 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG, {1}},
                                    {GL_EDGE_FLAG_ARRAY, {0}},
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    if (SPANGLE_FEATURE_RASTER_POS)
+        table.insert(table.end(), {{GL_CURRENT_RASTER_POSITION, {0, 0, 0, 1}},
+                                   {GL_CURRENT_RASTER_POSITION_VALID, {1}},
+                                   {GL_CURRENT_RASTER_DISTANCE, {0}},
+                                   {GL_CURRENT_RASTER_COLOR, {1, 1, 1, 1}},
+                                   {GL_CURRENT_RASTER_INDEX, {1}},
+                                   {GL_CURRENT_RASTER_TEXTURE_COORDS, {0, 0, 0, 1}}});
     if (SPANGLE_FEATURE_TEXGEN)
         for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
             table.push_back({cap, {0}});
@@ -247,8 +254,9 @@ TEST_F(State, InitialValuesAreOfTheWholeTable) {
 
 TEST_F(State, EveryQueryAgreesAcrossTypes) {
     const auto linear = [](GLenum name) {
-        for (GLenum n : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE,
-                         GL_DEPTH_CLEAR_VALUE, GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF})
+        for (GLenum n :
+             {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE,
+              GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF, GL_CURRENT_RASTER_COLOR})
             if (n == name)
                 return true;
         return false;
@@ -280,7 +288,9 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
                               e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
                               e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN ||
                               e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS ||
-                              e.name == GL_CURRENT_INDEX;
+                              e.name == GL_CURRENT_INDEX || e.name == GL_CURRENT_RASTER_POSITION ||
+                              e.name == GL_CURRENT_RASTER_DISTANCE || e.name == GL_CURRENT_RASTER_INDEX ||
+                              e.name == GL_CURRENT_RASTER_TEXTURE_COORDS;
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
 #endif
         }

@@ -38,6 +38,8 @@ void Normal(Context& context, Real x, Real y, Real z);
 void Color(Context& context, Real red, Real green, Real blue, Real alpha);
 void Index(Context& context, Real index);
 void EdgeFlag(Context& context, bool flag);
+void RasterPos(Context& context, Real x, Real y, Real z, Real w);
+void WindowPos(Context& context, Real x, Real y, Real z);
 void Rect(Context& context, Real x1, Real y1, Real x2, Real y2);
 void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
@@ -350,6 +352,20 @@ struct EdgeFlag {
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlag between glBegin and glEnd");
+};
+struct RasterPos {
+    static constexpr auto run = &cmd::RasterPos;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glRasterPos between glBegin and glEnd");
+};
+struct WindowPos {
+    static constexpr auto run = &cmd::WindowPos;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glWindowPos between glBegin and glEnd");
 };
 struct Rect {
     static constexpr auto run = &cmd::Rect;

@@ -946,6 +946,264 @@ void GLAPIENTRY glEdgeFlagv(const GLboolean* flag) {
 
 #endif
 
+#if SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
+    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos2sv: null pointer"));
+    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
+    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos2iv: null pointer"));
+    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
+    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos2fv: null pointer"));
+    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
+    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos2dv: null pointer"));
+    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glRasterPos2xOES(GLfixed x, GLfixed y) {
+    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), numeric::zero, numeric::one);
+}
+
+void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos2xvOES: null pointer"));
+    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
+    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos3sv: null pointer"));
+    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
+    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos3iv: null pointer"));
+    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
+    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos3fv: null pointer"));
+    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
+    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos3dv: null pointer"));
+    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glRasterPos3xOES(GLfixed x, GLfixed y, GLfixed z) {
+    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::one);
+}
+
+void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos3xvOES: null pointer"));
+    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
+    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), convert::cast_s(w));
+}
+
+void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos4sv: null pointer"));
+    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+}
+
+void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
+    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), convert::cast_i(w));
+}
+
+void GLAPIENTRY glRasterPos4iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos4iv: null pointer"));
+    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+}
+
+void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), convert::cast_f(w));
+}
+
+void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos4fv: null pointer"));
+    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+}
+
+void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
+    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), convert::cast_d(w));
+}
+
+void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos4dv: null pointer"));
+    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
+    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), convert::cast_x(w));
+}
+
+void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glRasterPos4xvOES: null pointer"));
+    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y) {
+    issue<family::WindowPos>(convert::cast_s(x), convert::cast_s(y), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos2sv: null pointer"));
+    issue<family::WindowPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
+    issue<family::WindowPos>(convert::cast_i(x), convert::cast_i(y), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos2iv: null pointer"));
+    issue<family::WindowPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
+    issue<family::WindowPos>(convert::cast_f(x), convert::cast_f(y), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos2fv: null pointer"));
+    issue<family::WindowPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
+    issue<family::WindowPos>(convert::cast_d(x), convert::cast_d(y), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos2dv: null pointer"));
+    issue<family::WindowPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero);
+}
+
+void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
+    issue<family::WindowPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z));
+}
+
+void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos3sv: null pointer"));
+    issue<family::WindowPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]));
+}
+
+void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
+    issue<family::WindowPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z));
+}
+
+void GLAPIENTRY glWindowPos3iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos3iv: null pointer"));
+    issue<family::WindowPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]));
+}
+
+void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
+    issue<family::WindowPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+}
+
+void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos3fv: null pointer"));
+    issue<family::WindowPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
+}
+
+void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
+    issue<family::WindowPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+}
+
+void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glWindowPos3dv: null pointer"));
+    issue<family::WindowPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
+}
+
+#endif
+
 void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
     issue<family::Rect>(convert::cast_s(x1), convert::cast_s(y1), convert::cast_s(x2), convert::cast_s(y2));
 }
@@ -1272,6 +1530,226 @@ void GLAPIENTRY glEdgeFlagv(const GLboolean*) {
 
 void GLAPIENTRY glEdgeFlagPointer(GLsizei, const void*) {
     refuse_feature(SPANGLE_TEXT("glEdgeFlagPointer: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glRasterPos2s(GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2s: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2i(GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2i: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2f(GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2f: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2d(GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2d: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3s(GLshort, GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3s: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3i(GLint, GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3i: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3f(GLfloat, GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3f: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3d(GLdouble, GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3d: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4s(GLshort, GLshort, GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4s: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4i(GLint, GLint, GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4i: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4f(GLfloat, GLfloat, GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4f: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4d(GLdouble, GLdouble, GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4d: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2s(GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2s: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2i(GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2i: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2f(GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2f: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2d(GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2d: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos2dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3s(GLshort, GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3s: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3i(GLint, GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3i: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3f(GLfloat, GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3f: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3d(GLdouble, GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3d: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glWindowPos3dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glWindowPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_RASTER_POS
+
+void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos2xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_RASTER_POS && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRasterPos2xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRasterPos3xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

@@ -163,6 +163,12 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_CURRENT_NORMAL 0x0B02
 #define GL_CURRENT_TEXTURE_COORDS 0x0B03
 #define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
+#define GL_CURRENT_RASTER_COLOR 0x0B04
+#define GL_CURRENT_RASTER_INDEX 0x0B05
+#define GL_CURRENT_RASTER_TEXTURE_COORDS 0x0B06
+#define GL_CURRENT_RASTER_POSITION 0x0B07
+#define GL_CURRENT_RASTER_POSITION_VALID 0x0B08
+#define GL_CURRENT_RASTER_DISTANCE 0x0B09
 #define GL_MAX_ELEMENTS_VERTICES 0x80E8
 #define GL_MAX_ELEMENTS_INDICES 0x80E9
 GLAPI void GLAPIENTRY glBegin(GLenum mode);
@@ -339,6 +345,52 @@ GLAPI void GLAPIENTRY glIndexxOES(GLfixed index);
 GLAPI void GLAPIENTRY glIndexxvOES(const GLfixed* v);
 GLAPI void GLAPIENTRY glEdgeFlag(GLboolean flag);
 GLAPI void GLAPIENTRY glEdgeFlagv(const GLboolean* flag);
+GLAPI void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y);
+GLAPI void GLAPIENTRY glRasterPos2sv(const GLshort* v);
+GLAPI void GLAPIENTRY glRasterPos2i(GLint x, GLint y);
+GLAPI void GLAPIENTRY glRasterPos2iv(const GLint* v);
+GLAPI void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y);
+GLAPI void GLAPIENTRY glRasterPos2fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y);
+GLAPI void GLAPIENTRY glRasterPos2dv(const GLdouble* v);
+GLAPI void GLAPIENTRY glRasterPos2xOES(GLfixed x, GLfixed y);
+GLAPI void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z);
+GLAPI void GLAPIENTRY glRasterPos3sv(const GLshort* v);
+GLAPI void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z);
+GLAPI void GLAPIENTRY glRasterPos3iv(const GLint* v);
+GLAPI void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z);
+GLAPI void GLAPIENTRY glRasterPos3fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z);
+GLAPI void GLAPIENTRY glRasterPos3dv(const GLdouble* v);
+GLAPI void GLAPIENTRY glRasterPos3xOES(GLfixed x, GLfixed y, GLfixed z);
+GLAPI void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w);
+GLAPI void GLAPIENTRY glRasterPos4sv(const GLshort* v);
+GLAPI void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w);
+GLAPI void GLAPIENTRY glRasterPos4iv(const GLint* v);
+GLAPI void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w);
+GLAPI void GLAPIENTRY glRasterPos4fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w);
+GLAPI void GLAPIENTRY glRasterPos4dv(const GLdouble* v);
+GLAPI void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w);
+GLAPI void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y);
+GLAPI void GLAPIENTRY glWindowPos2sv(const GLshort* v);
+GLAPI void GLAPIENTRY glWindowPos2i(GLint x, GLint y);
+GLAPI void GLAPIENTRY glWindowPos2iv(const GLint* v);
+GLAPI void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y);
+GLAPI void GLAPIENTRY glWindowPos2fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y);
+GLAPI void GLAPIENTRY glWindowPos2dv(const GLdouble* v);
+GLAPI void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z);
+GLAPI void GLAPIENTRY glWindowPos3sv(const GLshort* v);
+GLAPI void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z);
+GLAPI void GLAPIENTRY glWindowPos3iv(const GLint* v);
+GLAPI void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z);
+GLAPI void GLAPIENTRY glWindowPos3fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z);
+GLAPI void GLAPIENTRY glWindowPos3dv(const GLdouble* v);
 GLAPI void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2);
 GLAPI void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2);
 GLAPI void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2);
