@@ -34,17 +34,13 @@ hal::Result<hal::Token> SimBus::submit(const hal::Op* ops, std::size_t count) {
     wire_ = std::max(wire_, now_);
     ++counters_.transfers;
     watched_.clear();
-    if (listener_ != nullptr)
-        listener_->chip_select(wire_, true);
     if (!is_framed())
-        controller_.select(true, wire_);
+        chip_select(true);
     for (std::size_t i = 0; i < sent; ++i)
         run(ops[i]);
     end_message();
     if (!is_framed())
-        controller_.select(false, wire_);
-    if (listener_ != nullptr)
-        listener_->chip_select(wire_, false);
+        chip_select(false);
     token_end_ = wire_;
     return hal::Token{++last_token_};
 }
@@ -84,6 +80,14 @@ hal::Result<void> SimBus::wait(hal::Token token, std::uint32_t timeout_micros) {
     return {};
 }
 
+void SimBus::chip_select(bool selected) {
+    if (listener_ != nullptr && selected)
+        listener_->chip_select(wire_, true);
+    controller_.select(selected, wire_);
+    if (listener_ != nullptr && !selected)
+        listener_->chip_select(wire_, false);
+}
+
 /// A message holds commands, or data; one of start bytes holds one index, or data.
 void SimBus::begin_message(bool data) {
     if (in_message_ && data == message_data_ && (data || is_i2c()))
@@ -93,7 +97,7 @@ void SimBus::begin_message(bool data) {
     message_data_ = data;
     if (!is_i2c()) { // an index ends with CS
         constexpr std::uint8_t index = 0x70, value = 0x72;
-        controller_.select(true, wire_);
+        chip_select(true);
         carry(data ? value : index, data);
         return;
     }
@@ -114,7 +118,7 @@ void SimBus::end_message() {
     if (is_i2c())
         target_.stop(wire_);
     else
-        controller_.select(false, wire_);
+        chip_select(false);
 }
 
 void SimBus::send(std::uint8_t byte, bool data) {

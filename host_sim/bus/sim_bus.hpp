@@ -78,6 +78,7 @@ class SimBus final : public hal::Bus {
     bool is_framed() const { return is_i2c() || caps_.kind == hal::BusKind::spi_start; }
     void send(std::uint8_t byte, bool data);
     bool carry(std::uint8_t byte, bool data);
+    void chip_select(bool selected);
     void begin_message(bool data);
     void end_message();
     void run(const hal::Op& op);

@@ -150,7 +150,20 @@ TEST(Init, RefusesWhatCannotWorkAndSaysWhy) {
     EXPECT_STREQ(refused(c).rule, "display: the storage is smaller than the picture asks for");
     EXPECT_STREQ(refused(on(panels::st7789_240x320)).rule,
                  "display: the storage is smaller than the picture asks for");
-    BusCaps caps = spi();
+    BusCaps caps = spi(4000000);
+    c = on(panels::ssd1306_128x64);
+    EXPECT_STREQ(refused(c, caps).rule, "display: the panel does not take this pixel format on this bus");
+    c.wire = &wires::mono, c.buffers = 2;
+    EXPECT_STREQ(refused(c, caps).rule,
+                 "display: a picture that is turned into another format needs one buffer");
+    c.buffers = 1, c.wait_te = true;
+    EXPECT_STREQ(refused(c, caps).rule, "display: waiting for TE, but the controller has no such output");
+    c = on(panels::ssd1331_96x64), caps.kind = BusKind::i2c;
+    EXPECT_STREQ(refused(c, caps).rule, "display: the panel does not take this pixel format on this bus");
+    c = on(panels::hx8347_240x320), caps.kind = BusKind::i8080;
+    EXPECT_STREQ(refused(c, caps).rule, "display: the storage is smaller than the picture asks for")
+        << "a window and its pixels are ten operations";
+    caps = spi();
     caps.write_hz = 0;
     EXPECT_STREQ(refused(good, caps).rule, "display: the bus has no write clock");
     caps = spi();

@@ -65,6 +65,19 @@ TEST(PanelData, FlawsAreNamed) {
     EXPECT_EQ(flawed([](PanelDesc& p) { p.mount = dcs::MV; }), "panel: a mount is made of MX and MY only");
     EXPECT_EQ(flawed([](PanelDesc& p) { p.timing.reset_low_us = 9; }),
               "panel: a reset pulse is at least 10 us");
+    for (const auto wrong : {Extent{129, 64}, Extent{128, 60}}) {
+        PanelDesc panel = panels::sh1106_128x64;
+        panel.glass = wrong;
+        const char* const rule = flaw(panel);
+        if (wrong.height == 60)
+            EXPECT_STREQ(rule, "panel: memory, glass and offset end where bytes of pixels do");
+        else
+            EXPECT_EQ(rule, nullptr) << "columns of one bit have no neighbours";
+        panel = panels::ssd1327_128x128;
+        panel.glass = {wrong.width, 128};
+        panel.memory.width = 130;
+        EXPECT_EQ(flaw(panel) == nullptr, wrong.width == 128);
+    }
     for (const auto bytes : {std::uint8_t{0}, std::uint8_t{4}})
         EXPECT_EQ(flawed([bytes](PanelDesc& p) { p.identity.bytes = bytes; }),
                   "panel: an identity has one to three bytes");
@@ -126,6 +139,29 @@ TEST(BoardData, FlawsAreNamed) {
               "board: the write clock is faster than this panel is known to take");
     EXPECT_EQ(flawed([](Board& b) { b.read_hz = 6700000; }),
               "board: the read clock is faster than the datasheet allows");
+}
+
+TEST(BoardData, FlawsOfOledsAreNamed) {
+    const auto flawed = [](auto change) {
+        Board board = boards::ssd1306_i2c;
+        change(board);
+        const char* rule = flaw(board);
+        return std::string(rule != nullptr ? rule : "");
+    };
+    EXPECT_EQ(flawed([](Board&) {}), "");
+    EXPECT_EQ(flawed([](Board& b) { b.display.wire = nullptr; }),
+              "board: the panel cannot take this format on this bus");
+    EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 2; }),
+              "board: a picture that is turned into another format needs one buffer");
+    EXPECT_EQ(flawed([](Board& b) { b.display.wait_te = b.has_te = true; }),
+              "board: the panel has no TE output");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000000; }), "");
+    EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000001; }),
+              "board: the write clock is faster than this panel is known to take");
+    EXPECT_EQ(flawed([](Board& b) { b.display.panel = &panels::ssd1331_96x64, b.display.wire = nullptr; }),
+              "board: the panel cannot take this format on this bus");
+    EXPECT_EQ(flawed([](Board& b) { b.bus = BusKind::spi_start; }),
+              "board: the panel cannot take this format on this bus");
 }
 
 TEST(BoardData, AnIli9488OnSpiTakesOnlyThreeBytePixels) {

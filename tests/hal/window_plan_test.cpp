@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/display/window_plan.hpp"
+#include <spangle/panels.hpp>
 
 using namespace spangle;
 using namespace spangle::hal;
@@ -200,4 +201,8 @@ TEST(WindowCost, ComesFromTheBus) {
     EXPECT_EQ(window_cost(spi, dcs::commands, 16).window, 1u << 18)
         << "clamped, so that sums stay below 2^32";
     EXPECT_EQ(window_cost(spi, dcs::commands, 12).pixel, 12u);
+    spi.command_cost_ns = 0;
+    EXPECT_EQ(window_cost(spi, panels::oled::ranges, 1).window, 6u * 8);
+    EXPECT_EQ(window_cost(spi, panels::hx8347::commands, 16).window, 17u * 8);
+    EXPECT_EQ(window_cost(spi, panels::oled::pages, 1).window, 0u) << "each page is one anyway";
 }
