@@ -85,7 +85,9 @@ template <Key K> class FusedCase {
         }
         static auto fog() {
             if constexpr (K.fog)
-                return std::type_identity<Seq<N, FogCoord<N, projective>, FogLinear<N>>>{};
+                return std::type_identity<
+                    Seq<N, std::conditional_t<full && K.color, FogCoordDivided<N>, FogCoord<N, projective>>,
+                        FogLinear<N>>>{};
             else
                 return std::type_identity<None<N, 3>>{};
         }

@@ -23,6 +23,16 @@ template <class V, class T> SPANGLE_INLINE void set_lane(Rgba<V>& v, int i, cons
 /// fraction bits, saturated.
 template <class T, int Count> struct TexCoords { T s[Count], t[Count]; };
 
+/// k / (Count - 1) in colour units.
+template <std::uint32_t Count> struct ColorSteps {
+    std::uint32_t at[Count];
+    constexpr ColorSteps() : at{} {
+        constexpr std::uint32_t most = Count - 1;
+        for (std::uint32_t k = 0; k < Count; ++k)
+            at[k] = static_cast<std::uint32_t>((std::uint64_t{k} * color_one + most / 2) / most);
+    }
+};
+
 /// Exact tier, and the order of things for the others: 255ths with 20 fraction bits.
 struct Exact {
     using Policy = Fixed;
@@ -40,8 +50,8 @@ struct Exact {
         return (v + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     }
     /// k / 31, k / 63 to a unit; 31 / 31 and 63 / 63 are one.
-    SPANGLE_INLINE static T from5(L::U16 k) { return k * (color_one / 31) + ((k * 231 + 512) >> 10); }
-    SPANGLE_INLINE static T from6(L::U16 k) { return k * (color_one / 63) + ((k * 195 + 512) >> 10); }
+    SPANGLE_INLINE static T from5(L::U16 k) { return steps5.at[k]; }
+    SPANGLE_INLINE static T from6(L::U16 k) { return steps6.at[k]; }
     /// A constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// An interpolated colour of a span.
@@ -89,6 +99,10 @@ struct Exact {
         const auto steps = static_cast<std::uint32_t>((v * factor) >> 32);
         return (steps + (threshold32 << (27 - Bits))) >> (32 - Bits);
     }
+
+  private:
+    static constexpr ColorSteps<32> steps5{};
+    static constexpr ColorSteps<64> steps6{};
 };
 
 /// Balanced tier: 255ths with 8 fraction bits in 16 bits (0 .. 65280), the same bits with one lane and with

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "raster/span/inverse.hpp"
 #include "raster/span/number.hpp"
 #include "raster/span/span.hpp"
 
@@ -53,6 +54,7 @@ template <class N> struct Px {
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
     typename N::Fog fog;                           ///< fog coordinate (draw_state.hpp)
+    Inverse inverse;                               ///< GouraudQ's, for stages fused behind it
 
     Px() = default;
     /// Of a span, or what stands for one row of it.

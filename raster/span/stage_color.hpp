@@ -1,23 +1,10 @@
 // The primary colour of a fragment, and the colour sum (GL 1.3, 3.9).
 #pragma once
 
-#include "raster/numeric/reciprocal.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/stage.hpp"
 
 namespace spangle::raster {
-
-/// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
-/// counts as the least positive one.
-struct Inverse {
-    std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
-    int zeros;
-    SPANGLE_INLINE explicit Inverse(std::int32_t q) {
-        const std::uint32_t positive = q > 0 ? static_cast<std::uint32_t>(q) : 1u;
-        zeros = numeric::clz32(positive);
-        mantissa = numeric::reciprocal(positive << zeros);
-    }
-};
 
 /// A projective accumulator without its guard bits.
 SPANGLE_INLINE std::int32_t unguarded(std::uint64_t v) {
@@ -129,6 +116,7 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Inverse inverse(unguarded(q));
+        p.inverse = inverse;
         p.color.r = N::from_units(detail::projective_color(c[0], inverse));
         p.color.g = N::from_units(detail::projective_color(c[1], inverse));
         p.color.b = N::from_units(detail::projective_color(c[2], inverse));
@@ -210,18 +198,32 @@ template <class N> struct FogCoord<N, true> : StageBase {
     SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
         : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const Inverse inverse(unguarded(q));
-        const std::int64_t product = std::int64_t{unguarded(f)} * inverse.mantissa; // f/q 2^(62 - zeros)
-        const int down = 38 - inverse.zeros - exponent;
-        p.fog =
-            static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
-                                                 : numeric::scale_saturate(product, -down));
+        p.fog = at(Inverse(unguarded(q)));
         return true;
     }
     SPANGLE_INLINE void step() {
         q += dq;
         f += df;
     }
+
+  protected:
+    SPANGLE_INLINE std::uint32_t at(const Inverse& inverse) const {
+        const std::int64_t product = std::int64_t{unguarded(f)} * inverse.mantissa; // f/q 2^(62 - zeros)
+        const int down = 38 - inverse.zeros - exponent;
+        return static_cast<std::uint32_t>(down >= 0
+                                              ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
+                                              : numeric::scale_saturate(product, -down));
+    }
+};
+
+/// Behind GouraudQ, which has divided already.
+template <class N> struct FogCoordDivided : FogCoord<N, true> {
+    using FogCoord<N, true>::FogCoord;
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.fog = this->at(p.inverse);
+        return true;
+    }
+    SPANGLE_INLINE void step() { this->f += this->df; }
 };
 
 } // namespace spangle::raster

@@ -28,6 +28,16 @@ template <class Mean> double worst_error(std::uint32_t most, Mean mean) {
     return worst;
 }
 
+TEST(Filter, StepsOfTheExactTierAreNearest) {
+    const auto twice_off = [](std::uint32_t value, std::int64_t k, std::int64_t most) {
+        return 2 * std::abs(std::int64_t{value} * most - k * color_one);
+    };
+    for (std::uint32_t k = 0; k < 32; ++k)
+        EXPECT_LE(twice_off(Exact::from5(k), k, 31), 31) << k;
+    for (std::uint32_t k = 0; k < 64; ++k)
+        EXPECT_LE(twice_off(Exact::from6(k), k, 63), 63) << k;
+}
+
 TEST(Filter, ErrorOf565) {
     const auto channel = [](int shift, auto member) {
         return [=](auto c00, auto c10, auto c01, auto c11, auto a, auto b) {
