@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/cli/bringup.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/session.hpp"
 #include <spangle/boards/boards.hpp>
@@ -189,6 +190,20 @@ int demo(const std::string& folder) {
     return 0;
 }
 
+/// What names the bus a panel hangs on.
+void add_bus_options(CLI::App& command, bringup::BusOptions& bus) {
+    command.add_option("--board", bus.board, "the simulated board; with a real bus: whose panel it is like")
+        ->capture_default_str();
+    command.add_option("--spidev", bus.spidev, "a real panel behind this spidev");
+    command.add_option("--dc", bus.dc, "its D/C line, CHIP:NUMBER; none: 3-wire");
+    command.add_option("--reset", bus.reset, "its reset line");
+    command.add_option("--light", bus.light, "its backlight's line");
+    command.add_flag("--ftdi", bus.ftdi, "a real panel at an FT232H");
+    command.add_option("--usb", bus.usb_file, "that adapter's file in /dev/bus/usb");
+    command.add_option("--hz", bus.hz, "write clock, instead of the board's");
+    command.add_option("--read-hz", bus.read_hz, "read clock, instead of the board's");
+}
+
 /// The program, but for what nobody can foresee.
 int spangle_main(int argc, char** argv) {
     CLI::App app{"Spangle: OpenGL for small display boards. Draws scenes and models on simulated boards."};
@@ -264,6 +279,20 @@ int spangle_main(int argc, char** argv) {
     run->add_flag("--window", options.window, "show the glass, its memory and the bus counters");
     run->add_flag("--json", options.json, "print the figures as one JSON object");
 
+    cli::BringupOptions bringup;
+    CLI::App* const probe = app.add_subcommand("probe", "ask the panel on a bus who it is");
+    add_bus_options(*probe, bringup.bus);
+    CLI::App* const card = app.add_subcommand("card", "show the test card");
+    add_bus_options(*card, bringup.bus);
+    card->add_option("--shot", bringup.shot, "write the simulated glass as PNG");
+    card->add_option("--wrong", bringup.wrong, "with one setting that is not as it should be");
+    card->add_flag("--list-wrong", bringup.list_wrong, "list these settings, and what mends each");
+    CLI::App* const wizard =
+        app.add_subcommand("wizard", "ask what the test card looks like, print the board's definition");
+    add_bus_options(*wizard, bringup.bus);
+    wizard->add_option("--glass", bringup.glass, "size of the glass, WIDTHxHEIGHT, as it is held upright");
+    wizard->add_option("--shot", bringup.shot, "write the simulated glass as PNG, for each card");
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -277,6 +306,12 @@ int spangle_main(int argc, char** argv) {
         return bench();
     if (app.got_subcommand("demo"))
         return demo(folder);
+    if (app.got_subcommand(probe))
+        return cli::probe(bringup);
+    if (app.got_subcommand(card))
+        return cli::card(bringup);
+    if (app.got_subcommand(wizard))
+        return cli::wizard(bringup);
     options.precision = precision_of(precision);
     return run_command(options, size, dither);
 }

@@ -13,6 +13,7 @@
 
 #include "boards/scenes/scene.hpp"
 #include "gl/egl/reference.hpp"
+#include "host_sim/bringup/attach.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
@@ -57,13 +58,6 @@ std::string make_program(const RunOptions& options, Model& model, Program& out) 
     out = {model.name, [&model](int w, int h) { setup_model(model, w, h); },
            [&model](int f) { draw_model(model, f); }};
     return "";
-}
-
-const hal::Board* find_board(const std::string& name) {
-    for (const hal::Board* board : boards::all)
-        if (name == board->name || std::string(board->name).rfind(name + "-", 0) == 0)
-            return board;
-    return nullptr;
 }
 
 /// The board with other ways to present, or the rule that this breaks.
@@ -196,7 +190,7 @@ RunResult run(const RunOptions& options) {
         result.notes += note + "\n";
 
     const bool on_board = options.width == 0;
-    const hal::Board* const description = on_board ? find_board(options.board) : nullptr;
+    const hal::Board* const description = on_board ? bringup::find_board(options.board) : nullptr;
     if (on_board && description == nullptr) {
         result.error = "no board '" + options.board + "'; `spangle boards` lists them";
         return result;

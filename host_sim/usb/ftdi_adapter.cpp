@@ -40,6 +40,7 @@ std::vector<std::uint8_t> FtdiAdapter::descriptors() const {
 void FtdiAdapter::power_cycle() {
     mode_ = Mode::serial;
     latency_ms_ = 16;
+    engine.purge(true, true);
     engine.restart();
 }
 

@@ -40,8 +40,6 @@ std::size_t length_of(std::uint8_t command) {
 } // namespace
 
 void MpsseEngine::restart() {
-    stream_.clear();
-    answers_.clear();
     outputs_ = values_ = divisor_ = 0;
     full_base_ = false;
     loopback_ = true; // a driver may not rely on it

@@ -19,7 +19,7 @@ class MpsseEngine : public PinHeader {
     /// Bits take time of this clock.
     explicit MpsseEngine(Kernel& clock) : clock_(clock) {}
 
-    /// As when the mode is set: pins are inputs, nothing is remembered.
+    /// As when the mode is set: pins are inputs, clocks as at first. What waits in the buffers stays.
     void restart();
     void purge(bool stream, bool answers);
     void feed(const std::uint8_t* bytes, std::size_t count);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests the command line as a user meets it.
 
-usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|presents|window
+usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|presents|window|bringup
 """
 import json
 import os
@@ -246,8 +246,35 @@ def window():
             check(len(lines) == 1 and "no window" in lines[0] if said else lines == [], f"{driver}: {done.stderr!r}")
 
 
+def bringup():
+    """probe, card, wizard and the gallery: a panel is found, seen, described."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    probe = run("probe", "--board", "ili9341-spi")
+    check(probe.returncode == 0 and "fits: ILI9341 240x320  (board ili9341-spi)" in probe.stdout, f"probe: {probe.stdout}{probe.stderr}")
+    for words, says in ((["probe", "--board", "st7789-240"], "cannot read"), (["probe", "--board", "none"], "no board 'none'"),
+                        (["probe", "--spidev", "/dev/spidev99.9", "--dc", "gpiochip0:24"], "/dev/spidev99.9: open: No such file"),
+                        (["probe", "--spidev", "/dev/spidev99.9", "--dc", "24"], "CHIP:NUMBER"), (["card", "--wrong", "nothing"], "no setting 'nothing'"),
+                        (["probe", "--ftdi", "--usb", "/dev/bus/usb/999/999"], "/dev/bus/usb/999/999: open: No such file"),
+                        (["wizard", "--glass", "0x9"], "--glass takes"), (["wizard"], "the answers ended")):
+        done = subprocess.run([SPANGLE, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        check(done.returncode == 2 and says in done.stderr.splitlines()[-1] and done.stdout == "", f"{words}: {done.stderr!r}")
+    with tempfile.TemporaryDirectory() as folder:
+        shot, card, header = (pathlib.Path(folder) / name for name in ("wizard.png", "card.png", "my_board.hpp"))
+        answers = "n\ny\nr\nf\nu\n0 20\ny\nr\nf\nu\n0 0\n"
+        done = subprocess.run([SPANGLE, "wizard", "--board", "st7789-240x280", "--shot", str(shot)], input=answers, capture_output=True, text=True)
+        check(done.returncode == 0 and "p.offset = {0, 20};" in done.stdout, f"wizard: {done.stdout}{done.stderr}")
+        check(run("card", "--board", "st7789-240x280", "--shot", str(card)).returncode == 0, "card")
+        check(shot.read_bytes() == card.read_bytes(), "the wizard's last card is the right one")
+        header.write_text(done.stdout)
+        rooms = [f"-I{root / room / 'include'}" for room in ("hal", "raster/format", "boards")]
+        compiled = subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-x", "c++", *rooms, str(header)], capture_output=True, text=True)
+        check(compiled.returncode == 0, f"the definition compiles: {compiled.stderr}")
+    gallery = subprocess.run([sys.executable, str(root / "host_sim/tools/gallery.py"), SPANGLE, "--check"], capture_output=True, text=True)
+    check(gallery.returncode == 0, gallery.stdout)
+
+
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "window"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "window", "bringup"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()

@@ -1,0 +1,81 @@
+#include "host_sim/bringup/card.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace spangle::bringup {
+namespace {
+
+struct Color {
+    std::uint8_t r, g, b;
+};
+constexpr Color black = {0, 0, 0}, white = {255, 255, 255}, red = {255, 0, 0}, green = {0, 255, 0},
+                blue = {0, 0, 255};
+
+void fill(sim::Image& image, int x, int y, int w, int h, Color c) {
+    for (int row = std::max(y, 0); row < std::min(y + h, image.height); ++row)
+        for (int column = std::max(x, 0); column < std::min(x + w, image.width); ++column) {
+            std::uint8_t* const p = image.at(column, row);
+            p[0] = c.r, p[1] = c.g, p[2] = c.b;
+        }
+}
+
+/// Five columns, seven rows.
+void letter(sim::Image& image, int x, int y, int scale, std::string_view shape) {
+    for (int i = 0; i < 35; ++i)
+        if (shape[static_cast<std::size_t>(i)] == '#')
+            fill(image, x + i % 5 * scale, y + i / 5 * scale, scale, scale, white);
+}
+
+constexpr std::string_view letters[] = {
+    "####.#...##...#####.#.#..#..#.#...#", ".###.#...##....#.####...##...#.####",
+    "####.#...##...#####.#...##...#####.", "######....#....####.#....#....#...."};
+
+/// What a format of the frame's memory makes of a colour.
+void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swapped) {
+    if (format_info(format).bytes_per_pixel != 2) {
+        std::copy_n(rgb, 3, at);
+        return;
+    }
+    const unsigned word = (rgb[0] >> 3u) << 11 | (rgb[1] >> 2u) << 5 | rgb[2] >> 3u;
+    const bool high_first = (format == PixelFormat::rgb565_be) != swapped;
+    at[high_first ? 0 : 1] = static_cast<std::uint8_t>(word >> 8);
+    at[high_first ? 1 : 0] = static_cast<std::uint8_t>(word);
+}
+
+} // namespace
+
+sim::Image card(int width, int height) {
+    sim::Image image(width, height);
+    fill(image, 0, 0, width, height, white);
+    fill(image, 1, 1, width - 2, height - 2, black);
+    const int row = height / 8, scale = std::max(1, std::min(width / 16, height / 32));
+    // The F stands in the upper half, left of the middle: no turn and no mirror shows the same.
+    letter(image, width / 8, row, std::max(1, std::min(width / 12, height / 20)), letters[3]);
+    const Color colors[] = {red, green, blue};
+    for (int i = 0; i < 3; ++i) {
+        const int y = height / 2 + i * row;
+        letter(image, width / 8, y, std::max(1, scale / 2), letters[i]);
+        fill(image, width / 2, y, width / 4 - i * width / 16, row * 3 / 4, colors[i]);
+    }
+    return image;
+}
+
+hal::Result<void> show(hal::Display& display, const sim::Image& picture, bool swapped) {
+    const hal::Result<hal::Frame> frame = display.acquire();
+    if (!frame)
+        return frame.error();
+    const hal::DisplayInfo info = display.info();
+    if (picture.width != info.width || picture.height != info.height)
+        return hal::Error{hal::Fault::bad_argument, "card: the picture has another size than the display"};
+    const std::size_t bytes = format_info(info.format).bytes_per_pixel;
+    for (int y = 0; y < info.height; ++y) {
+        std::uint8_t* const row = frame.value().pixels + std::ptrdiff_t{y} * frame.value().stride;
+        for (int x = 0; x < info.width; ++x)
+            put(row + static_cast<std::size_t>(x) * bytes, info.format, picture.at(x, y), swapped);
+        frame.value().extents->rows[y] = {0, static_cast<std::int16_t>(info.width)};
+    }
+    return display.present();
+}
+
+} // namespace spangle::bringup

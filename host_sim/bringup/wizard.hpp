@@ -1,0 +1,51 @@
+// From what somebody sees to a panel's data: shows the test card, asks, corrects, until it looks right.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <spangle/hal/board.hpp>
+
+namespace spangle::bringup {
+
+/// What is believed of a module: the description and how the picture is turned.
+struct Guess {
+    hal::PanelDesc panel;
+    hal::Orientation orientation{};
+};
+
+struct Wizardry {
+    std::string error; ///< empty: the card looks right with `guess`
+    Guess guess;
+    int cards = 0; ///< that were shown
+};
+
+/// What a controller is, before anything is known of its glass.
+Guess first_guess(const hal::PanelDesc& like, hal::Extent glass);
+
+/// Shows the card as this guess has it; empty, or why it cannot.
+using Show = std::function<std::string(const Guess&)>;
+/// Asks a question; the answer, or false when nobody answers any more.
+using Ask = std::function<bool(const std::string& question, std::string& answer)>;
+
+Wizardry ask_until_right(const Guess& start, const Show& show, const Ask& ask);
+
+/// A display of this guess on a bus, for as long as it is held.
+class Stand {
+  public:
+    Stand(hal::Bus& bus, const hal::PanelConfig& config);
+    ~Stand();
+    Stand(const Stand&) = delete;
+    Stand& operator=(const Stand&) = delete;
+    hal::Display& display();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// The source of a header that describes the board.
+std::string definition(const Guess& guess, const hal::Board& like);
+
+} // namespace spangle::bringup
