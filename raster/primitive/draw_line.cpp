@@ -49,10 +49,7 @@ class LineBatch {
     LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
         : state_(state), target_(target), width_(width),
           area_(width == 1 && !observed(state.counters) ? state.paths : DrawState::Area{}),
-          row_(target.color_stride / 2) {
-        if constexpr (L::count > 1) // lanes without a line
-            x_ = y_ = {};
-    }
+          row_(target.color_stride / 2) {}
 
     /// From vertices i to i + 1, i = 0, step, ... The latter give the colours when state.flat, or
     /// `provoking`.
@@ -61,7 +58,7 @@ class LineBatch {
         step_ = step;
         provoking_ = provoking;
         count_ = step == 1 ? n - 1 : n / 2;
-        b_ = step == 1 ? 1 : Paths::size;
+        b_ = step == 1 ? 1 : room;
         if (!load(n)) {
             if (count_ != 1)
                 return one_by_one(v, n, step);
@@ -77,8 +74,10 @@ class LineBatch {
 
   private:
     using L = HostLines;
-    /// Of vertices: the first ends of all lines, and from b_ on their second ends.
-    template <class T> struct Ends { T at[2 * Paths::size + 1]; };
+    /// Of vertices: the first ends of all lines, and from b_ on their second ends. The last lines may share a
+    /// vector with lanes that have none.
+    static constexpr int room = Paths::size + L::count - 1;
+    template <class T> struct Ends { T at[2 * room]; };
 
     AnyFunction walk_of(Kind kind) const { return state_.variant[static_cast<unsigned>(kind)].walk; }
 
@@ -104,6 +103,11 @@ class LineBatch {
             }
             word_.at[at] = word;
             last = &v;
+        }
+        for (int k = 0; k < L::count - 1; ++k) { // lanes without a line
+            if (apart != 0)
+                x_.at[count_ + k] = y_.at[count_ + k] = 0;
+            x_.at[count_ + b + k] = y_.at[count_ + b + k] = 0;
         }
         if (provoking_ != nullptr && flat)
             word_.at[b] = word565(provoking_->color);
