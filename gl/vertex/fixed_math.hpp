@@ -289,12 +289,15 @@ struct FixedMath {
 
     // --- what selection and feedback return
 
+    /// Out of line: what goes back to the program needs few bytes rather than few cycles.
+    [[gnu::noinline]] static Real real(numeric::Block v) { return numeric::to_real(v); }
+
     /// Window z times 2^32 - 1, nearest.
     static std::uint32_t depth_word(const Window& v) {
         return static_cast<std::uint32_t>((std::uint64_t{v.z} * 0xFFFFFFFF + raster::depth_one / 2) >> 30);
     }
     /// The window before snapping: x, y, z, and w of the clip coordinates.
-    static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
+    [[gnu::noinline]] static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         const numeric::Block w = numeric::component(c, 3);
         const auto place = [&](int i, std::int32_t middle, std::int32_t half, int bits) {
             const numeric::Block quotient = numeric::div(numeric::component(c, i), w);
@@ -304,12 +307,12 @@ struct FixedMath {
         out[0] = place(0, t.x.middle, -t.x.minus_half, raster::subpixel_bits);
         out[1] = place(1, t.y.middle, -t.y.minus_half, raster::subpixel_bits);
         out[2] = place(2, t.depth.middle, -t.depth.minus_half, 30);
-        out[3] = numeric::to_real(w);
+        out[3] = real(w);
     }
-    static void color_of(const Window& v, Real (&out)[4]) {
-        constexpr numeric::Block one = numeric::make_block(raster::color_one, 0);
+    [[gnu::noinline]] static void color_of(const Window& v, Real (&out)[4]) {
+        constexpr numeric::Block unit = numeric::reciprocal(numeric::make_block(raster::color_one, 0));
         for (int c = 0; c < 4; ++c)
-            out[c] = numeric::to_real(numeric::div(numeric::make_block(v.color[c], 0), one));
+            out[c] = real(numeric::mul(numeric::make_block(v.color[c], 0), unit));
     }
     /// Generated coordinates. Where q is what was given, 1 and not generated, it stays 1.
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
@@ -323,9 +326,9 @@ struct FixedMath {
         const numeric::Block4 v = numeric::to_block(strq[0].v, strq[1].v, strq[2].v, strq[3].v);
         return t.texture_is_identity[unit] ? v : numeric::transform(t.texture[unit], v);
     }
-    static void reals(const Eye& v, Real (&out)[4]) {
+    [[gnu::noinline]] static void reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)
-            out[c] = numeric::to_real(numeric::component(v, c));
+            out[c] = real(numeric::component(v, c));
     }
 
     // --- attributes
