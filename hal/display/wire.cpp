@@ -5,72 +5,79 @@
 namespace spangle::hal {
 namespace {
 
-/// A component as the surface holds it: k / max.
-struct Component {
-    std::uint32_t k = 0, max = 255;
+/// A component as the surface holds it: k / Max.
+template <std::uint32_t Max> struct Component { std::uint32_t k = 0; };
+/// floor(v / Max) for v < 2^14: m = ceil(2^22 / Max) and v (m Max - 2^22) < 2^22. Small cores cannot divide.
+template <std::uint32_t Max> constexpr std::uint32_t divide(std::uint32_t v) {
+    return v * (((1u << 22) + Max - 1) / Max) >> 22;
+}
+
+/// floor(k / Max (2^Bits - 1) + threshold / 32): what GL dithers to (docs/architecture.md, "Numbers").
+template <unsigned Bits, std::uint32_t Max>
+std::uint32_t dithered(Component<Max> c, std::uint32_t threshold) {
+    return divide<Max>(c.k * ((1u << Bits) - 1) + (threshold * Max >> 5));
+}
+
+template <std::uint32_t Max> std::uint32_t eight_bits(Component<Max> c) {
+    return divide<Max>(c.k * 255 + Max / 2);
+}
+
+/// Pixels of 16 bits, the high byte first or last.
+struct Of565 {
+    Component<31> r;
+    Component<63> g;
+    Component<31> b;
+
+    Of565(const std::uint8_t* p, std::int32_t high) {
+        const std::uint32_t word = std::uint32_t{p[high]} << 8 | p[1 - high];
+        r.k = word >> 11, g.k = word >> 5 & 63, b.k = word & 31;
+    }
 };
-struct Color {
-    Component r, g, b;
+
+/// Pixels of a byte a component, with alpha or without.
+struct Of888 {
+    Component<255> r, g, b;
+
+    Of888(const std::uint8_t* p, std::int32_t) : r{p[0]}, g{p[1]}, b{p[2]} {}
 };
-
-Color load(PixelFormat format, const std::uint8_t* p) {
-    if (format == PixelFormat::rgb888 || format == PixelFormat::rgba8888)
-        return {{p[0], 255}, {p[1], 255}, {p[2], 255}};
-    const unsigned high = format == PixelFormat::rgb565_be ? p[0] : p[1];
-    const unsigned low = format == PixelFormat::rgb565_be ? p[1] : p[0];
-    const std::uint32_t word = high << 8 | low;
-    return {{word >> 11, 31}, {word >> 5 & 63, 63}, {word & 31, 31}};
-}
-
-/// v / max, exactly, for the three maxima above and v < 2^14: m = ceil(2^22 / max) and v (m max - 2^22) <
-/// 2^22.
-std::uint32_t divide(std::uint32_t v, std::uint32_t max) {
-    const std::uint32_t m = max == 255 ? 16449u : max == 63 ? 66577u : 135301u;
-    return v * m >> 22;
-}
-
-/// floor(k / max (2^Bits - 1) + threshold / 32): what GL dithers to (docs/architecture.md, "Numbers").
-template <unsigned Bits> std::uint32_t dithered(Component c, std::uint32_t threshold) {
-    return divide(c.k * ((1u << Bits) - 1) + (threshold * c.max >> 5), c.max);
-}
-
-std::uint32_t eight_bits(Component c) {
-    return divide(c.k * 255 + c.max / 2, c.max);
-}
-
-template <unsigned Bits> std::uint32_t dithered_grey(const Color& c, std::uint32_t threshold) {
-    return dithered<Bits>({luma(eight_bits(c.r), eight_bits(c.g), eight_bits(c.b)), 255}, threshold);
-}
 
 /// A row of the picture, to be asked for its pixels' values.
-template <class Value> class Row {
+template <class Color, class Value> class Row {
   public:
+    Row() = default;
     Row(const Picture& picture, std::int32_t y)
-        : at_(picture.pixels + static_cast<std::ptrdiff_t>(y) * picture.stride), format_(picture.format),
+        : at_(picture.pixels + static_cast<std::ptrdiff_t>(y) * picture.stride),
           bytes_(format_info(picture.format).bytes_per_pixel),
+          high_(picture.format == PixelFormat::rgb565_be ? 0 : 1),
           thresholds_(dither_row(picture.height - 1 - y)) {}
 
     std::uint32_t operator[](std::int32_t x) const {
-        return Value{}(load(format_, at_ + static_cast<std::ptrdiff_t>(x) * bytes_),
+        return Value{}(Color(at_ + static_cast<std::ptrdiff_t>(x) * bytes_, high_),
                        dither_threshold(thresholds_, x));
     }
 
   private:
-    const std::uint8_t* at_;
-    PixelFormat format_;
-    std::int32_t bytes_;
-    std::uint32_t thresholds_;
+    const std::uint8_t* at_ = nullptr;
+    std::int32_t bytes_ = 0, high_ = 0;
+    std::uint32_t thresholds_ = 0;
 };
 
+/// Calls `convert` with the colour type of the picture's pixels.
+template <class Convert> std::size_t for_format(const Picture& picture, Convert convert) {
+    const bool wide = picture.format == PixelFormat::rgb888 || picture.format == PixelFormat::rgba8888;
+    return wide ? convert.template operator()<Of888>() : convert.template operator()<Of565>();
+}
+
 template <unsigned Red, unsigned Green, unsigned Blue> struct Packed {
-    std::uint32_t operator()(const Color& c, std::uint32_t threshold) const {
+    template <class Color> std::uint32_t operator()(const Color& c, std::uint32_t threshold) const {
         return dithered<Red>(c.r, threshold) << (Green + Blue) | dithered<Green>(c.g, threshold) << Blue |
                dithered<Blue>(c.b, threshold);
     }
 };
 template <unsigned Bits> struct Grey {
-    std::uint32_t operator()(const Color& c, std::uint32_t threshold) const {
-        return dithered_grey<Bits>(c, threshold);
+    template <class Color> std::uint32_t operator()(const Color& c, std::uint32_t threshold) const {
+        return dithered<Bits>(Component<255>{luma(eight_bits(c.r), eight_bits(c.g), eight_bits(c.b))},
+                              threshold);
     }
 };
 
@@ -80,11 +87,14 @@ std::uint8_t low_byte(std::uint32_t v) {
 
 /// Calls `put` with the value of each pixel, row by row.
 template <class Value, class Put> void for_each(const Picture& picture, const Rect& area, Put put) {
-    for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
-        const Row<Value> row(picture, y);
-        for (std::int32_t x = area.x; x < area.x + area.w; ++x)
-            put(row[x]);
-    }
+    for_format(picture, [&]<class Color>() -> std::size_t {
+        for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
+            const Row<Color, Value> row(picture, y);
+            for (std::int32_t x = area.x; x < area.x + area.w; ++x)
+                put(row[x]);
+        }
+        return 0;
+    });
 }
 
 /// The bytes of formats whose pixels share one: `Count` of them, side by side, or one above the other.
@@ -92,16 +102,22 @@ template <class Value, class Put> void for_each(const Picture& picture, const Re
 template <class Value, int Count, class Join>
 std::size_t share_bytes(const Picture& picture, const Rect& area, bool side_by_side, std::uint8_t* to,
                         Join join) {
-    std::uint8_t* const begin = to;
     const std::int32_t across = side_by_side ? Count : 1, down = side_by_side ? 1 : Count;
-    for (std::int32_t y = area.y; y < area.y + area.h; y += down)
-        for (std::int32_t x = area.x; x < area.x + area.w; x += across) {
-            std::uint32_t byte = 0;
-            for (std::int32_t i = 0; i < Count; ++i)
-                byte = join(byte, Row<Value>(picture, side_by_side ? y : y + i)[side_by_side ? x + i : x], i);
-            *to++ = low_byte(byte);
+    return for_format(picture, [&]<class Color>() {
+        std::uint8_t* at = to;
+        Row<Color, Value> rows[Count];
+        for (std::int32_t y = area.y; y < area.y + area.h; y += down) {
+            for (std::int32_t i = 0; i < down; ++i)
+                rows[i] = Row<Color, Value>(picture, y + i);
+            for (std::int32_t x = area.x; x < area.x + area.w; x += across) {
+                std::uint32_t byte = 0;
+                for (std::int32_t i = 0; i < Count; ++i)
+                    byte = join(byte, side_by_side ? rows[0][x + i] : rows[i][x], i);
+                *at++ = low_byte(byte);
+            }
         }
-    return static_cast<std::size_t>(to - begin);
+        return static_cast<std::size_t>(at - to);
+    });
 }
 
 } // namespace

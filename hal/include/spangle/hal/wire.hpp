@@ -77,7 +77,7 @@ inline constexpr Wire mono = {WireFormat::mono, to_mono};
 
 /// Luma of 8-bit components, in tenths as the kernel's drivers have it (drm_fb_xrgb8888_to_gray8).
 constexpr std::uint32_t luma(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-    return (3 * r + 6 * g + b) / 10;
+    return (3 * r + 6 * g + b) * 6554 >> 16; // a tenth, exactly below 16384
 }
 
 } // namespace spangle::hal
