@@ -185,8 +185,13 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     };
     enter();
     List list(span, row->first - span.x);
+    // Runs of less than a group leave most lanes dead.
+    const auto lanes_pay = [&] {
+        const std::int32_t x = row->first - span.x;
+        return copied || (n >= 8 && (!List::runs || list.begin(x) - x >= 8));
+    };
     for (;;) {
-        if (n < 8 && !copied) {
+        if (!lanes_pay()) {
             fused_narrow_row<Case>(span, *row);
         } else {
             if (copied) {
