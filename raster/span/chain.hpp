@@ -114,33 +114,42 @@ SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
     }
 }
 
-/// What lies in a plane beyond a packet that is not full is not touched: lanes work on a copy.
+/// What lies in a plane beyond a packet that is not full is not touched: lanes, which store words of 16 bits,
+/// work on a copy.
 class PacketCopy {
   public:
-    template <class N>
-    SPANGLE_INLINE void enter(Packet<N>& k, std::int32_t color_bytes, std::int32_t depth_bytes) {
-        color_plane_ = k.color_plane;
-        depth_plane_ = k.depth_plane;
-        color_bytes_ = k.n * color_bytes;
-        depth_bytes_ = k.n * depth_bytes;
-        copy(k.color_plane = color_, color_plane_, color_bytes_);
-        copy(k.depth_plane = depth_, depth_plane_, depth_bytes_);
+    template <class N> SPANGLE_INLINE void enter(Packet<N>& k, bool color, bool depth) {
+        color_.enter(k.color_plane, color ? 2 * k.n : 0);
+        depth_.enter(k.depth_plane, depth ? 2 * k.n : 0);
     }
     SPANGLE_INLINE void leave() const {
-        copy(color_plane_, color_, color_bytes_);
-        copy(depth_plane_, depth_, depth_bytes_);
+        color_.leave();
+        depth_.leave();
     }
 
   private:
-    alignas(16) std::uint8_t color_[4 * packet_length], depth_[4 * packet_length];
-    std::uint8_t *color_plane_, *depth_plane_;
-    std::int32_t color_bytes_, depth_bytes_;
+    struct Plane {
+        alignas(16) std::uint8_t words[2 * packet_length];
+        std::uint8_t* at;
+        std::int32_t bytes;
+        SPANGLE_INLINE void enter(std::uint8_t*& plane, std::int32_t n) {
+            at = plane;
+            bytes = n;
+            if (bytes == 0)
+                return;
+            copy(words, at, bytes);
+            plane = words;
+        }
+        SPANGLE_INLINE void leave() const {
+            if (bytes != 0)
+                copy(at, words, bytes);
+        }
+    } color_, depth_;
 
-    /// Less than 4 packet_length bytes, which are not worth a call.
+    /// Not worth a call.
     SPANGLE_INLINE static void copy(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
         static_assert(packet_length <= 32);
-        if (bytes != 0)
-            parts<64, 32, 16, 8, 4, 2, 1>(to, from, bytes);
+        parts<32, 16, 8, 4, 2>(to, from, bytes);
     }
     template <int... Size>
     SPANGLE_INLINE static void parts(std::uint8_t* to, const std::uint8_t* from, std::int32_t bytes) {
@@ -173,11 +182,9 @@ template <class N, class S> void chain_stage(Packet<N>& k, const Span<typename N
 }
 
 /// Runs the chain of the span's kind.
-template <class N> void chain_span(const Span<typename N::Policy>& span) {
+template <class N> SPANGLE_INLINE void chain_span(const Span<typename N::Policy>& span) {
     const AnyFunction* const stages = span.state->variant[static_cast<unsigned>(span.kind)].chain;
-    const std::int32_t color_bytes = format_info(span.target->format).bytes_per_pixel;
-    const DepthFormat depth = span.state->depth_format;
-    const std::int32_t depth_bytes = depth == DepthFormat::none ? 0 : depth == DepthFormat::z16 ? 2 : 4;
+    const std::int32_t color_bytes = span.state->color_bytes, depth_bytes = span.state->depth_bytes;
     Packet<N> k;
     [[maybe_unused]] detail::PacketCopy copy;
     for (k.x = span.begin; k.x < span.end; k.x += k.n) {
@@ -193,7 +200,7 @@ template <class N> void chain_span(const Span<typename N::Policy>& span) {
         if (copied) {
             for (std::int32_t g = k.n / N::lanes; g < Packet<N>::groups; ++g)
                 k.live[g] = N::L::first(k.n - g * N::lanes);
-            copy.enter(k, color_bytes, depth_bytes);
+            copy.enter(k, color_bytes == 2, depth_bytes == 2);
         }
         for (const AnyFunction* f = stages; *f != nullptr && k.alive; ++f)
             reinterpret_cast<ChainStage<N>> (*f)(k, span);

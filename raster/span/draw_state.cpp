@@ -117,6 +117,10 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
                                                                               : 4u << color_fraction_bits;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
+    draw.color_bytes = format_info(target.format).bytes_per_pixel;
+    draw.depth_bytes = key.depth_format == DepthFormat::none  ? 0
+                       : key.depth_format == DepthFormat::z16 ? 2
+                                                              : 4;
     draw.nothing = draws_nothing(state, key);
     draw.needs = needs_of(key);
     draw.textured_or_fogged = key.unit[0].on || key.unit[1].on || key.fog;

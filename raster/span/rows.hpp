@@ -43,15 +43,14 @@ struct PlaneRow {
 };
 
 /// The span becomes this row, whatever the state is.
-template <class P> void enter(Span<P>& span, const Row& row) {
+template <class P> SPANGLE_INLINE void enter(Span<P>& span, const Row& row) {
     span.x = row.left;
     span.y = row.y;
     span.length = row.right - row.left;
     span.begin = row.first - row.left;
     span.end = row.last - row.left;
-    point_at(span.color, span.depth, *span.target, row.first, row.y,
-             format_info(span.target->format).bytes_per_pixel,
-             span.target->depth_format == DepthFormat::z16 ? 1 : 2);
+    point_at(span.color, span.depth, *span.target, row.first, row.y, span.state->color_bytes,
+             span.state->depth_bytes >> 1);
 }
 
 /// A function of one row as one of many.

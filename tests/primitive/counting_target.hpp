@@ -31,6 +31,7 @@ struct CountingTarget {
         surface.color_stride = 2 * w;
         surface.width = w;
         surface.height = h;
+        state.color_bytes = 2;
         state.fragment.scissor = {0, 0, w, h};
         for (auto& variant : state.variant)
             variant.run = reinterpret_cast<AnyFunction>(&by_row<Fixed, &count_span>);
