@@ -119,7 +119,7 @@ const hal::PanelDesc& base_of(hal::Controller controller) {
 }
 
 const char* name_of(hal::BusKind kind) {
-    constexpr const char* names[] = {"spi4", "i8080", "i2c"};
+    constexpr const char* names[] = {"spi4", "i8080", "i2c", "spi_start"};
     const auto index = static_cast<unsigned>(kind);
     return index < std::size(names) ? names[index] : names[0];
 }
