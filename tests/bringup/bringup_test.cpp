@@ -86,6 +86,18 @@ TEST(Probe, FailuresAreTold) {
     EXPECT_NE(bringup::probe(sim.bus(), false).error, "");
 }
 
+TEST(Card, ItsFrameIsTheOutermostPixels) {
+    const sim::Image card = bringup::card(80, 160);
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const bool edge = x == 0 || y == 0 || x == 79 || y == 159,
+                       next = x == 1 || y == 1 || x == 78 || y == 158;
+            if (!edge && !next)
+                continue;
+            EXPECT_EQ(card.at(x, y)[0], edge ? 255 : 0) << x << ", " << y;
+        }
+}
+
 TEST(Card, NoTurnAndNoMirrorLooksTheSame) {
     const sim::Image card = bringup::card(60, 60);
     for (const bool mirrored : {false, true})

@@ -1,0 +1,73 @@
+// LVGL 9 draws, any Spangle display shows: a flush callback for lv_display_t. The program brings lvgl.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <lvgl.h>
+#include <spangle/hal/display.hpp>
+
+namespace spangle::adapters {
+
+class LvglDisplay {
+  public:
+    /// The display was initialised. `buffer`: where LVGL draws, aligned as it asks for (LV_DRAW_BUF_ALIGN); a
+    /// tenth of the screen's pixels, two bytes each, is enough.
+    LvglDisplay(hal::Display& display, void* buffer, std::uint32_t bytes) : display_(display) {
+        const hal::DisplayInfo info = display.info();
+        lvgl_ = lv_display_create(info.width, info.height);
+        lv_display_set_color_format(lvgl_, LV_COLOR_FORMAT_RGB565);
+        lv_display_set_user_data(lvgl_, this);
+        lv_display_set_flush_cb(lvgl_, &flush);
+        lv_display_set_buffers(lvgl_, buffer, nullptr, bytes, LV_DISPLAY_RENDER_MODE_PARTIAL);
+    }
+    LvglDisplay(const LvglDisplay&) = delete;
+    LvglDisplay& operator=(const LvglDisplay&) = delete;
+
+    lv_display_t* lvgl() { return lvgl_; }
+    /// What became of the last refresh. After an error the next one sends again what did not arrive.
+    hal::Result<void> result() const { return result_; }
+
+  private:
+    hal::Display& display_;
+    lv_display_t* lvgl_ = nullptr;
+    hal::Result<void> result_;
+
+    static void flush(lv_display_t* lvgl, const lv_area_t* area, std::uint8_t* pixels) {
+        LvglDisplay& self = *static_cast<LvglDisplay*>(lv_display_get_user_data(lvgl));
+        self.result_ = self.take(*area, pixels);
+        if (self.result_ && lv_display_flush_is_last(lvgl))
+            self.result_ = self.display_.present();
+        lv_display_flush_ready(lvgl);
+    }
+
+    /// LVGL's pixels have the low byte first, rows without gaps; corners are inclusive.
+    hal::Result<void> take(const lv_area_t& area, const std::uint8_t* pixels) {
+        const hal::Result<hal::Frame> acquired = display_.acquire();
+        if (!acquired)
+            return acquired.error();
+        const hal::Frame& frame = acquired.value();
+        const PixelFormat format = display_.info().format;
+        if (format != PixelFormat::rgb565_be && format != PixelFormat::rgb565_le)
+            return hal::Error{hal::Fault::unsupported, "lvgl: the display's pixels have not 16 bits"};
+        if (frame.age > 1)
+            return hal::Error{hal::Fault::unsupported,
+                              "lvgl: draws only what changed, so the display needs one buffer"};
+        const unsigned high = format == PixelFormat::rgb565_be ? 0 : 1;
+        const std::int32_t width = area.x2 - area.x1 + 1;
+        for (std::int32_t y = area.y1; y <= area.y2; ++y) {
+            std::uint8_t* to = frame.pixels + std::ptrdiff_t{y} * frame.stride + std::ptrdiff_t{2} * area.x1;
+            for (std::int32_t x = 0; x < width; ++x, to += 2, pixels += 2) {
+                to[high] = pixels[1];
+                to[1 - high] = pixels[0];
+            }
+            RowSpan& row = frame.extents->rows[y];
+            const auto begin = static_cast<std::int16_t>(area.x1),
+                       end = static_cast<std::int16_t>(area.x2 + 1);
+            row = {begin < row.begin ? begin : row.begin, end > row.end ? end : row.end};
+        }
+        return {};
+    }
+};
+
+} // namespace spangle::adapters
