@@ -98,7 +98,7 @@ class Family:
         if self.kind == "get_params":
             self.listing = "never"
         self.returns = "GL" + data["returns"] if "returns" in data else "void"
-        self.returns = self.returns.replace("GLconst ", "const GL")
+        self.returns = self.returns.replace("GLconst ", "const GL").replace("GLvoid", "void")
         self.types = [self.type_suffix(word) for word in data.get("types", "").split()]
         self.data, self.by_name = data, by_name
         self.pnames = dict(by_name[data["of"]].pnames if "of" in data else {}, **data.get("pnames", {}))
@@ -300,6 +300,8 @@ HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. Fo
 #define GLAPIENTRY APIENTRY
 #endif
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -311,6 +313,8 @@ typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
 typedef unsigned int GLbitfield;
 typedef void GLvoid;
+typedef ptrdiff_t GLintptr;
+typedef ptrdiff_t GLsizeiptr;
 typedef signed char GLbyte;
 typedef short GLshort;
 typedef int GLint;
@@ -447,7 +451,7 @@ def names(chapters, _tokens):
 # --- what tests and fuzzers walk ---------------------------------------------------------------------------------
 
 FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint": "GLuint(a[{i}].integer)",
-         "int": "GLint(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
+         "int": "GLint(a[{i}].integer)", "intptr": "GLintptr(a[{i}].integer)", "sizeiptr": "GLsizeiptr(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
          "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
 
 
@@ -481,7 +485,7 @@ def test_table(chapters, tokens):
                     accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"
-                    label = {"enum": "enum_", "int": "int_"}.get(label, label)
+                    label = {"enum": "enum_", "int": "int_", "intptr": "int_", "sizeiptr": "sizei"}.get(label, label)
                     args.append(f"{{Kind::{label}, {accepted}, {low}, {high}, {arg.good if arg else '0'}, "
                                 f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
                 arg_list = array("Arg", args) if args else "{}"

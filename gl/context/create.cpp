@@ -29,12 +29,33 @@ void destroy_group(ShareGroup* group) {
     for (std::uint32_t i = 0; i < group->textures.capacity(); ++i)
         if (group->textures.slot(i).name != 0 && group->textures.slot(i).object != nullptr)
             destroy_texture(arena, group->textures.slot(i).object);
+#if SPANGLE_FEATURE_BUFFERS
+    for (std::uint32_t i = 0; i < group->buffers.capacity(); ++i)
+        if (group->buffers.slot(i).name != 0)
+            destroy_buffer(arena, group->buffers.slot(i).object);
+#endif
+    group->buffers.clear(arena);
     group->lists.clear(arena);
     group->textures.clear(arena);
     arena.free(group);
 }
 
 } // namespace
+
+void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names) {
+    if (n < 0 || (n > 0 && names == nullptr))
+        return error(context, GL_INVALID_VALUE);
+    if (n == 0)
+        return;
+    const auto count = static_cast<std::uint32_t>(n);
+    const GLuint first = table.unused(count);
+    if (first == 0 || !table.reserve(context.share->arena, count))
+        return error(context, GL_OUT_OF_MEMORY);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        table.insert(context.share->arena, first + i, nullptr);
+        names[i] = first + i;
+    }
+}
 
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
     void* const memory = arena.allocate(sizeof(Context));

@@ -9,7 +9,12 @@
 namespace spangle::gl {
 
 class Arena;
+class NameTable;
 struct Context;
+
+// gl/context
+/// glGen...: n unused names become used, or an error is set.
+void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names);
 
 // gl/vertex
 /// Top matrix of the stack that GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX or GL_TEXTURE_MATRIX names.
@@ -27,6 +32,9 @@ void release_evaluators(Context& context);
 GLint saved_attributes(const Context& context, bool client);
 /// Frees what is still on the attribute stacks.
 void release_attributes(Context& context);
+
+/// Frees one object of ShareGroup::buffers.
+void destroy_buffer(Arena& arena, void* object);
 
 // gl/texture
 /// What the texture group saves beside rows of the state table: bindings, environments, and parameters of the

@@ -15,6 +15,7 @@ struct ShareGroup {
     /// Images and parameters stored: what any context compiled of textures before is stale.
     std::uint32_t texture_changes = 0;
     NameTable textures; ///< to TextureObject
+    NameTable buffers;  ///< to BufferObject
     NameTable lists;    ///< to list::Chunk, the first of its chain; null for an empty list
 };
 

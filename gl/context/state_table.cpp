@@ -106,6 +106,10 @@ constexpr StateRow of_raster_pos(StateRow row) {
     return of_feature(SPANGLE_FEATURE_RASTER_POS != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_RASTER_POS"), row);
 }
+constexpr StateRow of_buffers(StateRow row) {
+    return of_feature(SPANGLE_FEATURE_BUFFERS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_BUFFERS"),
+                      row);
+}
 constexpr StateRow of_clip_planes(StateRow row) {
     return of_feature(SPANGLE_FEATURE_CLIP_PLANES != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_CLIP_PLANES"), row);
@@ -280,6 +284,14 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride)),
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_POINTER, arrays.tex_coord[0].pointer)),
     HELD(arrays.client_active),
+    of_buffers(STORED(GL_ARRAY_BUFFER_BINDING, arrays.array_buffer)),
+    of_buffers(STORED(GL_ELEMENT_ARRAY_BUFFER_BINDING, arrays.element_buffer)),
+    of_buffers(STORED(GL_VERTEX_ARRAY_BUFFER_BINDING, arrays.vertex.buffer)),
+    of_buffers(STORED(GL_NORMAL_ARRAY_BUFFER_BINDING, arrays.normal.buffer)),
+    of_buffers(STORED(GL_COLOR_ARRAY_BUFFER_BINDING, arrays.color.buffer)),
+    of_buffers(STORED(GL_INDEX_ARRAY_BUFFER_BINDING, arrays.index.buffer)),
+    of_buffers(STORED(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, arrays.edge_flag.buffer)),
+    of_buffers(of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, arrays.tex_coord[0].buffer))),
     in(Group::none),
     computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, active_unit),
     computed(GL_CLIENT_ACTIVE_TEXTURE, Kind::integer, 1, active_unit),

@@ -8,6 +8,7 @@
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/list/record.hpp"
+#include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 
 namespace spangle::gl {
@@ -71,6 +72,7 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
 }
 
 void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
+    const AddressedArrays addressed(context);
     const ElementReader reader(context.arrays);
     Word* const begin = list::record(context, &play_begin_draw, 1 + list::address_words);
     for (GLsizei i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
@@ -96,6 +98,9 @@ namespace encode {
 void ArrayElement(Context& context, GLint i) {
     if (i < 0)
         return list::record_error(context, GL_INVALID_VALUE, true);
+    if (!arrays_reach(context, static_cast<GLuint>(i)))
+        return list::record_error(context, GL_INVALID_OPERATION, true);
+    const AddressedArrays addressed(context);
     capture(context, ElementReader(context.arrays), static_cast<GLuint>(i));
 }
 
@@ -104,15 +109,20 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (first < 0 || count < 0)
         return list::record_error(context, GL_INVALID_VALUE, false);
+    if (count > 0 && !arrays_reach(context, static_cast<GLuint>(first) + static_cast<GLuint>(count) - 1))
+        return list::record_error(context, GL_INVALID_OPERATION, false);
     capture_draw(context, mode, count, {.first = static_cast<GLuint>(first)});
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
     if (mode > GL_POLYGON || !is_index_type(type))
         return list::record_error(context, GL_INVALID_ENUM, false);
-    if (count < 0 || (indices == nullptr && count > 0))
+    if (count < 0 || (indices == nullptr && count > 0 && context.arrays.element_buffer == 0))
         return list::record_error(context, GL_INVALID_VALUE, false);
-    capture_draw(context, mode, count, {.type = type, .data = indices});
+    Indices found{.type = type, .data = indices};
+    if (!find_indices(context, static_cast<GLuint>(count), found))
+        return list::record_error(context, GL_INVALID_OPERATION, false);
+    capture_draw(context, mode, count, found);
 }
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
@@ -120,6 +130,28 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
     if (end < start)
         return list::record_error(context, GL_INVALID_VALUE, false);
     DrawElements(context, mode, count, type, indices);
+}
+
+void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
+                     GLsizei primcount) {
+    if (mode > GL_POLYGON)
+        return list::record_error(context, GL_INVALID_ENUM, false);
+    if (primcount < 0 || (primcount > 0 && (first == nullptr || count == nullptr)))
+        return list::record_error(context, GL_INVALID_VALUE, false);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] > 0)
+            DrawArrays(context, mode, first[i], count[i]);
+}
+
+void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices,
+                       GLsizei primcount) {
+    if (mode > GL_POLYGON || !is_index_type(type))
+        return list::record_error(context, GL_INVALID_ENUM, false);
+    if (primcount < 0 || (primcount > 0 && (count == nullptr || indices == nullptr)))
+        return list::record_error(context, GL_INVALID_VALUE, false);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] > 0)
+            DrawElements(context, mode, count[i], type, indices[i]);
 }
 
 } // namespace encode

@@ -80,19 +80,7 @@ void destroy_texture(Arena& arena, void* object) {
 namespace cmd {
 
 void GenTextures(Context& context, GLsizei n, GLuint* textures) {
-    if (n < 0 || (n > 0 && textures == nullptr))
-        return error(context, GL_INVALID_VALUE);
-    if (n == 0)
-        return;
-    NameTable& names = context.share->textures;
-    const auto count = static_cast<std::uint32_t>(n);
-    const GLuint first = names.unused(count);
-    if (first == 0 || !names.reserve(context.share->arena, count))
-        return error(context, GL_OUT_OF_MEMORY);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        names.insert(context.share->arena, first + i, nullptr);
-        textures[i] = first + i;
-    }
+    gen_names(context, context.share->textures, n, textures);
 }
 
 void DeleteTextures(Context& context, GLsizei n, const GLuint* textures) {

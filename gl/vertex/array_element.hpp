@@ -8,6 +8,9 @@
 
 namespace spangle::gl {
 
+/// Of one component.
+unsigned bytes_of(GLenum type);
+
 /// One array, prepared for any number of elements.
 class ArrayReader {
   public:

@@ -5,8 +5,6 @@
 
 namespace spangle::gl {
 
-namespace {
-
 unsigned bytes_of(GLenum type) {
     switch (type) {
     case GL_BYTE:
@@ -21,6 +19,8 @@ unsigned bytes_of(GLenum type) {
         return 4;
     }
 }
+
+namespace {
 
 /// Client memory need not be aligned for our reads: bytes are copied.
 template <class T> T read(const std::uint8_t* at) {
@@ -59,7 +59,11 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     }
 }
 
-void point(ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+/// The buffer that is bound now is the array's from now on (GL 1.5, 2.9.6).
+void point(ArraysState& arrays, ClientArray& array, GLint size, GLenum type, GLsizei stride,
+           const void* pointer) {
+    array.buffer = arrays.array_buffer;
+    arrays.buffered = arrays.buffered || array.buffer != 0;
     array.size = size;
     array.type = type;
     array.stride = stride;
@@ -109,7 +113,7 @@ void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, co
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.vertex, size, type, stride, pointer);
+    point(context.arrays, context.arrays.vertex, size, type, stride, pointer);
 }
 
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
@@ -117,7 +121,7 @@ void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* po
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type) && type != GL_BYTE)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.normal, 3, type, stride, pointer);
+    point(context.arrays, context.arrays.normal, 3, type, stride, pointer);
 }
 
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -126,7 +130,7 @@ void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, con
     const bool integer = type >= GL_BYTE && type <= GL_UNSIGNED_INT;
     if (!integer && type != GL_FLOAT && type != GL_DOUBLE && type != GL_FIXED)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.color, size, type, stride, pointer);
+    point(context.arrays, context.arrays.color, size, type, stride, pointer);
 }
 
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -134,7 +138,8 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.tex_coord[context.arrays.client_active], size, type, stride, pointer);
+    point(context.arrays, context.arrays.tex_coord[context.arrays.client_active], size, type, stride,
+          pointer);
 }
 
 void ClientActiveTexture(Context& context, GLenum texture) {
@@ -149,7 +154,7 @@ void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* poi
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type) && type != GL_UNSIGNED_BYTE)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays.index, 1, type, stride, pointer);
+    point(context.arrays, context.arrays.index, 1, type, stride, pointer);
 }
 #endif
 
@@ -157,7 +162,7 @@ void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* poi
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
-    point(context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+    point(context.arrays, context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
 }
 #endif
 

@@ -9,8 +9,9 @@ struct ClientArray {
     bool enabled = false;
     GLint size = 4;
     GLenum type = GL_FLOAT;
-    GLsizei stride = 0; ///< as given; 0 = packed
-    const void* pointer = nullptr;
+    GLsizei stride = 0;            ///< as given; 0 = packed
+    const void* pointer = nullptr; ///< in a buffer: the offset
+    GLuint buffer = 0;             ///< its name, or 0: client memory
 
     bool on() const { return enabled && pointer != nullptr; }
 };
@@ -19,7 +20,9 @@ struct ArraysState {
     ClientArray vertex, normal, color;
     ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE};
     ClientArray tex_coord[texture_units];
-    GLuint client_active = 0; ///< the unit whose array commands and queries name
+    GLuint array_buffer = 0, element_buffer = 0; ///< names bound
+    bool buffered = false;                       ///< some array may lie in a buffer
+    GLuint client_active = 0;                    ///< the unit whose array commands and queries name
 };
 
 } // namespace spangle::gl

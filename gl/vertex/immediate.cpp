@@ -1,6 +1,7 @@
 // Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
 
@@ -29,6 +30,9 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
 
 /// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
+    if (!arrays_reach(context, index))
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an array element beyond its buffer"));
+    const AddressedArrays addressed(context);
     const ElementReader reader(context.arrays);
     set_attributes(context, reader, index);
     if (!reader.vertex.on() || !context.inside_begin_end())
@@ -44,6 +48,7 @@ bool is_mode(GLenum mode) {
 
 /// Draws `count` elements as one primitive.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
+    const AddressedArrays addressed(context);
     cmd::Begin(context, mode);
     context.engine->elements(context, static_cast<std::uint32_t>(count), indices);
     cmd::End(context);
@@ -124,6 +129,10 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return error(context, GL_INVALID_ENUM);
     if (first < 0 || count < 0)
         return error(context, GL_INVALID_VALUE);
+    if (count > 0 &&
+        !arrays_reach(context, static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(count) - 1))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glDrawArrays: an element beyond its buffer"));
     draw(context, mode, count, {.first = static_cast<std::uint32_t>(first)});
 }
 
@@ -134,9 +143,13 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return error(context, GL_INVALID_ENUM);
-    if (indices == nullptr && count > 0)
+    if (indices == nullptr && count > 0 && context.arrays.element_buffer == 0)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawElements: null pointer"));
-    draw(context, mode, count, {.type = type, .data = indices});
+    Indices found{.type = type, .data = indices};
+    if (!find_indices(context, static_cast<std::uint32_t>(count), found))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glDrawElements: an index or an element beyond its buffer"));
+    draw(context, mode, count, found);
 }
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
@@ -146,6 +159,29 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
     if (end < start)
         return error(context, GL_INVALID_VALUE);
     DrawElements(context, mode, count, type, indices); // the range is a promise we do not need
+}
+
+/// A loop of draws; those without vertices are left out (GL 1.4, 2.8).
+void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
+                     GLsizei primcount) {
+    if (!is_mode(mode))
+        return error(context, GL_INVALID_ENUM);
+    if (primcount < 0 || (primcount > 0 && (first == nullptr || count == nullptr)))
+        return error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] > 0)
+            DrawArrays(context, mode, first[i], count[i]);
+}
+
+void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices,
+                       GLsizei primcount) {
+    if (!is_mode(mode) || (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT))
+        return error(context, GL_INVALID_ENUM);
+    if (primcount < 0 || (primcount > 0 && (count == nullptr || indices == nullptr)))
+        return error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] > 0)
+            DrawElements(context, mode, count[i], type, indices[i]);
 }
 
 } // namespace cmd

@@ -31,14 +31,19 @@ constexpr Format formats[] = {
     {4, 4, false, true, 4, 16, 32, 44, 60}, // T4F_C4F_N3F_V4F
 };
 
-void set(ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer, unsigned at) {
+void set(ArraysState& arrays, ClientArray& array, GLint size, GLenum type, GLsizei stride,
+         const void* pointer, unsigned at) {
     array.enabled = size != 0;
     if (size == 0)
         return; // a disabled array keeps its pointer
     array.size = size;
     array.type = type;
     array.stride = stride;
-    array.pointer = pointer != nullptr ? static_cast<const unsigned char*>(pointer) + at : nullptr;
+    array.buffer = arrays.array_buffer;
+    arrays.buffered = arrays.buffered || array.buffer != 0;
+    array.pointer = pointer != nullptr || array.buffer != 0
+                        ? reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(pointer) + at)
+                        : nullptr;
 }
 
 } // namespace
@@ -52,10 +57,11 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
     const GLsizei step = stride != 0 ? stride : f.stride;
     ArraysState& arrays = context.arrays;
     arrays.index.enabled = arrays.edge_flag.enabled = false;
-    set(arrays.tex_coord[arrays.client_active], f.tex_size, GL_FLOAT, step, pointer, 0);
-    set(arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer, f.color_at);
-    set(arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
-    set(arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);
+    set(arrays, arrays.tex_coord[arrays.client_active], f.tex_size, GL_FLOAT, step, pointer, 0);
+    set(arrays, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
+        f.color_at);
+    set(arrays, arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
+    set(arrays, arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);
 }
 
 } // namespace spangle::gl::cmd

@@ -122,6 +122,15 @@ std::map<GLenum, GLbitfield> client_state() {
         for (GLenum name :
              {GL_INDEX_ARRAY, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_POINTER})
             groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_BUFFERS)
+        for (GLenum name : {GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                            GL_VERTEX_ARRAY_BUFFER_BINDING, GL_NORMAL_ARRAY_BUFFER_BINDING,
+                            GL_COLOR_ARRAY_BUFFER_BINDING, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING})
+            groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_COLOR_INDEX)
+        groups[GL_INDEX_ARRAY_BUFFER_BINDING] = client_vertex_array;
+    if (SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_POLYGON_MODE)
+        groups[GL_EDGE_FLAG_ARRAY_BUFFER_BINDING] = client_vertex_array;
     for (GLenum name :
          {GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES,
           GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_ALIGNMENT,
@@ -291,6 +300,10 @@ class Attrib : public RecordingContext {
         for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
             (k != 0 ? glEnableClientState : glDisableClientState)(array);
         const GLenum type = k != 0 ? GL_SHORT : GL_DOUBLE;
+#if SPANGLE_FEATURE_BUFFERS
+        glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(k) + 4);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(k) + 6);
+#endif
         glVertexPointer(k + 2, type, k + 8, memory_ + k);
         glNormalPointer(type, k + 8, memory_ + 2 + k);
         glColorPointer(k + 3, type, k + 8, memory_ + 4 + k);

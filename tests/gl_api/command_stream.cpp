@@ -1,5 +1,6 @@
 #include "tests/gl_api/command_stream.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -83,6 +84,7 @@ class Run {
     Run(const std::uint8_t* data, std::size_t bytes) : in(data, bytes) {
         for (std::size_t i = 0; i < client.size(); ++i) // indices of every type stay below 128
             client[i] = i % 4 == 0 ? static_cast<std::uint8_t>(i * 37 / 4 % 128) : std::uint8_t{0};
+        std::fill(std::begin(elements), std::end(elements), client.data());
         for (std::size_t i = 0; i < numbers.size(); ++i)
             numbers[i] = static_cast<std::uint8_t>(i * i * 17 + i * 3);
         arena.give(memory.get(), memory_bytes);
@@ -146,8 +148,12 @@ class Run {
         case Kind::in:
         case Kind::out:
             if (how % 16 != 0)
-                v.pointer = family == "DrawElements" || family == "DrawRangeElements" ? client.data()
-                            : arg.kind == Kind::out                                   ? result.data()
+                v.pointer = c.args.size() > 4 && &arg == &c.args[3] && family == "MultiDrawElements"
+                                ? static_cast<void*>(elements)
+                            : family == "DrawElements" || family == "DrawRangeElements" ||
+                                    family.starts_with("MultiDraw")
+                                ? client.data()
+                            : arg.kind == Kind::out ? result.data()
                                                     : numbers.data() + how % 8 * 8; // aligned for every type
             break;
         case Kind::enum_:
@@ -229,7 +235,8 @@ class Run {
     std::unique_ptr<std::uint64_t[]> memory{new std::uint64_t[memory_bytes / 8]};
     gl::Arena arena;
     gl::Context* context = nullptr;
-    GLuint called_in = 0; ///< the list being compiled that has had its call
+    void* elements[most_items] = {}; ///< of MultiDrawElements
+    GLuint called_in = 0;            ///< the list being compiled that has had its call
     std::vector<std::uint8_t> color;
     std::unique_ptr<std::uint32_t[]> depth;
     std::vector<std::uint8_t> client = std::vector<std::uint8_t>(4096),

@@ -28,6 +28,19 @@ class ErrorSweep : public RecordingContext {
     }
     std::vector<Value> good(const Command& c, std::size_t pname) {
         std::vector<Value> values;
+#if SPANGLE_FEATURE_BUFFERS
+        const std::string row = c.row; // what asks for a buffer has one that is not mapped
+        const bool buffer = (row == "B21" || row == "B22") && gl::current_context() != nullptr;
+        context->arrays.array_buffer = context->arrays.element_buffer = 0;
+        if (buffer && !context->inside_begin_end() && context->list.index == 0) {
+            for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER}) {
+                glBindBuffer(target, 1);
+                glBufferData(target, 4, nullptr, GL_STATIC_DRAW);
+                if (!std::strcmp(c.family, "UnmapBuffer") || !std::strcmp(c.family, "FlushMappedBufferRange"))
+                    glMapBufferRange(target, 0, 1, GL_MAP_WRITE_BIT | GL_MAP_FLUSH_EXPLICIT_BIT);
+            }
+        }
+#endif
         std::memset(client, 0, sizeof client);
         if (!c.pnames.empty()) { // the vector form's first value
             const auto value = static_cast<GLint>(c.pnames[pname].good);

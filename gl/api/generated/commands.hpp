@@ -54,6 +54,22 @@ void ArrayElement(Context& context, GLint i);
 void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count);
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices);
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
+void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+void GenBuffers(Context& context, GLsizei n, GLuint* buffers);
+void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers);
+GLboolean IsBuffer(Context& context, GLuint buffer);
+void BindBuffer(Context& context, GLenum target, GLuint buffer);
+void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
+void BufferConstantDataSPANGLE(Context& context, GLenum target, GLsizeiptr size, const void* data);
+void BufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+void GetBufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr size, void* data);
+void GetBufferParameteriv(Context& context, GLenum target, GLenum pname, GLint* params);
+void* MapBuffer(Context& context, GLenum target, GLenum access);
+void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length);
+GLboolean UnmapBuffer(Context& context, GLenum target);
+void GetBufferPointerv(Context& context, GLenum target, GLenum pname, void** params);
 void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const void* pointer);
 
 // Matrices, viewport (GL 1.3, 2.10).
@@ -174,6 +190,8 @@ void ArrayElement(Context& context, GLint i);
 void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count);
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices);
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
+void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void CallList(Context& context, GLuint list);
@@ -464,6 +482,118 @@ struct DrawRangeElements {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glDrawRangeElements between glBegin and glEnd");
+};
+struct MultiDrawArrays {
+    static constexpr auto run = &cmd::MultiDrawArrays;
+    static constexpr auto encode = &encode::MultiDrawArrays;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMultiDrawArrays between glBegin and glEnd");
+};
+struct MultiDrawElements {
+    static constexpr auto run = &cmd::MultiDrawElements;
+    static constexpr auto encode = &encode::MultiDrawElements;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMultiDrawElements between glBegin and glEnd");
+};
+struct GenBuffers {
+    static constexpr auto run = &cmd::GenBuffers;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenBuffers between glBegin and glEnd");
+};
+struct DeleteBuffers {
+    static constexpr auto run = &cmd::DeleteBuffers;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glDeleteBuffers between glBegin and glEnd");
+};
+struct IsBuffer {
+    static constexpr auto run = &cmd::IsBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsBuffer between glBegin and glEnd");
+};
+struct BindBuffer {
+    static constexpr auto run = &cmd::BindBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBindBuffer between glBegin and glEnd");
+};
+struct BufferData {
+    static constexpr auto run = &cmd::BufferData;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBufferData between glBegin and glEnd");
+};
+struct BufferConstantDataSPANGLE {
+    static constexpr auto run = &cmd::BufferConstantDataSPANGLE;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBufferConstantDataSPANGLE between glBegin and glEnd");
+};
+struct BufferSubData {
+    static constexpr auto run = &cmd::BufferSubData;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBufferSubData between glBegin and glEnd");
+};
+struct GetBufferSubData {
+    static constexpr auto run = &cmd::GetBufferSubData;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferSubData between glBegin and glEnd");
+};
+struct GetBufferParameteriv {
+    static constexpr auto run = &cmd::GetBufferParameteriv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferParameteriv between glBegin and glEnd");
+};
+struct MapBuffer {
+    static constexpr auto run = &cmd::MapBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMapBuffer between glBegin and glEnd");
+};
+struct MapBufferRange {
+    static constexpr auto run = &cmd::MapBufferRange;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glMapBufferRange between glBegin and glEnd");
+};
+struct FlushMappedBufferRange {
+    static constexpr auto run = &cmd::FlushMappedBufferRange;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glFlushMappedBufferRange between glBegin and glEnd");
+};
+struct UnmapBuffer {
+    static constexpr auto run = &cmd::UnmapBuffer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glUnmapBuffer between glBegin and glEnd");
+};
+struct GetBufferPointerv {
+    static constexpr auto run = &cmd::GetBufferPointerv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferPointerv between glBegin and glEnd");
 };
 struct InterleavedArrays {
     static constexpr auto run = &cmd::InterleavedArrays;

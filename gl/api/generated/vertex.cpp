@@ -1318,9 +1318,141 @@ void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsiz
     issue<family::DrawRangeElements>(mode, start, end, count, type, indices);
 }
 
+void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount) {
+    issue<family::MultiDrawArrays>(mode, first, count, primcount);
+}
+
+void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount) {
+    issue<family::MultiDrawElements>(mode, count, type, indices, primcount);
+}
+
+#if SPANGLE_FEATURE_BUFFERS
+
+void GLAPIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
+    issue<family::GenBuffers>(n, buffers);
+}
+
+void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
+    issue<family::DeleteBuffers>(n, buffers);
+}
+
+GLboolean GLAPIENTRY glIsBuffer(GLuint buffer) {
+    return ask<family::IsBuffer>(buffer);
+}
+
+void GLAPIENTRY glBindBuffer(GLenum target, GLuint buffer) {
+    issue<family::BindBuffer>(target, buffer);
+}
+
+void GLAPIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+    issue<family::BufferData>(target, size, data, usage);
+}
+
+void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum target, GLsizeiptr size, const void* data) {
+    issue<family::BufferConstantDataSPANGLE>(target, size, data);
+}
+
+void GLAPIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+    issue<family::BufferSubData>(target, offset, size, data);
+}
+
+void GLAPIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+    issue<family::GetBufferSubData>(target, offset, size, data);
+}
+
+void GLAPIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) {
+    issue<family::GetBufferParameteriv>(target, pname, params);
+}
+
+void* GLAPIENTRY glMapBuffer(GLenum target, GLenum access) {
+    return ask<family::MapBuffer>(target, access);
+}
+
+void* GLAPIENTRY glMapBufferRange(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
+    return ask<family::MapBufferRange>(target, offset, length, access);
+}
+
+void GLAPIENTRY glFlushMappedBufferRange(GLenum target, GLintptr offset, GLsizeiptr length) {
+    issue<family::FlushMappedBufferRange>(target, offset, length);
+}
+
+GLboolean GLAPIENTRY glUnmapBuffer(GLenum target) {
+    return ask<family::UnmapBuffer>(target);
+}
+
+void GLAPIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params) {
+    issue<family::GetBufferPointerv>(target, pname, params);
+}
+
+#endif
+
 void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer) {
     issue<family::InterleavedArrays>(format, stride, pointer);
 }
+
+#if !SPANGLE_FEATURE_BUFFERS
+
+void GLAPIENTRY glGenBuffers(GLsizei, GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glGenBuffers: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glDeleteBuffers(GLsizei, const GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glDeleteBuffers: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+GLboolean GLAPIENTRY glIsBuffer(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glIsBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
+    return 0;
+}
+
+void GLAPIENTRY glBindBuffer(GLenum, GLuint) {
+    refuse_feature(SPANGLE_TEXT("glBindBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glBufferData(GLenum, GLsizeiptr, const void*, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glBufferData: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum, GLsizeiptr, const void*) {
+    refuse_feature(SPANGLE_TEXT("glBufferConstantDataSPANGLE: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glBufferSubData(GLenum, GLintptr, GLsizeiptr, const void*) {
+    refuse_feature(SPANGLE_TEXT("glBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glGetBufferSubData(GLenum, GLintptr, GLsizeiptr, void*) {
+    refuse_feature(SPANGLE_TEXT("glGetBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void GLAPIENTRY glGetBufferParameteriv(GLenum, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetBufferParameteriv: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+void* GLAPIENTRY glMapBuffer(GLenum, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glMapBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
+    return 0;
+}
+
+void* GLAPIENTRY glMapBufferRange(GLenum, GLintptr, GLsizeiptr, GLbitfield) {
+    refuse_feature(SPANGLE_TEXT("glMapBufferRange: this build has no SPANGLE_FEATURE_BUFFERS"));
+    return 0;
+}
+
+void GLAPIENTRY glFlushMappedBufferRange(GLenum, GLintptr, GLsizeiptr) {
+    refuse_feature(SPANGLE_TEXT("glFlushMappedBufferRange: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+GLboolean GLAPIENTRY glUnmapBuffer(GLenum) {
+    refuse_feature(SPANGLE_TEXT("glUnmapBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
+    return 0;
+}
+
+void GLAPIENTRY glGetBufferPointerv(GLenum, GLenum, void**) {
+    refuse_feature(SPANGLE_TEXT("glGetBufferPointerv: this build has no SPANGLE_FEATURE_BUFFERS"));
+}
+
+#endif
 
 #if !SPANGLE_FEATURE_COLOR_INDEX
 

@@ -13,6 +13,8 @@
 #define GLAPIENTRY APIENTRY
 #endif
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -24,6 +26,8 @@ typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
 typedef unsigned int GLbitfield;
 typedef void GLvoid;
+typedef ptrdiff_t GLintptr;
+typedef ptrdiff_t GLsizeiptr;
 typedef signed char GLbyte;
 typedef short GLshort;
 typedef int GLint;
@@ -162,6 +166,42 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_EDGE_FLAG 0x0B43
 #define GL_CURRENT_NORMAL 0x0B02
 #define GL_CURRENT_TEXTURE_COORDS 0x0B03
+#define GL_ARRAY_BUFFER 0x8892
+#define GL_ELEMENT_ARRAY_BUFFER 0x8893
+#define GL_ARRAY_BUFFER_BINDING 0x8894
+#define GL_ELEMENT_ARRAY_BUFFER_BINDING 0x8895
+#define GL_VERTEX_ARRAY_BUFFER_BINDING 0x8896
+#define GL_NORMAL_ARRAY_BUFFER_BINDING 0x8897
+#define GL_COLOR_ARRAY_BUFFER_BINDING 0x8898
+#define GL_INDEX_ARRAY_BUFFER_BINDING 0x8899
+#define GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING 0x889A
+#define GL_EDGE_FLAG_ARRAY_BUFFER_BINDING 0x889B
+#define GL_STREAM_DRAW 0x88E0
+#define GL_STREAM_READ 0x88E1
+#define GL_STREAM_COPY 0x88E2
+#define GL_STATIC_DRAW 0x88E4
+#define GL_STATIC_READ 0x88E5
+#define GL_STATIC_COPY 0x88E6
+#define GL_DYNAMIC_DRAW 0x88E8
+#define GL_DYNAMIC_READ 0x88E9
+#define GL_DYNAMIC_COPY 0x88EA
+#define GL_READ_ONLY 0x88B8
+#define GL_WRITE_ONLY 0x88B9
+#define GL_READ_WRITE 0x88BA
+#define GL_BUFFER_SIZE 0x8764
+#define GL_BUFFER_USAGE 0x8765
+#define GL_BUFFER_ACCESS 0x88BB
+#define GL_BUFFER_MAPPED 0x88BC
+#define GL_BUFFER_MAP_POINTER 0x88BD
+#define GL_BUFFER_ACCESS_FLAGS 0x911F
+#define GL_BUFFER_MAP_LENGTH 0x9120
+#define GL_BUFFER_MAP_OFFSET 0x9121
+#define GL_MAP_READ_BIT 1
+#define GL_MAP_WRITE_BIT 0x0002
+#define GL_MAP_INVALIDATE_RANGE_BIT 0x0004
+#define GL_MAP_INVALIDATE_BUFFER_BIT 0x0008
+#define GL_MAP_FLUSH_EXPLICIT_BIT 0x0010
+#define GL_MAP_UNSYNCHRONIZED_BIT 0x0020
 #define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
 #define GL_CURRENT_RASTER_COLOR 0x0B04
 #define GL_CURRENT_RASTER_INDEX 0x0B05
@@ -414,6 +454,22 @@ GLAPI void GLAPIENTRY glArrayElement(GLint i);
 GLAPI void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count);
 GLAPI void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices);
 GLAPI void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
+GLAPI void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
+GLAPI void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+GLAPI void GLAPIENTRY glGenBuffers(GLsizei n, GLuint* buffers);
+GLAPI void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers);
+GLAPI GLboolean GLAPIENTRY glIsBuffer(GLuint buffer);
+GLAPI void GLAPIENTRY glBindBuffer(GLenum target, GLuint buffer);
+GLAPI void GLAPIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage);
+GLAPI void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum target, GLsizeiptr size, const void* data);
+GLAPI void GLAPIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+GLAPI void GLAPIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data);
+GLAPI void GLAPIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params);
+GLAPI void* GLAPIENTRY glMapBuffer(GLenum target, GLenum access);
+GLAPI void* GLAPIENTRY glMapBufferRange(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+GLAPI void GLAPIENTRY glFlushMappedBufferRange(GLenum target, GLintptr offset, GLsizeiptr length);
+GLAPI GLboolean GLAPIENTRY glUnmapBuffer(GLenum target);
+GLAPI void GLAPIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void** params);
 GLAPI void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* pointer);
 
 /* Matrices, viewport (GL 1.3, 2.10) */

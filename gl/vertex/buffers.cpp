@@ -1,0 +1,311 @@
+// Buffer objects: names, data, mapping (GL 1.5, 2.9; GL 3.0, 2.9.3).
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_BUFFERS
+
+#include <cstring>
+#include <initializer_list>
+#include <new>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/context/share_group.hpp"
+#include "gl/vertex/buffer_object.hpp"
+
+namespace spangle::gl {
+
+BufferObject* find_buffer(const Context& context, GLuint name) {
+    void** const slot = context.share->buffers.find(name);
+    return slot != nullptr ? static_cast<BufferObject*>(*slot) : nullptr;
+}
+
+void destroy_buffer(Arena& arena, void* object) {
+    if (object == nullptr)
+        return;
+    auto* const buffer = static_cast<BufferObject*>(object);
+    if (!buffer->constant)
+        arena.free(buffer->bytes);
+    arena.free(buffer);
+}
+
+namespace {
+
+GLuint* binding_of(Context& context, GLenum target) {
+    if (target == GL_ARRAY_BUFFER)
+        return &context.arrays.array_buffer;
+    return target == GL_ELEMENT_ARRAY_BUFFER ? &context.arrays.element_buffer : nullptr;
+}
+
+/// The bound object; else the error is set and null comes back.
+BufferObject* bound(Context& context, GLenum target) {
+    const GLuint* const name = binding_of(context, target);
+    BufferObject* const buffer = name != nullptr ? find_buffer(context, *name) : nullptr;
+    if (buffer == nullptr)
+        error(context, name == nullptr ? GL_INVALID_ENUM : GL_INVALID_OPERATION);
+    return buffer;
+}
+
+bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
+    return offset >= 0 && size >= 0 && static_cast<std::size_t>(offset) <= buffer.size &&
+           static_cast<std::size_t>(size) <= buffer.size - static_cast<std::size_t>(offset);
+}
+
+bool is_usage(GLenum usage) { // STREAM, STATIC, DYNAMIC; each DRAW, READ, COPY
+    return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3;
+}
+
+/// The new store takes the old one's place, which is unmapped.
+void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsizeiptr size, bool constant) {
+    if (!buffer.constant)
+        context.arena->free(buffer.bytes);
+    buffer.bytes = bytes;
+    buffer.size = static_cast<std::size_t>(size);
+    buffer.constant = constant;
+    buffer.mapped = false;
+    buffer.access = GL_READ_WRITE;
+    buffer.map_flags = 0;
+    buffer.map_offset = buffer.map_length = 0;
+}
+
+/// A buffer that is gone leaves its bindings, also those of arrays.
+void forget(ArraysState& arrays, GLuint name) {
+    const auto drop = [name](GLuint& binding) { binding = binding == name ? 0 : binding; };
+    drop(arrays.array_buffer);
+    drop(arrays.element_buffer);
+    for (ClientArray* array :
+         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag})
+        if (array->buffer == name)
+            array->buffer = 0, array->pointer = nullptr;
+    for (ClientArray& array : arrays.tex_coord)
+        if (array.buffer == name)
+            array.buffer = 0, array.pointer = nullptr;
+}
+
+void* map(BufferObject& buffer, std::size_t offset, std::size_t length, GLbitfield flags, GLenum access) {
+    buffer.mapped = true;
+    buffer.map_flags = flags;
+    buffer.map_offset = offset;
+    buffer.map_length = length;
+    buffer.access = access;
+    return buffer.bytes + offset;
+}
+
+} // namespace
+
+namespace cmd {
+
+void GenBuffers(Context& context, GLsizei n, GLuint* buffers) {
+    gen_names(context, context.share->buffers, n, buffers);
+}
+
+void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers) {
+    if (n < 0 || (n > 0 && buffers == nullptr))
+        return error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < n; ++i) {
+        if (buffers[i] == 0)
+            continue;
+        destroy_buffer(*context.arena, context.share->buffers.remove(buffers[i]));
+        forget(context.arrays, buffers[i]);
+    }
+}
+
+GLboolean IsBuffer(Context& context, GLuint buffer) {
+    return find_buffer(context, buffer) != nullptr ? GL_TRUE : GL_FALSE;
+}
+
+void BindBuffer(Context& context, GLenum target, GLuint buffer) {
+    GLuint* const binding = binding_of(context, target);
+    if (binding == nullptr)
+        return error(context, GL_INVALID_ENUM);
+    if (buffer != 0 && find_buffer(context, buffer) == nullptr) {
+        NameTable& names = context.share->buffers;
+        void* const memory = context.arena->allocate(sizeof(BufferObject));
+        void** const slot = names.find(buffer);
+        if (memory == nullptr || (slot == nullptr && !names.insert(*context.arena, buffer, memory))) {
+            context.arena->free(memory);
+            return error(context, GL_OUT_OF_MEMORY);
+        }
+        auto* const object = new (memory) BufferObject;
+        if (slot != nullptr)
+            *slot = object;
+    }
+    *binding = buffer;
+}
+
+void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+    if (binding_of(context, target) == nullptr || !is_usage(usage))
+        return error(context, GL_INVALID_ENUM);
+    if (size < 0)
+        return error(context, GL_INVALID_VALUE);
+    BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return;
+    // The new store is there before the old one goes: without memory nothing has changed.
+    auto* const bytes =
+        static_cast<std::uint8_t*>(context.arena->allocate(size != 0 ? static_cast<std::size_t>(size) : 1));
+    if (bytes == nullptr)
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBufferData: no room in the arena"));
+    if (data != nullptr)
+        std::memcpy(bytes, data, static_cast<std::size_t>(size));
+    else
+        std::memset(bytes, 0, static_cast<std::size_t>(size));
+    replace(context, *buffer, bytes, size, false);
+    buffer->usage = usage;
+}
+
+void BufferConstantDataSPANGLE(Context& context, GLenum target, GLsizeiptr size, const void* data) {
+    if (binding_of(context, target) == nullptr)
+        return error(context, GL_INVALID_ENUM);
+    if (size < 0 || data == nullptr)
+        return error(context, GL_INVALID_VALUE);
+    if (BufferObject* const buffer = bound(context, target); buffer != nullptr) {
+        // Never written: constant buffers refuse every way that would.
+        replace(context, *buffer, static_cast<std::uint8_t*>(const_cast<void*>(data)), size, true);
+        buffer->usage = GL_STATIC_DRAW;
+    }
+}
+
+void BufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+    BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return;
+    if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
+        return error(context, GL_INVALID_VALUE);
+    if (buffer->mapped || buffer->constant)
+        return error(context, GL_INVALID_OPERATION);
+    if (size != 0)
+        std::memcpy(buffer->bytes + offset, data, static_cast<std::size_t>(size));
+}
+
+void GetBufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+    const BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return;
+    if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
+        return error(context, GL_INVALID_VALUE);
+    if (buffer->mapped)
+        return error(context, GL_INVALID_OPERATION);
+    if (size != 0)
+        std::memcpy(data, buffer->bytes + offset, static_cast<std::size_t>(size));
+}
+
+void* MapBuffer(Context& context, GLenum target, GLenum access) {
+    if (binding_of(context, target) == nullptr || access < GL_READ_ONLY || access > GL_READ_WRITE) {
+        error(context, GL_INVALID_ENUM);
+        return nullptr;
+    }
+    BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return nullptr;
+    if (buffer->mapped || buffer->bytes == nullptr || (buffer->constant && access != GL_READ_ONLY)) {
+        error(context, GL_INVALID_OPERATION);
+        return nullptr;
+    }
+    const GLbitfield flags =
+        (access != GL_WRITE_ONLY ? GL_MAP_READ_BIT : 0u) | (access != GL_READ_ONLY ? GL_MAP_WRITE_BIT : 0u);
+    return map(*buffer, 0, buffer->size, flags, access);
+}
+
+void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
+    BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return nullptr;
+    const bool reads = (access & GL_MAP_READ_BIT) != 0, writes = (access & GL_MAP_WRITE_BIT) != 0;
+    constexpr GLbitfield discards =
+        GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
+    if (!in_range(*buffer, offset, length) ||
+        (access & ~(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | discards | GL_MAP_FLUSH_EXPLICIT_BIT)) != 0) {
+        error(context, GL_INVALID_VALUE);
+        return nullptr;
+    }
+    if (buffer->mapped || buffer->bytes == nullptr || (!reads && !writes) ||
+        (reads && (access & discards) != 0) || ((access & GL_MAP_FLUSH_EXPLICIT_BIT) != 0 && !writes) ||
+        (buffer->constant && writes)) {
+        error(context, GL_INVALID_OPERATION);
+        return nullptr;
+    }
+    return map(*buffer, static_cast<std::size_t>(offset), static_cast<std::size_t>(length), access,
+               reads && writes ? GL_READ_WRITE
+               : reads         ? GL_READ_ONLY
+                               : GL_WRITE_ONLY);
+}
+
+/// Memory is one here: what was written is there, flushed or not.
+void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length) {
+    const BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return;
+    if (offset < 0 || length < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (!buffer->mapped || (buffer->map_flags & GL_MAP_FLUSH_EXPLICIT_BIT) == 0)
+        return error(context, GL_INVALID_OPERATION);
+    if (static_cast<std::size_t>(offset) > buffer->map_length ||
+        static_cast<std::size_t>(length) > buffer->map_length - static_cast<std::size_t>(offset))
+        error(context, GL_INVALID_VALUE);
+}
+
+GLboolean UnmapBuffer(Context& context, GLenum target) {
+    BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return GL_FALSE;
+    if (!buffer->mapped) {
+        error(context, GL_INVALID_OPERATION);
+        return GL_FALSE;
+    }
+    buffer->mapped = false;
+    buffer->map_flags = 0;
+    buffer->map_offset = buffer->map_length = 0;
+    buffer->access = GL_READ_WRITE;
+    return GL_TRUE;
+}
+
+void GetBufferParameteriv(Context& context, GLenum target, GLenum pname, GLint* params) {
+    if (params == nullptr)
+        return error(context, GL_INVALID_VALUE);
+    if (binding_of(context, target) == nullptr || pname < GL_BUFFER_SIZE)
+        return error(context, GL_INVALID_ENUM);
+    const BufferObject* const buffer = bound(context, target);
+    if (buffer == nullptr)
+        return;
+    switch (pname) {
+    case GL_BUFFER_SIZE:
+        *params = static_cast<GLint>(buffer->size);
+        break;
+    case GL_BUFFER_USAGE:
+        *params = static_cast<GLint>(buffer->usage);
+        break;
+    case GL_BUFFER_ACCESS:
+        *params = static_cast<GLint>(buffer->access);
+        break;
+    case GL_BUFFER_MAPPED:
+        *params = buffer->mapped ? 1 : 0;
+        break;
+    case GL_BUFFER_ACCESS_FLAGS:
+        *params = static_cast<GLint>(buffer->map_flags);
+        break;
+    case GL_BUFFER_MAP_OFFSET:
+        *params = static_cast<GLint>(buffer->map_offset);
+        break;
+    case GL_BUFFER_MAP_LENGTH:
+        *params = static_cast<GLint>(buffer->map_length);
+        break;
+    default:
+        error(context, GL_INVALID_ENUM);
+    }
+}
+
+void GetBufferPointerv(Context& context, GLenum target, GLenum pname, void** params) {
+    if (params == nullptr)
+        return error(context, GL_INVALID_VALUE);
+    if (binding_of(context, target) == nullptr || pname != GL_BUFFER_MAP_POINTER)
+        return error(context, GL_INVALID_ENUM);
+    if (const BufferObject* const buffer = bound(context, target); buffer != nullptr)
+        *params = buffer->mapped ? buffer->bytes + buffer->map_offset : nullptr;
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl
+
+#endif
