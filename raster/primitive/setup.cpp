@@ -136,11 +136,12 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     const std::uint32_t first = z0 + (1u << (31 - bits));
     const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
                d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
-    const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
-    if (lifts && liftable(difference_bits(d1, d2), lift)) [[likely]]
-        add_lifted(span_.z, first, d1, d2, lift, by_);
-    else
-        add_steep(span_.z, first, d1, d2, 1);
+    if constexpr (lifts) {
+        const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
+        if (liftable(difference_bits(d1, d2), lift)) [[likely]]
+            return add_lifted(span_.z, first, d1, d2, lift, by_);
+    }
+    add_steep(span_.z, first, d1, d2, 1);
 }
 
 /// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
@@ -182,15 +183,19 @@ void Setup<Fixed>::steep_colors() {
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (span_.kind == Kind::full)
         return projective_colors();
-    const Coefficients by = by_;
-    const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
-    if (!lifts || !liftable(bits, lift)) [[unlikely]]
-        return steep_colors();
-    const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
-    each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
-        add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i), lift,
-                   by);
-    });
+    if constexpr (lifts) {
+        const Coefficients by = by_;
+        const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
+        if (liftable(bits, lift)) [[likely]] {
+            const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
+            return each_color<Rgb>(
+                [&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
+                    add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i),
+                               from.difference(2, i), lift, by);
+                });
+        }
+    }
+    steep_colors();
 }
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.

@@ -192,7 +192,7 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
 void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
     const Needs& needs = state_.needs;
     UnitValues units[max_texture_units];
-    std::int32_t fog[3];
+    std::int32_t fog[3] = {};
     for (int i = 0; i < max_texture_units; ++i)
         if (needs.unit[i])
             load_unit(i, units[i]);
