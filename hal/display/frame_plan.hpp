@@ -8,21 +8,23 @@ namespace spangle::hal {
 
 class FramePlan {
   public:
-    FramePlan(const WindowPlan& rows, const SpanPlan& spans)
-        : rows_(rows), spans_(spans), by_spans_(spans.total() < rows.total()) {}
+    /// `spans`: of the row hash whose code is `code`; or null.
+    FramePlan(const WindowPlan& rows, SpanPlan* spans, const RowHashCode* code)
+        : rows_(rows), spans_(spans), code_(code),
+          by_spans_(spans != nullptr && spans->total() < rows.total()) {}
 
     /// The next window from the top, or false after the last.
-    bool next(Rect& window) { return by_spans_ ? spans_.next(window) : rows_.next(window); }
+    bool next(Rect& window) { return by_spans_ ? code_->next(*spans_, window) : rows_.next(window); }
     void rewind() {
         rows_.rewind();
-        spans_.rewind();
+        if (by_spans_)
+            spans_->rewind();
     }
-    /// Bytes of all windows as planned.
-    std::uint32_t total() const { return by_spans_ ? spans_.total() : rows_.total(); }
 
   private:
     WindowPlan rows_;
-    SpanPlan spans_;
+    SpanPlan* spans_;
+    const RowHashCode* code_;
     bool by_spans_;
 };
 

@@ -93,10 +93,12 @@ Result<void> PanelDisplay::check_config() const {
             Fault::bad_argument,
             "display: turning frames into the order of the scan takes two buffers, and pixels that travel "
             "as they are"};
-    if (turns(config_) && memory_.turned == nullptr)
+    if (turns(config_) && (memory_.turned == nullptr || memory_.turner == nullptr))
         return Error{Fault::bad_argument, "display: the storage has no room for turned frames"};
     if (config_.row_hash && size.width > RowHash::widest)
         return Error{Fault::unsupported, "display: the row hash serves pictures up to 512 columns"};
+    if (config_.row_hash && (memory_.hash.code == nullptr || memory_.hash.windows == nullptr))
+        return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
     if (config_.row_hash && memory_.hash.cells < RowHash::cells_of(size.width) * size.height)
         return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
     if (config_.buffers < 1 || config_.buffers > 2)
@@ -395,8 +397,8 @@ Result<void> PanelDisplay::show(bool in_place) {
     if (turns_)
         turn_damage();
     if (hash_.enabled()) // whose reduced damage would not do for a buffer two sends behind
-        hash_.reduce(sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
-                     static_cast<std::int32_t>(sent_stride()), suspect_ || behind_);
+        memory_.hash.code->reduce(hash_, sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
+                                  static_cast<std::int32_t>(sent_stride()), suspect_ || behind_);
     if (const auto r = send(); !r)
         return r;
     if (config_.buffers == 1 && config_.wire == nullptr) {
@@ -469,13 +471,15 @@ bool PanelDisplay::drawn_since() const {
 
 Result<void> PanelDisplay::send() {
     widen_damage();
-    const Extent size = placement_.size;
+    SpanPlan spans;
     // Rows that share bytes cannot be sent apart.
     const bool apart = hash_.enabled() && windows_.shared().height == 1;
     WindowCost cost = window_cost(caps_, *config_.panel->commands, wire_bits());
     for (;;) {
-        const SpanPlan spans = apart ? SpanPlan(hash_.changed(), size.width, size.height, cost) : SpanPlan();
-        FramePlan plan(WindowPlan(sent_damage(), size.height, cost, memory_.plan), spans);
+        if (apart)
+            memory_.hash.code->plan(spans, hash_, cost);
+        FramePlan plan(WindowPlan(sent_damage(), placement_.size.height, cost, memory_.plan),
+                       apart ? &spans : nullptr, memory_.hash.code);
         // Two lists have a gap between them that nobody foresees, and the first is waited for.
         const bool one_list = config_.buffers == 2 || config_.wire != nullptr || tear_free();
         if (!one_list || cost.window >= dearest_window || ops_of(plan) + sync_ops <= ops_.capacity())
@@ -703,10 +707,10 @@ void PanelDisplay::collect_damage() {
 /// What differs, in the order of the scan.
 void PanelDisplay::turn_damage() {
     std::uint8_t* const to = buffers_[1].to_draw(bus_);
-    turn(scan_,
-         {buffers_[0].to_send(), static_cast<std::int32_t>(stride()), picture_.height, to,
-          static_cast<std::int32_t>(sent_stride()), static_cast<std::int32_t>(pixel_bytes_)},
-         memory_.damage, memory_.turned);
+    memory_.turner(scan_,
+                   {buffers_[0].to_send(), static_cast<std::int32_t>(stride()), picture_.height, to,
+                    static_cast<std::int32_t>(sent_stride()), static_cast<std::int32_t>(pixel_bytes_)},
+                   memory_.damage, memory_.turned);
 }
 
 // --- Read-back ---

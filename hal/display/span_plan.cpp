@@ -9,8 +9,16 @@ constexpr std::int32_t cell = RowHash::cell_width;
 
 } // namespace
 
-SpanPlan::SpanPlan(const std::uint32_t* changed, std::int32_t width, std::int32_t height, WindowCost cost)
-    : changed_(changed), width_(width), height_(height), cost_(cost), total_(0) {
+const RowHashCode row_hash_code = {
+    [](RowHash& hash, RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all) {
+        hash.reduce(damage, pixels, stride, all);
+    },
+    [](SpanPlan& plan, const RowHash& hash, const WindowCost& cost) { plan = SpanPlan(hash, cost); },
+    [](SpanPlan& plan, Rect& window) { return plan.next(window); }};
+
+SpanPlan::SpanPlan(const RowHash& hash, const WindowCost& cost)
+    : changed_(hash.changed()), width_(hash.width()), height_(hash.height()), cost_(cost), total_(0),
+      windows_(hash.memory().windows) {
     for (Rect w; next(w);)
         total_ += cost_.window + static_cast<std::uint32_t>(w.w * w.h) * cost_.pixel;
     rewind();

@@ -19,8 +19,8 @@ namespace spangle::hal {
 class SpanPlan {
   public:
     SpanPlan() = default;
-    /// `changed`: RowHash::changed(); it must stay.
-    SpanPlan(const std::uint32_t* changed, std::int32_t width, std::int32_t height, WindowCost cost);
+    /// Of the cells that reduce() left, in the memory of the row hash; both must stay.
+    SpanPlan(const RowHash& hash, const WindowCost& cost);
 
     /// The next window from the top, or false after the last.
     bool next(Rect& window);
@@ -29,19 +29,14 @@ class SpanPlan {
     std::uint32_t total() const { return total_; }
 
   private:
-    static constexpr std::int32_t room = 64, most_runs = 16;
-
-    /// A window in the making.
-    struct Window {
-        std::int16_t begin, end, top, bottom; ///< half-open
-        std::int32_t spare;                   ///< cost saved and not yet wasted
-    };
+    static constexpr std::int32_t room = RowHashMemory::window_count, most_runs = 16;
+    using Window = SpanWindow;
     struct Run {
         std::int32_t begin, end; ///< columns
     };
 
-    Window& window(std::int32_t i) { return windows_[(first_ + i) % room]; }
-    bool settled() { return row_ == height_ || count_ > room - most_runs || window(0).bottom < row_; }
+    Window& window(std::int32_t i) const { return windows_[(first_ + i) % room]; }
+    bool settled() const { return row_ == height_ || count_ > room - most_runs || window(0).bottom < row_; }
     void plan_row();
     std::int32_t saved(Run run) const;
     std::uint32_t absorb(Window& above, std::uint32_t cells) const;
@@ -54,7 +49,7 @@ class SpanPlan {
     WindowCost cost_;
     std::uint32_t total_ = UINT32_MAX;
     std::int32_t row_ = 0;      ///< the next to be planned
-    Window windows_[room] = {}; ///< a ring of `count_` from `first_` on, by their top
+    Window* windows_ = nullptr; ///< a ring of `count_` from `first_` on, by their top
     std::int32_t first_ = 0, count_ = 0;
 };
 

@@ -19,6 +19,7 @@ struct Bookkeeping {
     std::vector<hal::Op> ops = std::vector<hal::Op>(list);
     std::vector<hal::OpParams> params = std::vector<hal::OpParams>(list);
     std::vector<std::uint32_t> hashes, changed;
+    std::vector<hal::SpanWindow> windows;
     std::int32_t height;
     std::uint8_t buffers;
 
@@ -28,6 +29,7 @@ struct Bookkeeping {
         if (config.row_hash) {
             hashes.resize(n * static_cast<std::size_t>(hal::RowHash::cells_of(hal::sent_size(config).width)));
             changed.resize(n);
+            windows.resize(hal::RowHashMemory::window_count);
         }
         for (std::vector<RowSpan>* v : {&touched, &damage, &turned, &held, &content[0], &content[1]})
             v->resize(n);
@@ -36,13 +38,15 @@ struct Bookkeeping {
     hal::RowHashMemory hash_memory() {
         if (hashes.empty())
             return {};
-        return {hashes.data(), changed.data(), static_cast<std::int32_t>(hashes.size())};
+        return {hashes.data(), changed.data(), windows.data(), static_cast<std::int32_t>(hashes.size()),
+                &hal::row_hash_code};
     }
     hal::PanelMemory memory() {
         return {touched.data(), damage.data(), {content[0].data(), content[buffers - 1].data()},
                 plan.data(),    height,        buffers,
                 ops.data(),     params.data(), ops.size(),
-                hash_memory(),  turned.data(), held.data()};
+                hash_memory(),  turned.data(), &hal::turn,
+                held.data()};
     }
 };
 

@@ -288,6 +288,13 @@ TEST(Present, ADroppedFrameIsNotOwedACoalescedOneIs) {
         ASSERT_TRUE(bench.display.finish().ok());
         EXPECT_EQ(bench.on_panel(3, 3), 0x4444u);
         EXPECT_EQ(bench.on_panel(1, 1), 0x5555u);
+        bench.acquire().clear(0x6666);
+        ASSERT_TRUE(bench.display.present().ok());
+        bench.acquire().clear(0x7777);
+        ASSERT_TRUE(bench.display.present().ok());
+        bench.acquire().clear(0x8888); // a clear is drawing, too
+        ASSERT_TRUE(bench.display.finish().ok());
+        EXPECT_EQ(bench.on_panel(3, 3), 0x6666u);
     }
 }
 

@@ -178,8 +178,20 @@ struct Costs {
     std::uint64_t planned = 0, plain = 0;
 };
 
+/// Cells that changed, as the row hash leaves them.
+struct Changed {
+    std::vector<SpanWindow> windows = std::vector<SpanWindow>(RowHashMemory::window_count);
+    Masks rows;
+    RowHash hash;
+
+    Changed(const Masks& masks, std::int32_t columns)
+        : rows(masks), hash({nullptr, rows.data(), windows.data(), 0, &row_hash_code}, columns,
+                            static_cast<std::int32_t>(rows.size()), 2) {}
+};
+
 void expect_good_plan(const Masks& rows, std::int32_t columns, WindowCost cost, Costs& costs) {
-    SpanPlan plan(rows.data(), columns, static_cast<std::int32_t>(rows.size()), cost);
+    const Changed changed(rows, columns);
+    SpanPlan plan(changed.hash, cost);
     std::vector<Rect> windows;
     for (Rect w; plan.next(w);)
         windows.push_back(w);
@@ -242,7 +254,8 @@ TEST(SpanPlan, CoversTheCellsForLess) {
 
 TEST(SpanPlan, BlocksBesideEachOtherStayApartAndDearCommandsJoinThem) {
     const Masks rows(10, 0x21u);
-    SpanPlan cheap(rows.data(), 320, 10, {11, 2});
+    const Changed changed(rows, 320);
+    SpanPlan cheap(changed.hash, {11, 2});
     Rect w;
     ASSERT_TRUE(cheap.next(w));
     EXPECT_EQ(w, (Rect{0, 0, 16, 10}));
@@ -250,7 +263,7 @@ TEST(SpanPlan, BlocksBesideEachOtherStayApartAndDearCommandsJoinThem) {
     EXPECT_EQ(w, (Rect{80, 0, 16, 10}));
     EXPECT_FALSE(cheap.next(w));
     EXPECT_EQ(cheap.total(), 2 * (11 + 16 * 10 * 2));
-    SpanPlan dear(rows.data(), 320, 10, {2000, 2});
+    SpanPlan dear(changed.hash, {2000, 2});
     ASSERT_TRUE(dear.next(w));
     EXPECT_EQ(w, (Rect{0, 0, 96, 10}));
     EXPECT_FALSE(dear.next(w));
@@ -268,7 +281,8 @@ TEST(SpanPlan, ManyWindowsBesideALongOneFitTheRing) {
 
 TEST(SpanPlan, NothingChangedIsNoWindow) {
     const Masks rows(5, 0);
-    SpanPlan plan(rows.data(), 320, 5, {11, 2});
+    const Changed changed(rows, 320);
+    SpanPlan plan(changed.hash, {11, 2});
     Rect w;
     EXPECT_FALSE(plan.next(w));
     EXPECT_EQ(plan.total(), 0u);

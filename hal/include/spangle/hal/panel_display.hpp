@@ -83,8 +83,9 @@ struct PanelMemory {
     OpParams* params = nullptr;
     std::size_t op_count = 0;
     RowHashMemory hash = {};
-    RowSpan* turned = nullptr; ///< for PanelConfig::scan_order
-    RowSpan* held = nullptr;   ///< for Pacing::coalesce; without it frames are dropped
+    RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
+    decltype(&turn) turner = nullptr; ///< and that it is linked
+    RowSpan* held = nullptr;          ///< for Pacing::coalesce; without it frames are dropped
 };
 
 /// That memory for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns if they are to be
@@ -114,6 +115,7 @@ struct PanelStorage {
                 Ops,
                 hash.memory(),
                 Turned ? turned : nullptr,
+                Turned ? &turn : nullptr,
                 Held ? held : nullptr};
     }
 };

@@ -8,11 +8,34 @@
 
 namespace spangle::hal {
 
-/// The memory of a row hash, handed over by its owner: four bytes a cell and four a row. Null: none.
+class RowHash;
+class SpanPlan;
+struct WindowCost;
+
+/// A window while its cells are gathered.
+struct SpanWindow {
+    std::int16_t begin = 0, end = 0, top = 0, bottom = 0; ///< half-open
+    std::int32_t spare = 0;                               ///< bits saved and not yet wasted
+};
+
+/// What only displays with a row hash link: whoever makes the memory names it.
+struct RowHashCode {
+    void (*reduce)(RowHash&, RowSpan* damage, const std::uint8_t* pixels, std::int32_t stride, bool all);
+    void (*plan)(SpanPlan&, const RowHash&, const WindowCost&);
+    bool (*next)(SpanPlan&, Rect& window);
+};
+extern const RowHashCode row_hash_code;
+
+/// The memory of a row hash, handed over by its owner: four bytes a cell, four a row, and windows. Null:
+/// none.
 struct RowHashMemory {
+    static constexpr std::int32_t window_count = 64;
+
     std::uint32_t* hashes = nullptr; ///< height * cells_of(width)
     std::uint32_t* changed = nullptr;
+    SpanWindow* windows = nullptr;
     std::int32_t cells = 0;
+    const RowHashCode* code = nullptr;
 };
 
 class RowHash {
@@ -28,7 +51,10 @@ class RowHash {
             std::int32_t bytes_per_pixel)
         : memory_(memory), width_(width), height_(height), bytes_per_pixel_(bytes_per_pixel) {}
 
-    bool enabled() const { return memory_.hashes != nullptr; }
+    bool enabled() const { return memory_.code != nullptr; }
+    const RowHashMemory& memory() const { return memory_; }
+    std::int32_t width() const { return width_; }
+    std::int32_t height() const { return height_; }
     /// After reduce(): bits of the cells that changed, by row.
     const std::uint32_t* changed() const { return memory_.changed; }
 
@@ -62,8 +88,9 @@ template <std::int32_t Height, std::int32_t Width> struct RowHashStorage {
     static constexpr std::int32_t cells = RowHash::cells_of(Width);
 
     std::uint32_t hashes[Height * cells], changed[Height];
+    SpanWindow windows[RowHashMemory::window_count];
 
-    RowHashMemory memory() { return {hashes, changed, Height * cells}; }
+    RowHashMemory memory() { return {hashes, changed, windows, Height * cells, &row_hash_code}; }
 };
 template <std::int32_t Height> struct RowHashStorage<Height, 0> {
     RowHashMemory memory() { return {}; }
