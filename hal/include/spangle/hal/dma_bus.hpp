@@ -1,0 +1,84 @@
+// A bus of microcontrollers: the peripheral moves each piece by DMA, and its interrupts carry a list from one
+// operation to the next while the program draws.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/bus.hpp>
+
+namespace spangle::hal {
+
+/// One SPI or 8080 block with its DMA channel, timer and lines, as a board's port makes it. `write`, `read`,
+/// `pause` and `wait_te` start something and return; when it is over, an interrupt calls DmaBus::step(),
+/// never the call itself. The bytes stay where they are until then.
+class DmaPort {
+  public:
+    /// The last bit is on the wire at the end: D/C may change then.
+    virtual void write(bool data, const std::uint8_t* bytes, std::uint32_t count) = 0;
+    virtual void read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
+    virtual void pause(std::uint32_t micros) = 0;
+    /// Until the edge: step(Fault::none), or so long: step(Fault::timeout).
+    virtual void wait_te(std::uint32_t at_most_micros) = 0;
+
+    // At once.
+    virtual void select(bool selected) = 0;
+    virtual void reset(bool low) = 0;
+    virtual std::uint32_t micros() = 0; ///< wraps
+    virtual void sleep() {}             ///< until an interrupt, or not at all
+
+  protected:
+    ~DmaPort() = default;
+};
+
+/// Memory that the port's DMA reaches, for buffers and for one list.
+struct DmaMemory {
+    std::uint8_t* bytes = nullptr;
+    std::size_t size = 0;
+    Op* ops = nullptr;
+    std::size_t op_count = 0;
+};
+
+class DmaBus final : public Bus {
+  public:
+    /// Buffers begin at multiples of this: whole lines of the data caches there are.
+    static constexpr std::size_t alignment = 32;
+
+    DmaBus(DmaPort& port, const BusCaps& caps, const DmaMemory& memory)
+        : port_(port), caps_(caps), memory_(memory) {}
+
+    BusCaps caps() const override { return caps_; }
+    Result<Buffer> acquire(std::size_t size) override;
+    Result<Token> submit(const Op* ops, std::size_t count) override;
+    bool done(Token token) const override;
+    Result<void> wait(Token token, std::uint32_t timeout_micros) override;
+
+    /// From the port's interrupt: what it was told to do is done, or failed.
+    void step(Fault fault = Fault::none);
+
+  private:
+    bool start_part(const Op& op);
+    bool start_pixels(const Op& op);
+    bool start_repeat(const Op& op);
+    bool start_wait_line(const Op& op);
+    void write(bool data, const std::uint8_t* bytes, std::uint32_t count);
+    void end(Fault fault);
+
+    DmaPort& port_;
+    BusCaps caps_;
+    DmaMemory memory_;
+    std::size_t used_ = 0;
+
+    // Of the list under way: the interrupt's, while `running_`.
+    std::size_t count_ = 0, at_ = 0;
+    std::uint32_t part_ = 0;  ///< of the operation: starts made
+    std::uint32_t since_ = 0; ///< a wait_line began
+    std::uint8_t answer_[2] = {}, pattern_[48] = {};
+    Fault outcome_ = Fault::none;
+
+    std::uint32_t last_token_ = 0;
+    std::atomic<bool> running_ = false;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,226 @@
+// The bus of microcontrollers, its port played by events in virtual time: whole scenes, drawn while the last
+// frame is moved, show what the simulated board shows; faults are told; nothing is touched before its time.
+#include <functional>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <spangle/boards/boards.hpp>
+#include <spangle/hal/dma_bus.hpp>
+#include <spangle/sim/board.hpp>
+
+#include "host_sim/board/module.hpp"
+#include "tests/scene_player.hpp"
+
+namespace {
+
+using namespace spangle;
+using sim::Time;
+
+/// An SPI block whose interrupts come when their time has come.
+class EventPort final : public hal::DmaPort {
+  public:
+    EventPort(sim::Controller& controller, const hal::BusCaps& caps) : controller_(controller), caps_(caps) {}
+
+    hal::DmaBus* bus = nullptr;
+    Time now = 0, busy = 0;
+    hal::Fault fail_write = hal::Fault::none; ///< the next one
+    bool te_missing = false, dead = false;    ///< dead: no interrupt comes any more
+    int writes = 0;
+
+    /// The program draws; interrupts come in between.
+    void pass(Time ns) {
+        const Time until = now + ns;
+        while (pending_ && !dead && due_ <= until)
+            fire();
+        now = std::max(now, until);
+    }
+
+    void write(bool data, const std::uint8_t* bytes, std::uint32_t count) override {
+        ++writes;
+        const Time byte = Time(8'000'000'000) / caps_.write_hz;
+        busy += byte * count;
+        const hal::Fault fault = std::exchange(fail_write, hal::Fault::none);
+        later(byte * count, [=, this] {
+            for (std::uint32_t i = 0; i < count; ++i) // as DMA fetched them, at the latest
+                controller_.write(bytes[i], data, now, static_cast<unsigned>(byte / 8));
+            bus->step(fault);
+        });
+    }
+    void read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) override {
+        const unsigned bit = 1'000'000'000u / caps_.read_hz;
+        later(Time(bit) * (dummy_bits + 8 * count), [=, this] {
+            for (int i = 0; i < dummy_bits; ++i)
+                controller_.read_bit(now, bit);
+            for (std::uint32_t i = 0; i < count; ++i)
+                into[i] = controller_.read_byte(now, bit);
+            bus->step();
+        });
+    }
+    void pause(std::uint32_t micros) override {
+        later(Time(micros) * 1000, [this] { bus->step(); });
+    }
+    void wait_te(std::uint32_t at_most_micros) override {
+        Time at = now;
+        const Time end = now + Time(at_most_micros) * 1000;
+        while (at < end && controller_.te(at))
+            at += 1000;
+        while (at < end && (te_missing || !controller_.te(at)))
+            at += te_missing ? 1000000 : 1000;
+        later(at - now, [=, this] { bus->step(at < end ? hal::Fault::none : hal::Fault::timeout); });
+    }
+    void select(bool selected) override { controller_.select(selected, now); }
+    void reset(bool low) override { controller_.reset(low, now); }
+    std::uint32_t micros() override { return static_cast<std::uint32_t>(now / 1000); }
+    void sleep() override {
+        if (pending_ && !dead)
+            fire();
+        else
+            now += 1'000'000;
+    }
+
+  private:
+    sim::Controller& controller_;
+    hal::BusCaps caps_;
+    std::function<void()> what_;
+    Time due_ = 0;
+    bool pending_ = false;
+
+    void later(Time delay, std::function<void()> what) {
+        EXPECT_FALSE(pending_) << "two things at once";
+        pending_ = true;
+        due_ = now + delay;
+        what_ = std::move(what);
+    }
+    void fire() {
+        pending_ = false;
+        now = std::max(now, due_);
+        std::exchange(what_, nullptr)();
+    }
+};
+
+struct Firmware {
+    hal::Board board;
+    std::unique_ptr<sim::Controller> controller;
+    EventPort port;
+    std::vector<std::uint8_t> memory;
+    hal::Op ops[512];
+    hal::DmaBus bus;
+    hal::PanelStorage<320, 2, 512, 0, true, true> storage;
+    struct Display final : hal::PanelDisplay {
+        using hal::PanelDisplay::PanelDisplay;
+    } display;
+
+    explicit Firmware(const hal::Board& b)
+        : board(b), controller(sim::make_controller(*b.display.panel, b.bus)),
+          port(*controller, hal::bus_caps(b)), memory(2 * 320 * 240 * 2 + 64),
+          bus(port, hal::bus_caps(b), {memory.data(), memory.size(), ops, 512}),
+          display(bus, board.display, storage.memory()) {
+        port.bus = &bus;
+    }
+    sim::Image glass() {
+        port.now += 2 * controller->refresh_time();
+        const hal::Extent size = board.display.panel->glass;
+        return sim::upright(sim::picture_of(controller->glass(port.now), size.width, size.height),
+                            board.display.orientation);
+    }
+};
+
+hal::Board board_of(bool tear_free) {
+    hal::Board board = boards::ili9341_spi;
+    board.display.buffers = 2;
+    board.has_te = true;
+    board.display.wait_te = tear_free;
+    board.display.scan_order = tear_free;
+    return board;
+}
+
+TEST(DmaBus, ScenesAreDrawnWhileTheLastFrameIsMoved) {
+    for (const bool tear_free : {false, true})
+        for (const char* const id : {"S6", "HUD"}) {
+            SCOPED_TRACE(id);
+            const hal::Board board = board_of(tear_free);
+            sim::SimBoard sim(board);
+            ASSERT_TRUE(test::play(sim.display(), *scenes::find(id), 6));
+            Firmware firmware(board);
+            Time from = 0, busy = 0;
+            ASSERT_TRUE(test::play(firmware.display, *scenes::find(id), 6, [&] {
+                if (from == 0)
+                    from = firmware.port.now, busy = firmware.port.busy;
+                firmware.port.pass(20'000'000);
+            }));
+            const Time took = firmware.port.now - from, wire = firmware.port.busy - busy;
+            ASSERT_TRUE(firmware.display.finish().ok());
+            if (!tear_free) {
+                EXPECT_LT(took, std::max<Time>(wire, 6 * 20'000'000) + 40'000'000);
+            }
+            EXPECT_EQ(sim::hash(firmware.glass()), sim::hash(sim.glass()));
+            for (const sim::Violation& v : firmware.controller->violations())
+                EXPECT_TRUE(tear_free && v.rule == sim::Rule::tear) << v.text; // the first, whole frame
+        }
+}
+
+TEST(DmaBus, ReadsPollsAndWaits) {
+    hal::Board board = board_of(false);
+    board.display.poll_line = true;
+    Firmware firmware(board);
+    ASSERT_TRUE(firmware.display.init().ok());
+    const auto line = firmware.display.scanline();
+    ASSERT_TRUE(line.ok());
+    EXPECT_LT(line.value(), 324);
+    hal::Op never;
+    never.kind = hal::Op::Kind::wait_line;
+    never.command = 0x45;
+    never.dummy_bits = 1;
+    never.length = 5000;
+    never.stride = 9000;
+    never.micros = 3000;
+    const auto token = firmware.bus.submit(&never, 1);
+    ASSERT_TRUE(token.ok());
+    EXPECT_FALSE(firmware.bus.done(token.value()));
+    EXPECT_EQ(firmware.bus.submit(&never, 1).error().fault, hal::Fault::busy);
+    EXPECT_EQ(firmware.bus.wait(token.value(), 1000000).error().fault, hal::Fault::timeout);
+    EXPECT_TRUE(firmware.bus.done(token.value()));
+}
+
+TEST(DmaBus, FaultsAreTold) {
+    Firmware firmware(board_of(true));
+    ASSERT_TRUE(firmware.display.init().ok());
+    const auto present = [&] {
+        const auto frame = firmware.display.acquire();
+        EXPECT_TRUE(frame.ok());
+        frame.value().extents->rows[3] = {0, 9};
+        frame.value().pixels[3 * frame.value().stride] ^= 0xFF;
+        const auto sent = firmware.display.present();
+        return sent.ok() ? firmware.display.finish() : sent;
+    };
+    ASSERT_TRUE(present().ok());
+    firmware.port.fail_write = hal::Fault::short_write;
+    EXPECT_EQ(present().error().fault, hal::Fault::short_write);
+    firmware.port.te_missing = true;
+    EXPECT_EQ(present().error().fault, hal::Fault::timeout);
+    firmware.port.te_missing = false;
+    EXPECT_TRUE(present().ok());
+    firmware.port.dead = true; // the interrupt never comes
+    const auto stuck = present();
+    EXPECT_EQ(stuck.error().fault, hal::Fault::timeout);
+    EXPECT_EQ(firmware.bus.submit(nullptr, 0).error().fault, hal::Fault::busy);
+    firmware.port.dead = false;
+    EXPECT_TRUE(present().ok());
+
+    std::uint8_t bytes[64];
+    EventPort port(*firmware.controller, {});
+    hal::Op op;
+    hal::DmaBus small(port, {}, {bytes, sizeof bytes, &op, 1});
+    const auto buffer = small.acquire(8);
+    ASSERT_TRUE(buffer.ok());
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(buffer.value().bytes) % hal::DmaBus::alignment, 0u);
+    EXPECT_FALSE(small.acquire(64).ok());
+    const hal::Op two[2] = {};
+    EXPECT_EQ(small.submit(two, 2).error().fault, hal::Fault::bad_argument);
+    op.kind = hal::Op::Kind::wait_te;
+    const hal::Op te = op;
+    EXPECT_EQ(small.submit(&te, 1).error().fault, hal::Fault::unsupported);
+    EXPECT_EQ(small.wait({7}, 1).error().fault, hal::Fault::bad_argument);
+}
+
+} // namespace
