@@ -191,6 +191,7 @@ TEST(Tears, LandscapeIsFreeOfThemOnlyInTheOrderOfTheScan) {
             const Seen plain = play({.write_hz = 62500000, .sync = sync, .orientation = o, .buffers = 2});
             if (against) {
                 EXPECT_GT(plain.torn, 0) << "columns or rows against the scan";
+                EXPECT_EQ(plain.presents.unsafe, 10u);
             } else {
                 EXPECT_EQ(plain.torn, 0);
             }
