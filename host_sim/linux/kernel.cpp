@@ -4,12 +4,20 @@
 #include <cstring>
 
 #include <sys/eventfd.h>
+#include <time.h>
 
 namespace spangle::sim {
 namespace {
 
 /// What a system call costs a program: the virtual clock never stands still.
 constexpr Time call_ns = 500;
+
+Time thread_cpu() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return Time{static_cast<std::uint64_t>(now.tv_sec)} * 1'000'000'000 +
+           static_cast<std::uint64_t>(now.tv_nsec);
+}
 
 class TextFile final : public OpenFile {
   public:
@@ -160,6 +168,11 @@ bool Kernel::stalled() const {
     return stalled_ != 0;
 }
 
+Time Kernel::device_cpu() const {
+    const std::lock_guard lock(mutex_);
+    return device_cpu_;
+}
+
 std::uint64_t Kernel::calls() const {
     const std::lock_guard lock(mutex_);
     return calls_;
@@ -231,8 +244,11 @@ bool Kernel::answer(int file, Call::Kind kind, unsigned long request, Answer dev
     const Verdict verdict = node != nodes_.end() ? judge({kind, node->first, request}) : Verdict{};
     if (entry->dead && !entry->file->answers_when_dead(request))
         out = node != nodes_.end() ? -node->second.device->gone_error() : -ENODEV;
-    else if (verdict.error == 0 || verdict.late)
+    else if (verdict.error == 0 || verdict.late) {
+        const Time before = thread_cpu();
         out = device(*entry->file, verdict.limit);
+        device_cpu_ += thread_cpu() - before;
+    }
     if (!entry->dead && verdict.error != 0)
         out = -verdict.error;
     return true;

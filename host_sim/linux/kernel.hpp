@@ -93,6 +93,8 @@ class Kernel {
     void release();
     bool stalled() const;
     std::uint64_t calls() const;
+    /// Processor time that the devices took to answer: what a program's own work is told apart from.
+    Time device_cpu() const;
 
     // --- the system calls: false when the path or file is not ours. `answer` is negative errno on failure.
     bool open(const char* path, long& answer);
@@ -129,6 +131,7 @@ class Kernel {
     std::map<int, Entry> files_;
     Judge judge_;
     Time now_ = 0;
+    Time device_cpu_ = 0;
     std::uint64_t calls_ = 0, releases_ = 0;
     int stalled_ = 0;
 

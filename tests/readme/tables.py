@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the tables of README.md from what was measured, so that no number in them is copied by hand.
+"""Writes the tables of README.md and docs/linux.md from what was measured, so that no number in them is copied by hand.
 
 usage: tables.py [--check] [--spangle PROGRAM]
 
@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-README = ROOT / "README.md"
+README, LINUX = ROOT / "README.md", ROOT / "docs/linux.md"
 BENCH = ROOT / "tests/bench"
 TIERS = ("exact", "balanced", "fast")
 FRAMES = 10
@@ -125,8 +125,19 @@ def features():
     return table(["feature", *(f"{target}, {kind}" for target in found for kind in ("code", "context"))], rows)
 
 
+def transports():
+    """What `./dev bench hal --record` kept: means over frames of a scene."""
+    def cells(r):
+        wire, cpu = r["wire_us"], r["cpu_us"]
+        serial = "MHz" in r["transport"] # only there does the model know how long the wire takes
+        return [r["transport"], r["scene"], f"{r['bytes']:,}", f"{1e6 / wire:.0f}" if serial else "-", f"{cpu / 1000:.2g} ms" if cpu >= 1000 else f"{cpu:.0f} us",
+                f"{100 * cpu / wire:.1f} %" if serial else "-"]
+    return table(["transport", "scene", "bytes a frame", "frames/s of the wire", "processor a frame", "share of it"],
+                 [cells(r) for r in json.loads((BENCH / "hal.json").read_text())])
+
+
 def refreshed(text, contents):
-    """README with these tables in place."""
+    """The page with these tables in place."""
     for name, content in contents.items():
         pattern = re.compile(rf"(<!-- table: {name} -->\n).*?(\n<!-- end -->)", re.S)
         if len(pattern.findall(text)) != 1:
@@ -167,6 +178,7 @@ def recorded():
 
 def write(contents):
     README.write_text(refreshed(README.read_text(), contents))
+    LINUX.write_text(refreshed(LINUX.read_text(), {"transports": transports()}))
 
 
 def main():
@@ -181,7 +193,9 @@ def main():
     if not arguments.check:
         write(contents)
         return 0
-    text, good = README.read_text(), True
+    text, good = README.read_text(), standing(LINUX.read_text(), "transports") == transports()
+    if not good:
+        print("docs/linux.md: the table 'transports' is not what was recorded; `./dev tables` writes it")
     for name, content in contents.items():
         old = standing(text, name)
         if old == content:
