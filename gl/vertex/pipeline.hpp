@@ -479,8 +479,9 @@ template <class M, class L> class Pipeline {
     }
 
     /// A strip of elements: its corners stay in registers.
-    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& given,
                         bool normals) {
+        const Indices indices = given; // in registers
         Vertex *older = nullptr, *old = nullptr;
         const auto place = [&](Vertex& cached) -> Vertex& {
             Vertex* v = &cached;
