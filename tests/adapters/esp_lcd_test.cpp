@@ -19,6 +19,7 @@ struct esp_lcd_panel_io_t {
     void* user = nullptr;
     int colors = 0, parameters = 0, queued = 0;
     esp_err_t answer = ESP_OK;
+    std::vector<std::uint8_t> sent; ///< as colours
 
     void transmit(int command, const void* data, std::size_t bytes, bool color) {
         std::vector<hal::Op> ops;
@@ -63,6 +64,8 @@ esp_err_t esp_lcd_panel_io_tx_param(esp_lcd_panel_io_handle_t io, int command, c
 }
 esp_err_t esp_lcd_panel_io_tx_color(esp_lcd_panel_io_handle_t io, int command, const void* color,
                                     std::size_t bytes) {
+    const auto* const bytes_of = static_cast<const std::uint8_t*>(color);
+    io->sent.insert(io->sent.end(), bytes_of, bytes_of + bytes);
     if (io->answer == ESP_OK)
         io->transmit(command, color, bytes, true), ++io->colors, ++io->queued;
     return io->answer;
@@ -138,11 +141,35 @@ TEST(EspLcd, AListIsDoneWithItsLastColour) {
     ASSERT_TRUE(token.ok());
     EXPECT_EQ(io.parameters, 0) << "the command goes with the first colours";
     EXPECT_EQ(io.colors, 3) << "600 bytes in blocks of 240";
+    ASSERT_EQ(io.sent.size(), 600u);
+    for (std::size_t i = 0; i < io.sent.size(); ++i)
+        EXPECT_EQ(io.sent[i], pixel[i % 2]);
     EXPECT_FALSE(bus.done(token.value()));
     EXPECT_EQ(bus.submit(ops, 2).error().fault, hal::Fault::busy);
     EXPECT_EQ(bus.wait(token.value(), 0).error().fault, hal::Fault::timeout);
     EXPECT_TRUE(bus.wait(token.value(), 1000).ok());
     EXPECT_TRUE(bus.done(token.value()));
+}
+
+TEST(EspLcd, RowsWithGapsAndWithout) {
+    sim::SimBoard sim(boards::st7789_240);
+    esp_lcd_panel_io_t io;
+    io.board = &sim;
+    adapters::EspLcdBus bus(config_of(io, boards::st7789_240));
+    const std::uint8_t bytes[] = {1, 2, 3, 4, 5, 6, 7, 8};
+    hal::Op op;
+    op.kind = hal::Op::Kind::pixels;
+    op.data = bytes;
+    op.length = 2;
+    op.rows = 2;
+    op.stride = 2;
+    ASSERT_TRUE(bus.submit(&op, 1).ok());
+    EXPECT_EQ(io.colors, 1);
+    io.finish();
+    op.stride = 6;
+    ASSERT_TRUE(bus.submit(&op, 1).ok());
+    EXPECT_EQ(io.colors, 3);
+    EXPECT_EQ(io.sent, (std::vector<std::uint8_t>{1, 2, 3, 4, 1, 2, 7, 8}));
 }
 
 TEST(EspLcd, RefusalsAndFailures) {
