@@ -59,7 +59,7 @@ DisplayInfo PanelDisplay::info() const {
             size.height,
             config_.format,
             config_.buffers == 1 || (described && turns(config_)),
-            config_.wire != nullptr ? config_.wire->format : WireFormat::none};
+            config_.wire.converts() ? config_.wire.format : WireFormat::none};
 }
 
 // --- Initialisation ---
@@ -88,7 +88,7 @@ Result<void> PanelDisplay::check_config() const {
     const Extent size = sent_size(config_);
     if (config_.poll_line && caps_.read_hz == 0)
         return Error{Fault::unsupported, "display: polling the scanned line, but the bus cannot read"};
-    if (config_.scan_order && (config_.buffers != 2 || config_.wire != nullptr))
+    if (config_.scan_order && (config_.buffers != 2 || config_.wire.converts()))
         return Error{
             Fault::bad_argument,
             "display: turning frames into the order of the scan takes two buffers, and pixels that travel "
@@ -103,7 +103,7 @@ Result<void> PanelDisplay::check_config() const {
         return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
     if (config_.buffers < 1 || config_.buffers > 2)
         return Error{Fault::bad_argument, "display: a panel display has one or two buffers"};
-    if (config_.wire != nullptr && config_.buffers != 1)
+    if (config_.wire.converts() && config_.buffers != 1)
         return Error{Fault::bad_argument,
                      "display: a picture that is turned into another format needs one buffer"};
     if (memory_.buffers < config_.buffers || memory_.height < book_height(config_) ||
@@ -131,7 +131,7 @@ Result<void> PanelDisplay::take_buffers() {
         for (std::int32_t y = 0; y < picture_.height; ++y)
             content_[i].rows[y] = {0, picture_.width};
     }
-    if (config_.wire == nullptr || !wire_.empty())
+    if (!config_.wire.converts() || !wire_.empty())
         return {};
     // Windows that end inside a byte round up: one a row at most.
     const std::size_t wire_size =
@@ -401,7 +401,7 @@ Result<void> PanelDisplay::show(bool in_place) {
                                   static_cast<std::int32_t>(sent_stride()), suspect_ || behind_);
     if (const auto r = send(); !r)
         return r;
-    if (config_.buffers == 1 && config_.wire == nullptr) {
+    if (config_.buffers == 1 && !config_.wire.converts()) {
         if (const auto r = settle(); !r)
             return r;
     }
@@ -481,7 +481,7 @@ Result<void> PanelDisplay::send() {
         FramePlan plan(WindowPlan(sent_damage(), placement_.size.height, cost, memory_.plan),
                        apart ? &spans : nullptr, memory_.hash.code);
         // Two lists have a gap between them that nobody foresees, and the first is waited for.
-        const bool one_list = config_.buffers == 2 || config_.wire != nullptr || tear_free();
+        const bool one_list = config_.buffers == 2 || config_.wire.converts() || tear_free();
         if (!one_list || cost.window >= dearest_window || ops_of(plan) + sync_ops <= ops_.capacity())
             return send_windows(plan);
         cost.window = 2 * cost.window + 1; // dearer windows are fewer
@@ -612,14 +612,14 @@ Result<void> PanelDisplay::append_windows(const Rect& area) {
 std::size_t PanelDisplay::convert(const Rect& window) {
     const Picture picture = {buffers_[back_].to_send(), static_cast<std::int32_t>(stride()),
                              placement_.size.height, config_.format, (placement_.madctl & dcs::MV) != 0};
-    return config_.wire->convert(picture, window, wire_.to_draw(bus_) + wire_end_);
+    return config_.wire.convert(picture, window, wire_.to_draw(bus_) + wire_end_);
 }
 
 Result<void> PanelDisplay::append_window(const Rect& window) {
     if (const auto r = make_room(windows_.commands() + 1); !r)
         return r;
     windows_.open(ops_, window);
-    if (config_.wire != nullptr) {
+    if (config_.wire.converts()) {
         const std::uint8_t* const converted = wire_.to_draw(bus_) + wire_end_;
         const std::size_t bytes = convert(window);
         wire_end_ += bytes;
@@ -637,7 +637,7 @@ std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     const auto pieces = [](std::size_t whole, std::size_t part) { return (whole + part - 1) / part; };
     const std::size_t limit = op_limit(), line = static_cast<std::uint32_t>(window.w) * pixel_bytes_;
     const auto rows = static_cast<std::size_t>(window.h);
-    if (config_.wire != nullptr) // one long row
+    if (config_.wire.converts()) // one long row
         return pieces(wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}),
                       limit);
     if (line == sent_stride())

@@ -70,12 +70,12 @@ std::string present_as(const PresentOptions& options, hal::Board& board) {
         display.poll_line = true;
     if (options.pacing != "block") {
         display.pacing = options.pacing == "drop" ? hal::Pacing::drop : hal::Pacing::coalesce;
-        display.buffers = display.wire == nullptr ? 2 : 1;
+        display.buffers = display.wire.converts() ? 1 : 2;
     }
     if (options.buffers != 0)
         display.buffers = static_cast<std::uint8_t>(options.buffers);
     const bool against_the_scan = hal::scan_order(*display.panel, display.orientation).turns();
-    if (options.tear_free != "off" && against_the_scan && display.wire == nullptr && options.buffers != 1) {
+    if (options.tear_free != "off" && against_the_scan && !display.wire.converts() && options.buffers != 1) {
         display.scan_order = true;
         display.buffers = 2;
     }

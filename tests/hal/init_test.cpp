@@ -153,7 +153,7 @@ TEST(Init, RefusesWhatCannotWorkAndSaysWhy) {
     BusCaps caps = spi(4000000);
     c = on(panels::ssd1306_128x64);
     EXPECT_STREQ(refused(c, caps).rule, "display: the panel does not take this pixel format on this bus");
-    c.wire = &wires::mono, c.buffers = 2;
+    c.wire = wires::mono, c.buffers = 2;
     EXPECT_STREQ(refused(c, caps).rule,
                  "display: a picture that is turned into another format needs one buffer");
     c.buffers = 1, c.wait_te = true;
@@ -256,18 +256,18 @@ TEST(Init, AnIdentityMayBeTheOnlyThingThatAnswers) {
 TEST(Init, EachCommandSetNamesAWindowItsWay) {
     const struct {
         const PanelDesc& panel;
-        const Wire* wire;
+        Wire wire;
         Orientation orientation;
         const char* window;
     } table[] = {
-        {panels::ssd1306_128x64, &wires::mono, {}, "21 10 17 22 02 02 "},
-        {panels::ssd1306_128x64, &wires::mono, {Rotation::r90}, "21 10 17 22 02 02 "},
-        {panels::sh1106_128x64, &wires::mono, {}, "02 11 B2 "},
-        {panels::ssd0303_96x16, &wires::mono, {}, "04 13 B1 "},
-        {panels::ssd1327_128x128, &wires::grey4, {}, "15 08 0b 75 10 17 "},
-        {panels::ssd1351_128x128, nullptr, {}, "15 10 17 75 10 17 5C "},
-        {panels::ssd1331_96x64, nullptr, {}, "15 10 17 75 10 17 "},
-        {panels::hx8347_240x320, nullptr, {}, "02 00 03 10 04 00 05 17 06 00 07 10 08 00 09 17 22 "},
+        {panels::ssd1306_128x64, wires::mono, {}, "21 10 17 22 02 02 "},
+        {panels::ssd1306_128x64, wires::mono, {Rotation::r90}, "21 10 17 22 02 02 "},
+        {panels::sh1106_128x64, wires::mono, {}, "02 11 B2 "},
+        {panels::ssd0303_96x16, wires::mono, {}, "04 13 B1 "},
+        {panels::ssd1327_128x128, wires::grey4, {}, "15 08 0b 75 10 17 "},
+        {panels::ssd1351_128x128, Wire{}, {}, "15 10 17 75 10 17 5C "},
+        {panels::ssd1331_96x64, Wire{}, {}, "15 10 17 75 10 17 "},
+        {panels::hx8347_240x320, Wire{}, {}, "02 00 03 10 04 00 05 17 06 00 07 10 08 00 09 17 22 "},
     };
     for (const auto& row : table) {
         PanelConfig config = on(row.panel, row.orientation);
@@ -295,24 +295,24 @@ TEST(Init, EachCommandSetNamesAWindowItsWay) {
 TEST(Init, OledsAreSetUpByTheirCommandSet) {
     const struct {
         const PanelDesc& panel;
-        const Wire* wire;
+        Wire wire;
         Orientation orientation;
         const char* settings;
     } table[] = {
-        {panels::ssd1306_128x64, &wires::mono, {}, "A1 C8 20 00 A6 21 00 7f 22 00 07 rep1024 AF "},
+        {panels::ssd1306_128x64, wires::mono, {}, "A1 C8 20 00 A6 21 00 7f 22 00 07 rep1024 AF "},
         {panels::ssd1306_128x64,
-         &wires::mono,
+         wires::mono,
          {Rotation::r90, true},
          "A0 C0 20 01 A6 21 00 7f 22 00 07 rep1024 AF "},
         {panels::ssd1306_128x32,
-         &wires::mono,
+         wires::mono,
          {Rotation::r180},
          "A0 C0 20 00 A6 21 00 7f 22 00 03 rep512 AF "},
-        {panels::ssd0323_128x64, &wires::grey4, {}, "A0 52 A4 15 00 3f 75 00 3f rep4096 AF "},
-        {panels::ssd1351_128x128, nullptr, {}, "A0 74 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
-        {panels::ssd1351_128x128, &wires::rgb332, {}, "A0 34 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
-        {panels::ssd1331_96x64, nullptr, {}, "A0 72 A4 15 00 5f 75 00 3f rep6144 AF "},
-        {panels::ssd1331_96x64, nullptr, {Rotation::r90}, "A0 71 A4 15 00 5f 75 00 3f rep6144 AF "},
+        {panels::ssd0323_128x64, wires::grey4, {}, "A0 52 A4 15 00 3f 75 00 3f rep4096 AF "},
+        {panels::ssd1351_128x128, Wire{}, {}, "A0 74 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
+        {panels::ssd1351_128x128, wires::rgb332, {}, "A0 34 A6 15 00 7f 75 00 7f 5C rep16384 AF "},
+        {panels::ssd1331_96x64, Wire{}, {}, "A0 72 A4 15 00 5f 75 00 3f rep6144 AF "},
+        {panels::ssd1331_96x64, Wire{}, {Rotation::r90}, "A0 71 A4 15 00 5f 75 00 3f rep6144 AF "},
     };
     for (const auto& row : table) {
         PanelConfig config = on(row.panel, row.orientation);

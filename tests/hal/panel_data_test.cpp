@@ -149,7 +149,7 @@ TEST(BoardData, FlawsOfOledsAreNamed) {
         return std::string(rule != nullptr ? rule : "");
     };
     EXPECT_EQ(flawed([](Board&) {}), "");
-    EXPECT_EQ(flawed([](Board& b) { b.display.wire = nullptr; }),
+    EXPECT_EQ(flawed([](Board& b) { b.display.wire = {}; }),
               "board: the panel cannot take this format on this bus");
     EXPECT_EQ(flawed([](Board& b) { b.display.buffers = 2; }),
               "board: a picture that is turned into another format needs one buffer");
@@ -158,7 +158,7 @@ TEST(BoardData, FlawsOfOledsAreNamed) {
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000000; }), "");
     EXPECT_EQ(flawed([](Board& b) { b.write_hz = 1000001; }),
               "board: the write clock is faster than this panel is known to take");
-    EXPECT_EQ(flawed([](Board& b) { b.display.panel = &panels::ssd1331_96x64, b.display.wire = nullptr; }),
+    EXPECT_EQ(flawed([](Board& b) { b.display.panel = &panels::ssd1331_96x64, b.display.wire = {}; }),
               "board: the panel cannot take this format on this bus");
     EXPECT_EQ(flawed([](Board& b) { b.bus = BusKind::spi_start; }),
               "board: the panel cannot take this format on this bus");

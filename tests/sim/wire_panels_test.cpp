@@ -20,12 +20,12 @@ using hal::WireFormat;
 
 struct Case {
     const hal::PanelDesc* panel;
-    const hal::Wire* wire;
+    hal::Wire wire;
     hal::BusKind bus;
 };
 
-constexpr const hal::Wire* every_wire[] = {&hal::wires::rgb565, &hal::wires::rgb666, &hal::wires::rgb444,
-                                           &hal::wires::rgb332, &hal::wires::grey4,  &hal::wires::mono};
+constexpr hal::Wire every_wire[] = {hal::wires::rgb565, hal::wires::rgb666, hal::wires::rgb444,
+                                    hal::wires::rgb332, hal::wires::grey4,  hal::wires::mono};
 
 bool is_large(const hal::PanelDesc& panel) {
     return panel.commands->status_registers;
@@ -34,9 +34,9 @@ bool is_large(const hal::PanelDesc& panel) {
 std::vector<Case> cases() {
     std::vector<Case> out;
     for (const hal::PanelDesc* panel : hal::panels::all)
-        for (const hal::Wire* wire : every_wire)
+        for (const hal::Wire& wire : every_wire)
             for (const auto bus : {panel->serial_bus, hal::BusKind::i8080, hal::BusKind::i2c})
-                if (hal::format_code(*panel, bus, wire->format).taken) {
+                if (hal::format_code(*panel, bus, wire.format).taken) {
                     out.push_back({panel, wire, bus});
                     if (is_large(*panel))
                         break; // one bus: panels_test.cpp draws on the others
@@ -47,7 +47,7 @@ std::vector<Case> cases() {
 std::string name_of(const Case& c) {
     constexpr const char* wires[] = {"565", "666", "444", "332", "grey4", "mono"};
     constexpr const char* buses[] = {"spi", "8080", "i2c", "spi_start"};
-    std::string name = std::string(c.panel->name) + "_" + wires[static_cast<unsigned>(c.wire->format)] + "_" +
+    std::string name = std::string(c.panel->name) + "_" + wires[static_cast<unsigned>(c.wire.format)] + "_" +
                        buses[static_cast<unsigned>(c.bus)];
     for (char& letter : name)
         letter = std::isalnum(static_cast<unsigned char>(letter)) ? letter : '_';
@@ -126,8 +126,8 @@ void expect_scene(const Case& c, const scenes::Scene& scene, hal::Orientation o,
     const std::string where = std::string(scene.id) + ", turned " + std::to_string(90 * int(o.rotation)) +
                               (o.mirrored ? ", mirrored" : "");
     EXPECT_EQ(sim.violations_text(), "") << where;
-    const std::vector<unsigned> seen = steps_on(sim.glass(), c.wire->format),
-                                wanted = steps_of(rgb, info.width, info.height, c.wire->format, surface);
+    const std::vector<unsigned> seen = steps_on(sim.glass(), c.wire.format),
+                                wanted = steps_of(rgb, info.width, info.height, c.wire.format, surface);
     ASSERT_EQ(seen.size(), wanted.size());
     const auto [at, other] = std::mismatch(seen.begin(), seen.end(), wanted.begin());
     EXPECT_EQ(at, seen.end()) << where << ": value " << (at - seen.begin()) << " is " << *at << ", not "
@@ -156,12 +156,12 @@ INSTANTIATE_TEST_SUITE_P(All, WirePanels, testing::ValuesIn(cases()),
 
 TEST(WirePanels, NamedBoardsShowAScene) {
     for (const hal::Board* board : boards::all) {
-        if (board->display.wire == nullptr)
+        if (!board->display.wire.converts())
             continue;
         sim::SimBoard sim(*board);
         ASSERT_TRUE(test::play(sim.display(), *scenes::find("S6"), 3)) << board->name;
         EXPECT_EQ(sim.violations_text(), "") << board->name;
-        const auto steps = steps_on(sim.glass(), board->display.wire->format);
+        const auto steps = steps_on(sim.glass(), board->display.wire.format);
         EXPECT_NE(*std::max_element(steps.begin(), steps.end()), 0u) << board->name << " stays dark";
     }
 }

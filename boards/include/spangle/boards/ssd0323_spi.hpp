@@ -9,7 +9,7 @@ namespace spangle::boards {
 inline constexpr hal::Board ssd0323_spi = hal::board({
     .name = "ssd0323-spi",
     .summary = "SSD0323 128x64, sixteen greys, 4-wire SPI at 4 MHz",
-    .display = {.panel = &hal::panels::ssd0323_128x64, .wire = &hal::wires::grey4},
+    .display = {.panel = &hal::panels::ssd0323_128x64, .wire = hal::wires::grey4},
     .bus = hal::BusKind::spi4,
     .write_hz = 4000000, // datasheet: 250 ns
 });

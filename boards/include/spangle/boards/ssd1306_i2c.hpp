@@ -9,7 +9,7 @@ namespace spangle::boards {
 inline constexpr hal::Board ssd1306_i2c = hal::board({
     .name = "ssd1306-i2c",
     .summary = "SSD1306 128x64, I2C at 400 kHz",
-    .display = {.panel = &hal::panels::ssd1306_128x64, .wire = &hal::wires::mono, .reset_line = false},
+    .display = {.panel = &hal::panels::ssd1306_128x64, .wire = hal::wires::mono, .reset_line = false},
     .bus = hal::BusKind::i2c,
     .write_hz = 400000, // datasheet: 2.5 us
 });

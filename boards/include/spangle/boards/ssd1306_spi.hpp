@@ -9,7 +9,7 @@ namespace spangle::boards {
 inline constexpr hal::Board ssd1306_spi = hal::board({
     .name = "ssd1306-spi",
     .summary = "SSD1306 128x64, 4-wire SPI at 10 MHz",
-    .display = {.panel = &hal::panels::ssd1306_128x64, .wire = &hal::wires::mono},
+    .display = {.panel = &hal::panels::ssd1306_128x64, .wire = hal::wires::mono},
     .bus = hal::BusKind::spi4,
     .write_hz = 10000000, // datasheet: 100 ns
 });

@@ -28,13 +28,13 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return broken("board: the panel cannot take this format on this bus", on);
     if (display.buffers < 1 || display.buffers > 2)
         return broken("board: one or two buffers", on);
-    if (display.wire != nullptr && display.buffers != 1)
+    if (display.wire.converts() && display.buffers != 1)
         return broken("board: a picture that is turned into another format needs one buffer", on);
     if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
         return broken("board: reading back needs a read clock and a panel that answers", on);
     if (display.poll_line && !display.read_back)
         return broken("board: polling the scanned line without reading back", on);
-    if (display.scan_order && (display.buffers != 2 || display.wire != nullptr))
+    if (display.scan_order && (display.buffers != 2 || display.wire.converts()))
         return broken("board: turning frames into the order of the scan takes two buffers, as they are", on);
     if (display.wait_te && !board.has_te)
         return broken("board: waiting for TE without a TE line", on);

@@ -30,8 +30,8 @@ struct PanelConfig {
     Orientation orientation = {};
     PixelFormat format = PixelFormat::rgb565_be;
     /// Another format on the wire: a present turns what it sends into it, in memory of its own, and returns
-    /// while that is on the wire. Null: the surface's pixels travel as they are.
-    const Wire* wire = nullptr;
+    /// while that is on the wire. Left out: the surface's pixels travel as they are.
+    Wire wire = {};
     std::uint8_t buffers =
         1; ///< 1: present() returns when the frame is on the panel; 2: while it is on the wire
     bool reset_line = true; ///< false: SWRESET instead
@@ -46,7 +46,7 @@ struct PanelConfig {
 };
 
 constexpr WireFormat wire_format(const PanelConfig& config) {
-    return config.wire != nullptr ? config.wire->format : same_bytes(config.format);
+    return config.wire.converts() ? config.wire.format : same_bytes(config.format);
 }
 
 /// What is in one frame buffer: outside these rows, the clear value.
@@ -198,7 +198,7 @@ class PanelDisplay : public Display {
     std::size_t wire_bytes(const Extent& size) const;
     bool tear_free() const { return config_.wait_te || config_.poll_line; }
     std::uint8_t canvases() const { return turns_ ? 1 : config_.buffers; }
-    BusBuffer& sent_buffer() { return config_.wire != nullptr ? wire_ : buffers_[turns_ ? 1 : back_]; }
+    BusBuffer& sent_buffer() { return config_.wire.converts() ? wire_ : buffers_[turns_ ? 1 : back_]; }
     RowSpan* sent_damage() const { return turns_ ? memory_.turned : memory_.damage; }
     std::uint32_t stride() const { return static_cast<std::uint32_t>(picture_.width) * pixel_bytes_; }
     std::uint32_t sent_stride() const {

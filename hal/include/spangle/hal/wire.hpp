@@ -55,6 +55,8 @@ using Converter = std::size_t (*)(const Picture& picture, const Rect& area, std:
 struct Wire {
     WireFormat format = WireFormat::none;
     Converter convert = nullptr;
+
+    constexpr bool converts() const { return format != WireFormat::none; }
 };
 
 std::size_t to_rgb565(const Picture& picture, const Rect& area, std::uint8_t* to);
