@@ -128,7 +128,15 @@ class LineBatch {
             L::store(paths_.count.at + i, line.count);
             if (L::any(L::less(L::Int{}, line.count)))
                 follow(line, i);
+            else
+                interval(i, L::Int{}, L::Int{}, L::Int{}); // set-up looks at lines without fragments, too
         }
+    }
+
+    SPANGLE_INLINE void interval(int i, L::Int begin, L::Int end, L::Int from_begin) {
+        L::store(begin_.at + i, begin);
+        L::store(end_.at + i, end);
+        L::store(from_begin_.at + i, from_begin);
     }
 
     /// Where they lie; and where attributes start from. These run from one end of the line to the other;
@@ -153,9 +161,7 @@ class LineBatch {
         const Int low = L::select(L::less(first, line.low), first, line.low),
                   high = L::select(L::less(line.high, last), last, line.high);
         const Int begin = L::select(line.ascends, low, high);
-        L::store(begin_.at + i, begin);
-        L::store(end_.at + i, L::select(line.ascends, high, low));
-        L::store(from_begin_.at + i, line.major - (begin >> subpixel_bits));
+        interval(i, begin, L::select(line.ascends, high, low), line.major - (begin >> subpixel_bits));
     }
 
     /// One colour leaves one plane, and that has one direction: what Setup finds, in a few steps.

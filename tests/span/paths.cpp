@@ -110,6 +110,7 @@ TEST(Paths, ManyAreOneAfterTheOther) {
     for (int round = 0; round < 400; ++round) {
         std::vector<FixedVertex> v;
         std::vector<const FixedVertex*> at;
+        at.reserve(41);
         const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8; // or all of them inside
         for (int i = 0; i < 41; ++i) {
             v.push_back(random_end(random, true, beyond));
