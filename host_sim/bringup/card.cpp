@@ -37,7 +37,8 @@ void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swa
         std::copy_n(rgb, 3, at);
         return;
     }
-    const unsigned word = (rgb[0] >> 3u) << 11 | (rgb[1] >> 2u) << 5 | rgb[2] >> 3u;
+    const unsigned r = rgb[0], g = rgb[1], b = rgb[2];
+    const unsigned word = (r >> 3) << 11 | (g >> 2) << 5 | b >> 3;
     const bool high_first = (format == PixelFormat::rgb565_be) != swapped;
     at[high_first ? 0 : 1] = static_cast<std::uint8_t>(word >> 8);
     at[high_first ? 1 : 0] = static_cast<std::uint8_t>(word);
