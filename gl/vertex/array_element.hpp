@@ -23,8 +23,8 @@ class ArrayReader {
     /// 0 while it is off.
     unsigned components() const { return on() ? components_ : 0; }
 
-    /// Elements are three aligned floats: words().
-    bool is_float3() const { return aligned_floats_ && components_ == 3; }
+    /// Elements are so many aligned floats: words().
+    bool is_floats(unsigned count) const { return aligned_floats_ && components_ == count; }
     SPANGLE_INLINE const std::uint8_t* words(std::uint32_t index) const { return base_ + stride_ * index; }
     static std::uint32_t word(const std::uint8_t* at, int i) {
         std::uint32_t bits;
@@ -32,7 +32,7 @@ class ArrayReader {
         return bits;
     }
 
-    /// The three of is_float3().
+    /// The three of is_floats(3).
     SPANGLE_INLINE void read3(std::uint32_t index, Real* out) const {
         const std::uint8_t* const at = words(index);
         out[0] = float_at(at);

@@ -7,13 +7,7 @@
 
 namespace spangle::gl {
 
-inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
-    CurrentState& current = context.current;
-    if (reader.color.on()) {
-        current.color[3] = numeric::one; // of three components
-        reader.color.read(index, current.color);
-        follow_color(context);
-    }
+inline void set_texture(CurrentState& current, const ElementReader& reader, std::uint32_t index) {
     if (!reader.textured)
         return;
     for (int u = 0; u < texture_units; ++u) {
@@ -24,6 +18,16 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
         v[3] = numeric::one;
         reader.tex_coord[u].read(index, v);
     }
+}
+
+inline void set_color_and_texture(Context& context, const ElementReader& reader, std::uint32_t index) {
+    CurrentState& current = context.current;
+    if (reader.color.on()) {
+        current.color[3] = numeric::one; // of three components
+        reader.color.read(index, current.color);
+        follow_color(context);
+    }
+    set_texture(current, reader, index);
 }
 
 /// Of the arrays in ElementReader::seldom.

@@ -57,8 +57,8 @@ template <class M, class L> class Pipeline {
         CurrentState& current = context.current;
         if (each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
             return elements_in_turn(context, reader, count, indices);
-        arrays_begin(reader, current);
-        const bool usual = is_usual(reader), normals = lit_ && reader.normal.on();
+        const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
+        arrays_begin(reader, current, textured);
         if (!lit_)
             set_unlit_color(current);
         const auto next = [&](Vertex& v) {
@@ -66,21 +66,22 @@ template <class M, class L> class Pipeline {
             if (++held_ == full_)
                 primitive();
         };
-        if (!usual)
+        if (!is_usual(reader) || (reader.textured || units_ != 0) != textured)
             for (std::uint32_t i = 0; i < count; ++i)
                 next(unusual_element(context, reader, indices.at(i)));
-        else if (mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP)
+        else if (has_lines())
             line_elements(reader, count, indices, normals);
         else if (mode_ == GL_TRIANGLE_STRIP)
-            strip_elements(reader, count, indices, normals);
+            strip_elements(reader, count, indices, normals, textured);
         else
             for (std::uint32_t i = 0; i < count; ++i)
-                next(usual_element(
-                    reader, indices.at(i), normals,
-                    [this](Vertex& cached) -> Vertex& { return place_of(cached); },
-                    [this](Vertex& v) { process(v); }));
-        if (reader.normal.on() && count != 0)
+                next(corner_element(reader, indices.at(i), normals, textured,
+                                    [this](Vertex& cached) -> Vertex& { return place_of(cached); }));
+        if (count == 0)
+            return;
+        if (reader.normal.on())
             reader.normal.read(indices.at(count - 1), current.normal);
+        set_texture(current, reader, indices.at(count - 1));
     }
 
     void end() {
@@ -153,6 +154,7 @@ template <class M, class L> class Pipeline {
     struct Vertex : Given {
         std::uint32_t flags = 0;
         std::uint32_t time = 0; ///< in the cache: good while this is now_
+        Real st[2]{};           ///< what read_texture() made window.tex of
         Window window{};
     };
     /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
@@ -352,9 +354,10 @@ template <class M, class L> class Pipeline {
 
     /// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
     /// ones, went with all.
-    void arrays_begin(const ElementReader& reader, const CurrentState& current) {
+    void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured) {
         const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
-                                (reader.color.on() ? 2u : 0u) | (reader.textured ? 1u : 0u);
+                                (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
+                                (reader.textured ? 1u : 0u);
         if (layout != layout_ || !same<4>(given_color_, current.color) ||
             (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
             forget();
@@ -367,10 +370,22 @@ template <class M, class L> class Pipeline {
             given_color_[c] = current.color[c];
     }
 
-    /// Three floats each, and everything else is current.
+    bool has_lines() const {
+        return mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
+    }
+
+    /// Three floats each, and everything else, texture coordinates apart, is current.
     bool is_usual(const ElementReader& reader) const {
-        return reader.vertex.is_float3() && (!lit_ || !reader.normal.on() || reader.normal.is_float3()) &&
-               !reader.color.on() && !reader.textured && units_ == 0;
+        return reader.vertex.is_floats(3) && (!lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
+               !reader.color.on();
+    }
+
+    /// Two floats for the first texture unit, and no other is on.
+    bool is_usual_texture(const ElementReader& reader) const {
+        bool others = false;
+        for (int u = 1; u < texture_units; ++u)
+            others = others || reader.tex_coord[u].on();
+        return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !generates(0) && !has_lines();
     }
 
     Vertex& cached(std::uint32_t index) {
@@ -427,6 +442,31 @@ template <class M, class L> class Pipeline {
         return fresh;
     }
 
+    /// The same with the coordinates of is_usual_texture(), if `textured`: kept, too, while the array says
+    /// the same.
+    template <class Place>
+    SPANGLE_INLINE Vertex& corner_element(const ElementReader& reader, std::uint32_t index, bool normals,
+                                          bool textured, const Place& place) {
+        Vertex& v = usual_element(reader, index, normals, place, [&](Vertex& fresh) {
+            process(fresh);
+            if (textured)
+                read_texture(reader.tex_coord[0].words(index), fresh);
+        });
+        if (textured) {
+            const std::uint8_t* const words = reader.tex_coord[0].words(index);
+            if (v.st[0].bits != ArrayReader::word(words, 0) || v.st[1].bits != ArrayReader::word(words, 1))
+                read_texture(words, v);
+        }
+        return v;
+    }
+
+    [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v) {
+        for (int i = 0; i < 2; ++i)
+            v.st[i] = numeric::from_float_bits(ArrayReader::word(words, i));
+        const Real given[4] = {v.st[0], v.st[1], numeric::zero, numeric::one};
+        M::set_texture(transforms_, given, 0, v.window);
+    }
+
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words) {
         return v[0].bits == ArrayReader::word(words, 0) && v[1].bits == ArrayReader::word(words, 1) &&
                v[2].bits == ArrayReader::word(words, 2);
@@ -479,8 +519,8 @@ template <class M, class L> class Pipeline {
     }
 
     /// A strip of elements: its corners stay in registers.
-    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& given,
-                        bool normals) {
+    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& given, bool normals,
+                        bool textured) {
         const Indices indices = given; // in registers
         Vertex *older = nullptr, *old = nullptr;
         const auto place = [&](Vertex& cached) -> Vertex& {
@@ -490,8 +530,7 @@ template <class M, class L> class Pipeline {
             return *v;
         };
         for (std::uint32_t i = 0; i < count; ++i) {
-            Vertex* const v = &usual_element(reader, indices.at(i), normals, place,
-                                             [this](Vertex& fresh) { process(fresh); });
+            Vertex* const v = &corner_element(reader, indices.at(i), normals, textured, place);
             if (i >= 2)
                 usual_triangle((i & 1) == 0 ? *older : *old, (i & 1) == 0 ? *old : *older, *v);
             older = old;

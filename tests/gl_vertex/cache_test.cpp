@@ -18,7 +18,7 @@ class VertexCache : public Canvas {
     std::mt19937 random{11};
     std::array<std::array<GLfloat, 4>, elements> position, normal, tex_coord;
     std::array<std::array<GLubyte, 4>, elements> color;
-    GLint size = 3;
+    GLint size = 3, tex_coords = 4;
     std::vector<GLushort> indices;
 
     int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(random); }
@@ -64,7 +64,7 @@ class VertexCache : public Canvas {
     /// One thing that a cached vertex depends on.
     void change_something() {
         auto v = any();
-        switch (whole(0, 26)) {
+        switch (whole(0, 30)) {
         case 0:
             return glRotatef(real(-30, 30), v[0], v[1], v[2]);
         case 1:
@@ -112,6 +112,25 @@ class VertexCache : public Canvas {
             glEnableClientState(GL_NORMAL_ARRAY);
             glDisableClientState(GL_COLOR_ARRAY);
             return glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+        case 18: // the usual case with a texture
+            size = 3;
+            tex_coords = 2;
+            glEnable(GL_TEXTURE_2D);
+            glDisable(GL_COLOR_MATERIAL);
+            glEnableClientState(GL_NORMAL_ARRAY);
+            glDisableClientState(GL_COLOR_ARRAY);
+            return glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+        case 19:
+            tex_coords = whole(1, 4);
+            return;
+        case 20:
+            glMatrixMode(GL_TEXTURE);
+            glLoadIdentity();
+            if (whole(0, 1) != 0)
+                glScalef(v[0], v[1], v[2]);
+            return glMatrixMode(GL_MODELVIEW);
+        case 21:
+            return toggle(GL_TEXTURE_GEN_S);
         default:
             return change_memory();
         }
@@ -120,7 +139,7 @@ class VertexCache : public Canvas {
     void arrays() {
         glVertexPointer(size, GL_FLOAT, sizeof position[0], position[0].data());
         glNormalPointer(GL_FLOAT, sizeof normal[0], normal[0].data());
-        glTexCoordPointer(4, GL_FLOAT, sizeof tex_coord[0], tex_coord[0].data());
+        glTexCoordPointer(tex_coords, GL_FLOAT, sizeof tex_coord[0], tex_coord[0].data());
         glColorPointer(4, GL_UNSIGNED_BYTE, 0, color[0].data());
     }
 
