@@ -171,7 +171,7 @@ class VertexCache : public Canvas {
 
 TEST_F(VertexCache, TellsNothing) {
     std::size_t compared = 0;
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < 50000; ++n) {
         if (whole(0, 1) != 0)
             change_something();
         arrays();
@@ -204,6 +204,28 @@ TEST_F(VertexCache, TellsNothing) {
     }
     std::printf("%zu corners\n", compared);
     EXPECT_GT(compared, 500000u);
+}
+
+/// The same s and t with another q in between: what is kept is not that q.
+TEST_F(VertexCache, CoordinatesOfTwoComponentsAreNotThoseOfFour) {
+    glEnable(GL_TEXTURE_2D);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    indices = {0, 1, 2, 3};
+    const auto draw = [&](GLint components) {
+        tex_coords = components;
+        arrays();
+        WindowRecorder recorder;
+        glDrawElements(GL_TRIANGLE_STRIP, 4, GL_UNSIGNED_SHORT, indices.data());
+        return recorder.primitives;
+    };
+    const auto before = draw(2), between = draw(4), after = draw(2);
+    ASSERT_EQ(before.size(), after.size());
+    ASSERT_FALSE(before.empty());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (int c = 0; c < before[i].corners; ++c) {
+            EXPECT_TRUE(same(before[i].corner[c], after[i].corner[c], false, true)) << i << ' ' << c;
+            EXPECT_FALSE(same(before[i].corner[c], between[i].corner[c], false, true)) << i << ' ' << c;
+        }
 }
 
 } // namespace
