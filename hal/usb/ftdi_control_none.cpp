@@ -4,7 +4,9 @@
 namespace spangle::hal {
 
 FtdiControl::FtdiControl() = default;
-FtdiControl::~FtdiControl() = default;
+FtdiControl::~FtdiControl() {
+    release();
+}
 
 void FtdiControl::release() {}
 

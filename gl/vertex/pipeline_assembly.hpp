@@ -1,0 +1,107 @@
+// From vertices to primitives (GL 1.3, 2.6.1); provoking vertices by table 2.11.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L> inline int Pipeline<M, L>::corners_of(GLenum mode) {
+    constexpr std::int8_t corners[] = {1, 2, 2, 2, 3, 3, 3, 4, 4, 3}; // POINTS .. POLYGON
+    return corners[mode];
+}
+
+template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
+    Vertex* const v = corner_[i];
+    corner_[i] = corner_[j];
+    corner_[j] = v;
+}
+
+/// All corners are there: draws, and leaves those that the next primitive shares in front.
+template <class M, class L> void Pipeline<M, L>::primitive() {
+    Vertex* const* const c = corner_;
+    switch (mode_) {
+    case GL_POINTS:
+        held_ = 0;
+        return point(*c[0]);
+    case GL_LINES:
+        held_ = 0;
+        return line(*c[0], *c[1]);
+    case GL_LINE_STRIP:
+        held_ = 1;
+        swap(0, 1);
+        return line(*c[1], *c[0]);
+    case GL_LINE_LOOP: // the first vertex stays in front
+        held_ = 2;
+        if (full_ == 2) {
+            full_ = 3;
+            return line(*c[0], *c[1]);
+        }
+        swap(1, 2);
+        return line(*c[2], *c[1]);
+    case GL_TRIANGLES:
+        held_ = 0;
+        return triangle(*c[0], *c[1], *c[2]);
+    case GL_TRIANGLE_STRIP:
+        return strip();
+    case GL_TRIANGLE_FAN:
+        held_ = 2;
+        swap(1, 2);
+        return triangle(*c[0], *c[2], *c[1]);
+    case GL_POLYGON: {
+        if (outlined())
+            return outlined_fan(false);
+        held_ = 2;
+        swap(1, 2);
+        Vertex* const corners[3] = {c[0], c[2], c[1]};
+        return polygon(corners, 3, *c[0]);
+    }
+    case GL_QUADS:
+        held_ = 0;
+        return quad(*c[0], *c[1], *c[2], *c[3], *c[3]);
+    default: // QUAD_STRIP: v0 v1 v3 v2
+        held_ = 2;
+        swap(0, 2);
+        swap(1, 3);
+        return quad(*c[2], *c[3], *c[1], *c[0], *c[1]);
+    }
+}
+
+/// The oldest triangle of a polygon that may be drawn as its outline: v0, vi, vi+1. Only the edges of the
+/// polygon are drawn: v0 v1 is in the first triangle, vn v0 in the last.
+template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
+    const auto flag = [](Vertex& v, bool is_edge) {
+        v.flags = is_edge && (v.flags & edge_flag) != 0 ? v.flags | boundary : v.flags & ~boundary;
+    };
+    flag(*corner_[0], !odd_);
+    flag(*corner_[1], true);
+    flag(*corner_[2], last);
+    odd_ = true;
+    polygon(corner_, 3, *corner_[0]);
+    swap(1, 2);
+    swap(2, 3);
+    held_ = 3;
+}
+
+/// Which edges of any other polygon are drawn: those of strips and fans all (GL 1.3, 2.6.2).
+template <class M, class L> inline void Pipeline<M, L>::flag_edges(Vertex* const* corners, int n) {
+    if (mode_ == GL_POLYGON)
+        return;
+    const bool by_flag = mode_ == GL_TRIANGLES || mode_ == GL_QUADS;
+    for (int i = 0; i < n; ++i) {
+        std::uint32_t& flags = corners[i]->flags;
+        flags = !by_flag || (flags & edge_flag) != 0 ? flags | boundary : flags & ~boundary;
+    }
+}
+
+/// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
+template <class M, class L> inline void Pipeline<M, L>::strip() {
+    Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
+    corner_[0] = middle;
+    corner_[1] = last;
+    corner_[2] = oldest;
+    held_ = 2;
+    odd_ = !odd_;
+    triangle(odd_ ? *oldest : *middle, odd_ ? *middle : *oldest, *last);
+}
+
+} // namespace spangle::gl

@@ -1,0 +1,136 @@
+// Clipping (GL 1.3, 2.11).
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
+    return planes_.any() || (lit_ && lighting_.needs_eye());
+}
+
+/// The vertex with all that clipping mixes; colours come first.
+template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, int i) {
+    color(v);
+    Cut& out = cut_[i];
+    static_cast<Vertex&>(out) = v;
+    out.flags |= is_cut;
+    out.clip = M::to_clip(transforms_, v.position);
+    if (fog_)
+        out.eye_z = M::depth(transforms_, v.position);
+    if (needs_eye())
+        out.eye = M::to_eye(transforms_, v.position);
+    out.light = L::input(v.normal);
+#if SPANGLE_FEATURE_FEEDBACK
+    if (captures())
+        out.texture = texture_[&v - slot_];
+#endif
+    return out;
+}
+
+/// A vertex at t of the edge from a to b.
+template <class M, class L>
+void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
+    M::mix(a.window, b.window, t, units_, out.window);
+    if (fog_) {
+        out.eye_z = M::mix(a.eye_z, b.eye_z, t);
+        M::set_fog(out.eye_z, out.window);
+    }
+    if (needs_eye())
+        out.eye = M::mix(a.eye, b.eye, t);
+    L::mix(a.light, b.light, t, out.light);
+#if SPANGLE_FEATURE_FEEDBACK
+    if (captures())
+        out.texture = M::mix(a.texture, b.texture, t);
+#endif
+    out.clip = M::mix(a.clip, b.clip, t);
+    out.flags = flags_of(out.clip) | is_cut;
+}
+
+template <class M, class L> inline int Pipeline<M, L>::band() const {
+    return exactly_clipped() ? 1 : M::guard_band;
+}
+
+/// Planes are numbered: those of the view volume, from user_shift on the user's. These come last, so that
+/// they cut the same polygon as their complements do.
+template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const Cut& v) const {
+    if (plane < user_shift)
+        return M::distance(v.clip, plane, band()) >= 0;
+    const typename M::Plane& user = planes_[plane - user_shift];
+    return !M::outside(user, M::distance(user, v.eye));
+}
+
+/// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
+template <class M, class L>
+inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside, Cut& out) {
+    if (plane >= user_shift)
+        return cut_by_user(planes_[plane - user_shift], inside, outside, out);
+    mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, band()), out);
+    // Rounding must not leave it outside of the plane it lies on.
+    out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
+}
+
+/// From the side where distances are positive, whichever is kept: the same integers for a plane and its
+/// complement.
+template <class M, class L>
+inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside,
+                                        Cut& out) {
+    const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
+    mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
+}
+
+template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
+    int made = 2;
+    Cut* end[2] = {&to_be_cut(*ends[0], 0), &to_be_cut(*ends[1], 1)};
+    for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
+        const bool first_in = keeps(plane, *end[0]), second_in = keeps(plane, *end[1]);
+        if (!first_in && !second_in)
+            return false;
+        if (first_in && second_in)
+            continue;
+        Cut& fresh = cut_[made++];
+        cut(plane, first_in ? *end[0] : *end[1], first_in ? *end[1] : *end[0], fresh);
+        end[first_in ? 1 : 0] = &fresh;
+    }
+    ends[0] = end[0];
+    ends[1] = end[1];
+    return true;
+}
+
+/// Sutherland and Hodgman, plane by plane; the polygon ends up in work[0].
+template <class M, class L>
+inline int Pipeline<M, L>::clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes) {
+    int used = n;
+    for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
+        if ((planes >> plane & 1) == 0)
+            continue;
+        int m = 0;
+        for (int i = 0; i < n; ++i) {
+            // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
+            // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
+            if (used == cut_count || m + 2 > clip_vertices)
+                return 0;
+            Cut& here = static_cast<Cut&>(*work[0][i]);
+            Cut& next = static_cast<Cut&>(*work[0][i + 1 == n ? 0 : i + 1]);
+            const bool here_in = keeps(plane, here), next_in = keeps(plane, next);
+            if (here_in)
+                work[1][m++] = &here;
+            if (here_in == next_in)
+                continue;
+            Cut& fresh = cut_[used++];
+            cut(plane, here_in ? here : next, here_in ? next : here, fresh);
+            // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
+            // cut (GL 1.3, 2.11).
+            fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
+            work[1][m++] = &fresh;
+        }
+        n = m;
+        for (int i = 0; i < n; ++i)
+            work[0][i] = work[1][i];
+        if (n < 3)
+            return 0;
+    }
+    return n;
+}
+
+} // namespace spangle::gl

@@ -1,0 +1,296 @@
+// Elements of arrays: vertices kept by index, lines and strips of them.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L>
+inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
+    const ElementReader reader(context.arrays);
+    CurrentState& current = context.current;
+    if (each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
+        return elements_in_turn(context, reader, count, indices);
+    const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
+    arrays_begin(reader, current, textured);
+    if (!lit_)
+        set_unlit_color(current);
+    const auto next = [&](Vertex& v) {
+        corner_[held_] = &v;
+        if (++held_ == full_)
+            primitive();
+    };
+    if (!is_usual(reader) || (reader.textured || units_ != 0) != textured)
+        for (std::uint32_t i = 0; i < count; ++i)
+            next(unusual_element(context, reader, indices.at(i)));
+    else if (has_lines())
+        line_elements(reader, count, indices, normals);
+    else if (mode_ == GL_TRIANGLE_STRIP)
+        strip_elements(reader, count, indices, normals, textured);
+    else
+        for (std::uint32_t i = 0; i < count; ++i)
+            next(corner_element(reader, indices.at(i), normals, textured,
+                                [this](Vertex& cached) -> Vertex& { return place_of(cached); }));
+    if (count == 0)
+        return;
+    if (reader.normal.on())
+        reader.normal.read(indices.at(count - 1), current.normal);
+    set_texture(current, reader, indices.at(count - 1));
+}
+
+/// Cached vertices do not say how many components their arrays had, nor which normal and colour, current
+/// ones, went with all.
+template <class M, class L>
+inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const CurrentState& current,
+                                         bool textured) {
+    const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
+                            (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
+                            (reader.textured ? 1u : 0u);
+    if (layout != layout_ || !same<4>(given_color_, current.color) ||
+        (!reader.normal.on() && !same<3>(given_.normal, current.normal)))
+        forget();
+    layout_ = layout;
+    given_.position[2] = numeric::zero; // what the array leaves out
+    given_.position[3] = numeric::one;
+    for (int c = 0; c < 3; ++c)
+        given_.normal[c] = current.normal[c];
+    for (int c = 0; c < 4; ++c)
+        given_color_[c] = current.color[c];
+}
+
+template <class M, class L> inline bool Pipeline<M, L>::has_lines() const {
+    return mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
+}
+
+/// Three floats each, and everything else, texture coordinates apart, is current.
+template <class M, class L> inline bool Pipeline<M, L>::is_usual(const ElementReader& reader) const {
+    return reader.vertex.is_floats(3) && (!lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
+           !reader.color.on();
+}
+
+/// Two floats for the first texture unit, and no other is on.
+template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const ElementReader& reader) const {
+    bool others = false;
+    for (int u = 1; u < texture_units; ++u)
+        others = others || reader.tex_coord[u].on();
+    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !generates(0) && !has_lines();
+}
+
+template <class M, class L>
+inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
+    return cache_[index % SPANGLE_VERTEX_CACHE];
+}
+
+/// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
+/// the arrays still say the same of it.
+template <class M, class L>
+inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementReader& reader,
+                                                                std::uint32_t index) {
+    Vertex& v = cached(index);
+    reader.vertex.read(index, given_.position);
+    if (reader.normal.on())
+        reader.normal.read(index, given_.normal);
+    if (v.time == now_ && same<4>(v.position, given_.position) && same<3>(v.normal, given_.normal))
+        return v;
+    Vertex& fresh = place_of(v);
+    static_cast<Given&>(fresh) = given_;
+    process(fresh);
+    return fresh;
+}
+
+/// The same with its colour and texture coordinates.
+template <class M, class L>
+SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
+Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, std::uint32_t index) {
+    Vertex& v = element(reader, index);
+    set_color_and_texture(context, reader, index);
+    attributes(context.current, v);
+    return v;
+}
+
+/// The same where is_usual(), and with its colour: all vertices of this time have the same where they are
+/// not lit.
+/// If it is new `place` says where it goes, and `finish` does what process() does.
+template <class M, class L>
+template <class Place, class Finish>
+SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
+Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
+                              const Place& place, const Finish& finish) {
+    Vertex& v = cached(index);
+    const bool of_now = v.time == now_;
+    if (of_now && equal(v.position, reader.vertex.words(index)) &&
+        (!normals || equal(v.normal, reader.normal.words(index))))
+        return v;
+    Vertex& fresh = place(v);
+    fresh.time = now_;
+    reader.vertex.read3(index, fresh.position);
+    fresh.position[3] = numeric::one;
+    if (normals)
+        reader.normal.read3(index, fresh.normal);
+    else if (lit_)
+        for (int c = 0; c < 3; ++c)
+            fresh.normal[c] = given_.normal[c];
+    finish(fresh);
+    if (!lit_ && !(of_now && &fresh == &v))
+        M::copy_color(unlit_, fresh.window);
+    return fresh;
+}
+
+/// The same with the coordinates of is_usual_texture(), if `textured`: kept, too, while the array says
+/// the same.
+template <class M, class L>
+template <class Place>
+SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
+Pipeline<M, L>::corner_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
+                               const Place& place) {
+    Vertex& v = usual_element(reader, index, normals, place, [&](Vertex& fresh) {
+        process(fresh);
+        if (textured)
+            read_texture(reader.tex_coord[0].words(index), fresh);
+    });
+    if (textured) {
+        const std::uint8_t* const words = reader.tex_coord[0].words(index);
+        if (v.st[0].bits != ArrayReader::word(words, 0) || v.st[1].bits != ArrayReader::word(words, 1))
+            read_texture(words, v);
+    }
+    return v;
+}
+
+template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t* words, Vertex& v) {
+    for (int i = 0; i < 2; ++i)
+        v.st[i] = numeric::from_float_bits(ArrayReader::word(words, i));
+    const Real given[4] = {v.st[0], v.st[1], numeric::zero, numeric::one};
+    M::set_texture(transforms_, given, 0, v.window);
+}
+
+template <class M, class L>
+SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* words) {
+    return v[0].bits == ArrayReader::word(words, 0) && v[1].bits == ArrayReader::word(words, 1) &&
+           v[2].bits == ArrayReader::word(words, 2);
+}
+
+/// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
+/// that none waits for another.
+template <class M, class L>
+inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count,
+                                          const Indices& indices, bool normals) {
+    Pending lines;
+    const auto place = [&](Vertex& cached) -> Vertex& {
+        if ((cached.flags & is_pending) != 0) [[unlikely]]
+            draw_pending(lines);
+        if ((cached.flags & is_pending) == 0) [[likely]]
+            return cached;
+        return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
+    };
+    const auto begin = [&](Vertex& v) {
+        lines.fresh[lines.fresh_count] = &v;
+        lines.projections.add(lines.fresh_count++, transforms_, v.position, v.window, fog_);
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vertex& v = usual_element(reader, indices.at(i), normals, place, begin);
+        v.flags |= is_pending;
+        lines.vertex[lines.count++] = &v;
+        if (mode_ == GL_LINE_LOOP && i == 0) {
+            divide(lines);
+            slot_[2] = v;
+        }
+        if (lines.fresh_count == line_batch || lines.count == line_batch + 1)
+            draw_pending(lines);
+    }
+    draw_pending(lines);
+    if (lines.count == 0)
+        return;
+    lines.vertex[0]->flags &= ~is_pending;
+    if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes it
+        corner_[0] = &slot_[2];
+        corner_[1] = lines.vertex[0];
+        held_ = 2;
+    }
+}
+
+/// A strip of elements: its corners stay in registers.
+template <class M, class L>
+inline void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count,
+                                           const Indices& given, bool normals, bool textured) {
+    const Indices indices = given; // in registers
+    Vertex *older = nullptr, *old = nullptr;
+    const auto place = [&](Vertex& cached) -> Vertex& {
+        Vertex* v = &cached;
+        for (Vertex* slot = slot_; v == older || v == old; ++slot) // of three, one is free
+            v = slot;
+        return *v;
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vertex* const v = &corner_element(reader, indices.at(i), normals, textured, place);
+        if (i >= 2)
+            usual_triangle((i & 1) == 0 ? *older : *old, (i & 1) == 0 ? *old : *older, *v);
+        older = old;
+        old = v;
+    }
+}
+
+template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
+    lines.projections.finish();
+    for (int i = 0; i < lines.fresh_count; ++i) {
+        Vertex& v = *lines.fresh[i];
+        unsigned planes = 0;
+        const bool divided = lines.projections.divide(i, transforms_, v.position, v.window, planes);
+        set_flags(v, divided, planes);
+        v.flags |= is_pending;
+    }
+    lines.fresh_count = 0;
+}
+
+/// Draws the lines and lets go of their vertices, but for the last where the next line starts from it.
+template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
+    divide(p);
+    const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
+    lines(p.vertex, p.count, step);
+    for (int i = 0; i < p.count - left; ++i)
+        p.vertex[i]->flags &= ~is_pending;
+    if (left != 0) {
+        p.vertex[0] = p.vertex[p.count - 1];
+        p.vertex[0]->flags |= is_pending;
+    }
+    p.count = left;
+}
+
+/// Where a new vertex goes that belongs into `cached`.
+template <class M, class L>
+SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::place_of(Vertex& cached) {
+    Vertex* v = &cached;
+    for (int i = 0; i < held_; ++i)
+        if (corner_[i] == v)
+            v = free_slot(); // another corner of this primitive has its place
+    v->time = now_;
+    return *v;
+}
+
+/// One of four that none of the corners held, three at most, is in.
+template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::free_slot() {
+    for (Vertex& v : slot_) {
+        bool held = false;
+        for (int i = 0; i < held_; ++i)
+            held = held || corner_[i] == &v;
+        if (!held)
+            return &v;
+    }
+    return slot_;
+}
+
+/// Colours that materials follow, or no vertex array: element by element.
+template <class M, class L>
+void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
+                                      const Indices& indices) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t index = indices.at(i);
+        set_attributes(context, reader, index);
+        if (!reader.vertex.on())
+            continue;
+        Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+        reader.vertex.read(index, v);
+        vertex(context, v[0], v[1], v[2], v[3]);
+    }
+}
+
+} // namespace spangle::gl

@@ -1,0 +1,230 @@
+// Points, lines and polygons: in sight or not, culled, coloured, drawn.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
+    if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || !project(v))
+        return;
+    color(v);
+    draw_point(v, v.window);
+}
+
+template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex& v, const Window& window) {
+    if (captures())
+        return capture(
+            GL_POINT_TOKEN,
+            [&](int) {
+                return Corner{v, window};
+            },
+            1);
+    raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
+}
+
+template <class M, class L>
+inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const Vertex& b,
+                                      const Window& at_b, const Window& provoking) {
+    if (captures())
+        return capture_line({a, at_a}, {b, at_b}, provoking);
+    raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
+}
+
+template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
+    if (captures())
+        return captured_line(a, b);
+    Vertex* const ends[2] = {&a, &b};
+    lines(ends, 2, 1);
+}
+
+/// From vertices i to i + 1, with i = 0, step, ...
+template <class M, class L> void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step) {
+    unsigned any = 0;
+    const Window* window[line_batch + 1];
+    for (int i = 0; i < n; ++i) {
+        any |= vertex[i]->flags;
+        window[i] = &vertex[i]->window;
+    }
+    if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || planes_.any()) [[unlikely]] {
+        for (int i = 0; i + 1 < n; i += step)
+            seen_line(*vertex[i], *vertex[i + 1]);
+        return;
+    }
+    if ((any & uncolored) != 0)
+        for (int i = flat_ ? 1 : 0; i < n; i += flat_ ? step : 1)
+            color(*vertex[i]);
+    raster::draw_lines(*state_, context_->drawable.surface, window, n, step, line_width_);
+}
+
+/// A line that may be out of sight.
+template <class M, class L> void Pipeline<M, L>::seen_line(Vertex& a, Vertex& b) {
+    if ((a.flags & b.flags & outside_mask) != 0)
+        return;
+    if (!flat_)
+        color(a);
+    color(b);
+    cut_line(a, b);
+}
+
+/// A line that may be beyond a plane, or whose ends may have no window coordinates yet.
+template <class M, class L> void Pipeline<M, L>::cut_line(Vertex& a, Vertex& b) {
+    Vertex* ends[2] = {&a, &b};
+    if ((clip_planes(a.flags | b.flags) != 0 || planes_.any()) && !clip_line(ends))
+        return;
+    if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 && (!project(*ends[0]) || !project(*ends[1])))
+        return;
+    draw_line(*ends[0], ends[0]->window, *ends[1], ends[1]->window, b.window);
+}
+
+template <class M, class L>
+inline std::int64_t Pipeline<M, L>::area_of(const Window& a, const Window& b, const Window& c) {
+    const raster::Position at_a = raster::position(a), at_b = raster::position(b), at_c = raster::position(c);
+    return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
+}
+
+/// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
+/// goes the way of polygons.
+template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
+    usual_triangle(a, b, c);
+}
+
+template <class M, class L>
+SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex& c) {
+    const unsigned any = a.flags | b.flags | c.flags;
+    if ((a.flags & b.flags & c.flags & outside_mask) != 0)
+        return;
+    if ((any & (beyond_mask | unprojected)) != 0 || whole_polygons_) {
+        Vertex* const corners[3] = {&a, &b, &c};
+        return polygon(corners, 3, c);
+    }
+    const std::int64_t area = area_of(a.window, b.window, c.window);
+    if (area == 0 || (area > 0 ? culls_ccw_ : culls_cw_))
+        return;
+    if ((any & uncolored) != 0) {
+        if (!flat_)
+            color(a), color(b);
+        color(c);
+    }
+    raster::draw_triangle(*state_, context_->drawable.surface, a.window, b.window, c.window, c.window, area);
+}
+
+/// Two triangles with one facing: that of the whole quad.
+template <class M, class L>
+inline void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
+    Vertex* corners[4] = {&a, &b, &c, &d};
+    polygon(corners, 4, provoking);
+}
+
+template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners, int n, Vertex& provoking) {
+    unsigned all = outside_mask, any = 0;
+    for (int i = 0; i < n; ++i) {
+        all &= corners[i]->flags;
+        any |= corners[i]->flags;
+    }
+    if (all != 0)
+        return;
+    if (outlined())
+        flag_edges(corners, n);
+    unsigned planes = clip_planes(any);
+    if (planes_.any()) {
+        unsigned all_user = ~0u, any_user = 0;
+        for (int i = 0; i < n; ++i) {
+            const unsigned user = outside(*corners[i]);
+            all_user &= user;
+            any_user |= user;
+        }
+        if (all_user != 0)
+            return;
+        planes |= any_user << user_shift;
+    }
+    if (planes == 0)
+        return visible(corners, n, provoking);
+    Vertex* work[2][clip_vertices];
+    for (int i = 0; i < n; ++i)
+        work[0][i] = &to_be_cut(*corners[i], i);
+    const int left = clip_polygon(work, n, planes);
+    if (left >= 3)
+        visible(work[0], left, provoking);
+}
+
+template <class M, class L>
+inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking) {
+    std::int64_t area = 0, part[clip_vertices]; // of triangle 0, i, i + 1
+    for (int i = 0; i < n; ++i)
+        if (!project(*corners[i]))
+            return;
+    for (int i = 1; i + 1 < n; ++i) {
+        part[i] = area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
+        area += part[i];
+    }
+    if (area == 0 && n == 3 && !captures())
+        return;
+    const bool ccw = area > 0;
+    if (ccw ? culls_ccw_ : culls_cw_)
+        return;
+    if (ccw != front_is_ccw_ && two_sided_)
+        return draw_back(corners, n, provoking, part);
+    for (int i = 0; i < n && !flat_; ++i)
+        color(*corners[i]);
+    color(provoking);
+    draw([corners](int i) -> Window& { return corners[i]->window; }, corners, n, provoking.window,
+         ccw == front_is_ccw_ ? 0 : 1, part);
+}
+
+/// The polygon as the mode of its side says. at(i): the window vertex of corner i, coloured.
+template <class M, class L>
+template <class At>
+SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, const Window& provoking,
+                                         int side, const std::int64_t* part) {
+    if (outlined() && face_mode_[side] != GL_FILL)
+        return outline(at, corners, n, provoking, face_mode_[side]);
+    if (captures())
+        return capture(
+            GL_POLYGON_TOKEN,
+            [&](int i) {
+                return Corner{*corners[i], flat_ ? provoking : at(i)};
+            },
+            n);
+    for (int i = 1; i + 1 < n; ++i)
+        if (part[i] != 0)
+            raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
+                                  part[i]);
+}
+
+/// Boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
+template <class M, class L>
+template <class At>
+void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window& provoking, GLenum mode) {
+    stipple_starts_ = true;
+    for (int i = 0; i < n; ++i) {
+        if ((corners[i]->flags & boundary) == 0)
+            continue;
+        if (mode == GL_LINE) {
+            const int next = i + 1 < n ? i + 1 : 0;
+            draw_line(*corners[i], at(i), *corners[next], at(next), provoking);
+            continue;
+        }
+        Window v = at(i);
+        if (flat_)
+            M::copy_color(provoking, v);
+        draw_point(*corners[i], v);
+    }
+}
+
+/// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
+/// clipping made is lit from its mixed normal and position.
+template <class M, class L>
+inline void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
+                                      const std::int64_t* part) {
+    Window back[clip_vertices];
+    for (int i = 0; i < n; ++i) {
+        back[i] = corners[i]->window;
+        light(*corners[i], 1, back[i]);
+    }
+    Window flat = provoking.window;
+    light(provoking, 1, flat);
+    draw([&back](int i) -> Window& { return back[i]; }, corners, n, flat, 1, part);
+}
+
+} // namespace spangle::gl

@@ -1,0 +1,193 @@
+// One vertex: its place in the window, what goes with it, its colour.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L>
+inline void Pipeline<M, L>::raster_position(Context& context, const Real (&position)[4]) {
+    context_ = &context;
+    derive(context);
+    const CurrentState& current = context.current;
+    Vertex& v = slot_[0];
+    for (int c = 0; c < 4; ++c)
+        v.position[c] = position[c];
+    for (int c = 0; c < 3; ++c)
+        v.normal[c] = current.normal[c];
+    const typename M::Clip clip = M::to_clip(transforms_, v.position);
+    RasterPosition& out = context.current.raster;
+    out.valid =
+        (flags_of(clip) & outside_mask) == 0 && M::in_front(clip) && (!planes_.any() || outside(v) == 0);
+    if (!out.valid)
+        return;
+    Real eye[4];
+    M::reals(M::to_eye(transforms_, v.position), eye);
+    M::window_of(transforms_, clip, out.position);
+    out.distance = numeric::abs(eye[2]);
+    out.index = current.index;
+    v.flags = 0;
+    if (lit_)
+        light(v, 0, v.window);
+    for (int c = 0; c < 4; ++c)
+        out.color[c] = numeric::clamp01(current.color[c]);
+    if (lit_)
+        M::color_of(v.window, out.color);
+    for (int u = 0; u < texture_units; ++u)
+        M::reals(texture_of(current, v, u), out.tex_coord[u].v);
+#if SPANGLE_FEATURE_SELECTION
+    if (context.render.mode == GL_SELECT) {
+        M::project(transforms_, clip, v.window);
+        record_hit(context, M::depth_word(v.window), M::depth_word(v.window));
+    }
+#endif
+}
+
+template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
+    for (int i = 0; i < held_; ++i)
+        color(*corner_[i]);
+    lighting_.materials_changed();
+}
+
+/// Position and normal are set: its place in the window, or what is known of it.
+template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::process(Vertex& v) {
+    unsigned planes = 0;
+    const bool divided = to_window(v, planes);
+    set_flags(v, divided, planes);
+}
+
+template <class M, class L> bool Pipeline<M, L>::to_window(Vertex& v, unsigned& planes) const {
+    typename M::template Projections<1> projection;
+    projection.add(0, transforms_, v.position, v.window, fog_);
+    projection.finish();
+    return projection.divide(0, transforms_, v.position, v.window, planes);
+}
+
+template <class M, class L>
+SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) {
+    v.flags = divided ? planes : flags_of(M::to_clip(transforms_, v.position));
+    if (lit_)
+        v.flags |= uncolored;
+}
+
+/// What is current goes with the vertex.
+template <class M, class L>
+SPANGLE_INLINE void Pipeline<M, L>::attributes(const CurrentState& current, Vertex& v) {
+    if (units_ != 0)
+        textures(current, v);
+    if (lit_)
+        return;
+    set_unlit_color(current);
+    M::copy_color(unlit_, v.window);
+}
+
+template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(const CurrentState& current) {
+    if (has_unlit_color_ && same<4>(unlit_color_, current.color))
+        return;
+    M::set_color(unlit_, current.color);
+    for (int c = 0; c < 4; ++c)
+        unlit_color_[c] = current.color[c];
+    has_unlit_color_ = true;
+}
+
+/// The coordinates that a unit has behind its matrix, all four.
+template <class M, class L>
+typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Vertex& v, int unit) const {
+    const Real(&given)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
+                                  M::scalar(given[3])};
+    if (generates(unit))
+        texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+    return M::texture_of(transforms_, strq, unit);
+}
+
+template <class M, class L> inline bool Pipeline<M, L>::generates(int unit) const {
+    return (texgen_.units() >> unit & 1) != 0;
+}
+
+template <class M, class L> void Pipeline<M, L>::generated(const CurrentState& current, Vertex& v, int unit) {
+    const Real(&given)[4] = current.tex_coord[unit].v;
+    typename M::Scalar strq[4];
+    texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+    M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && given[3] == numeric::one, v.window);
+}
+
+template <class M, class L> void Pipeline<M, L>::textures(const CurrentState& current, Vertex& v) {
+    for (int u = 0; u < texture_units; ++u) {
+        if ((units_ >> u & 1) == 0)
+            continue;
+        if (generates(u))
+            generated(current, v, u);
+        else
+            M::set_texture(transforms_, current.tex_coord[u].v, u, v.window);
+    }
+}
+
+/// Flags of a vertex that is to be projected only if it is seen.
+template <class M, class L> unsigned Pipeline<M, L>::flags_of(const typename M::Clip& clip) {
+    unsigned flags = unprojected;
+    for (unsigned plane = 0; plane < 6; ++plane) {
+        const int p = static_cast<int>(plane);
+        flags |= M::distance(clip, p, 1) < 0 ? 1u << plane : 0u;
+        flags |= M::distance(clip, p, M::guard_band) < 0 ? 1u << (plane + beyond_shift) : 0u;
+    }
+    return flags;
+}
+
+/// Side 0 is the front, 1 the back.
+template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
+    if ((v.flags & is_cut) != 0) {
+        const Cut& cut = static_cast<const Cut&>(v);
+        return lighting_.light(*context_, cut.light, cut.eye, side, out);
+    }
+    typename M::Eye eye{};
+    if (lighting_.needs_eye())
+        eye = M::to_eye(transforms_, v.position);
+    lighting_.light(*context_, L::input(v.normal), eye, side, out);
+}
+
+/// What is known only now: the edge flag, and the colour where the material is the current colour.
+template <class M, class L> void Pipeline<M, L>::given(const CurrentState& current, Vertex& v) {
+    if (current.edge_flag)
+        v.flags |= edge_flag;
+#if SPANGLE_FEATURE_FEEDBACK
+    if (captures())
+        texture_[&v - slot_] = texture_of(current, v, 0);
+#endif
+    if (lighting_.tracks_color())
+        color(v);
+}
+
+/// The user's planes that a vertex, as it was given, is outside of.
+template <class M, class L> unsigned Pipeline<M, L>::outside(const Vertex& v) const {
+    return planes_.outside(M::to_eye(transforms_, v.position));
+}
+
+template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
+    if ((v.flags & uncolored) != 0)
+        light(v);
+}
+
+template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
+    static constexpr typename M::Eye unseen{};
+    if ((v.flags & is_cut) != 0 || lighting_.needs_eye())
+        light(v, 0, v.window);
+    else
+        lighting_.light(*context_, L::input(v.normal), unseen, 0, v.window);
+    v.flags &= ~uncolored;
+}
+
+/// False: not in front, never drawn.
+template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
+    if ((v.flags & unprojected) == 0)
+        return true;
+    const typename M::Clip clip =
+        (v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position);
+    if (!M::in_front(clip))
+        return false;
+    M::project(transforms_, clip, v.window);
+    v.flags &= ~unprojected;
+    return true;
+}
+
+} // namespace spangle::gl
