@@ -48,7 +48,7 @@ constexpr StateRow constant(GLenum name, std::int32_t value) {
         nullptr, false};
 }
 
-constexpr StateRow absent_switch(GLenum name) {
+[[maybe_unused]] constexpr StateRow absent_switch(GLenum name) {
     StateRow row = constant(name, 0);
     row.toggle = Switch::server;
     return row;
@@ -126,7 +126,7 @@ constexpr StateRow of_evaluators(StateRow row) {
     return of_feature(SPANGLE_FEATURE_EVALUATORS != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_EVALUATORS"), row);
 }
-constexpr StateRow of_feedback(StateRow row) {
+[[maybe_unused]] constexpr StateRow of_feedback(StateRow row) {
     return of_feature(SPANGLE_FEATURE_FEEDBACK != 0,
                       SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FEEDBACK"), row);
 }

@@ -222,10 +222,14 @@ SPANGLE_INLINE void set_lane(Lanes<8>::U16& v, int i, std::uint32_t from) {
     v[i] = static_cast<std::uint16_t>(from);
 }
 SPANGLE_INLINE void lane_of(const Lanes<8>::U32& v, int i, std::uint32_t& to) {
-    to = ((i & 1) != 0 ? v.odd : v.even)[i >> 1];
+    to = v.lane(i);
 }
 SPANGLE_INLINE void set_lane(Lanes<8>::U32& v, int i, std::uint32_t from) {
-    ((i & 1) != 0 ? v.odd : v.even)[i >> 1] = from;
+    // Not an element of a conditional expression: under UBSan gcc 12 writes into a copy of that.
+    if ((i & 1) != 0)
+        v.odd[i >> 1] = from;
+    else
+        v.even[i >> 1] = from;
 }
 /// A number is its only lane.
 SPANGLE_INLINE void lane_of(std::uint32_t v, int, std::uint32_t& to) {

@@ -230,13 +230,14 @@ void set_state(int k) {
     glBlendFunc(k != 0 ? GL_SRC_ALPHA : GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA);
     glColorMask(static_cast<GLboolean>(k), 1, 0, 1);
     glClearColor(f(0.1f), f(0.2f), f(0.3f), f(0.8f));
-    for (const GLenum hint : {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,
-                              GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT, GL_TEXTURE_COMPRESSION_HINT})
+    for (const GLenum hint : std::initializer_list<GLenum>{
+             GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,
+             GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT, GL_TEXTURE_COMPRESSION_HINT})
         glHint(hint, k != 0 ? GL_NICEST : GL_FASTEST);
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(k) + 8);
     glScissor(k + 1, k + 2, k + 3, k + 4);
     glFogfv(GL_FOG_COLOR, four);
-    for (const GLenum name : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
+    for (const GLenum name : std::initializer_list<GLenum>{GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
         glFogf(name, f(2));
     glFogi(GL_FOG_MODE, k != 0 ? GL_LINEAR : GL_EXP2);
     glColorMaterial(k != 0 ? GL_FRONT : GL_BACK, GL_EMISSION);
@@ -247,15 +248,17 @@ void set_state(int k) {
     glMapGrid1f(k + 2, f(1), f(2));
     glMapGrid2f(k + 2, f(1), f(2), k + 3, f(3), f(4));
     glMatrixMode(k != 0 ? GL_PROJECTION : GL_MODELVIEW);
-    for (const GLenum cap : {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_NORMALIZE, GL_RESCALE_NORMAL,
-                             GL_ALPHA_TEST, GL_BLEND, GL_TEXTURE_2D, GL_SCISSOR_TEST, GL_LIGHTING, GL_LIGHT0,
-                             GL_LIGHT7, GL_FOG, GL_AUTO_NORMAL, GL_MAP1_VERTEX_3, GL_MAP2_COLOR_4})
+    for (const GLenum cap : std::initializer_list<GLenum>{
+             GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_ALPHA_TEST,
+             GL_BLEND, GL_TEXTURE_2D, GL_SCISSOR_TEST, GL_LIGHTING, GL_LIGHT0, GL_LIGHT7, GL_FOG,
+             GL_AUTO_NORMAL, GL_MAP1_VERTEX_3, GL_MAP2_COLOR_4})
         (k != 0 ? glEnable : glDisable)(cap);
 }
 
 void set_client(int k) {
     static const char memory[16] = {};
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    for (const GLenum array : std::initializer_list<GLenum>{GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY,
+                                                            GL_TEXTURE_COORD_ARRAY})
         (k != 0 ? glEnableClientState : glDisableClientState)(array);
     const GLenum type = k != 0 ? GL_SHORT : GL_DOUBLE;
     glVertexPointer(k + 2, type, k + 8, memory);
@@ -422,9 +425,11 @@ Answers feedback() {
     glRotatef(20, 0, 0, 1);
     glScalef(2, 3, 1);
     glMatrixMode(GL_MODELVIEW);
-    for (const GLenum type : {GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE})
-        for (const GLenum mode : {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
-                                  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN})
+    for (const GLenum type :
+         std::initializer_list<GLenum>{GL_2D, GL_3D, GL_3D_COLOR, GL_3D_COLOR_TEXTURE, GL_4D_COLOR_TEXTURE})
+        for (const GLenum mode :
+             std::initializer_list<GLenum>{GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP, GL_TRIANGLES,
+                                           GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN})
             asker.feedback("primitive " + std::to_string(mode) + " type " + std::to_string(type), type,
                            [mode] { ring(mode, 8, 1); });
     asker.feedback("cut lines", GL_4D_COLOR_TEXTURE, [] { ring(GL_LINES, 8, 8); });
@@ -479,7 +484,7 @@ Answers evaluators() {
         glMap1f(map1[t], 0.25f, 2, 4 * k, 4, points.data());
         glMap2f(map1[t] + to_map2, -1, 1, 4 * k, 4, 0.5f, 2.5f, k, 4, points.data());
         for (const GLenum target : {map1[t], map1[t] + to_map2})
-            for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) {
+            for (const GLenum query : std::initializer_list<GLenum>{GL_COEFF, GL_ORDER, GL_DOMAIN}) {
                 GLdouble v[64] = {};
                 GLint n[64] = {};
                 glGetMapdv(target, query, v);
@@ -491,10 +496,11 @@ Answers evaluators() {
     }
     glMapGrid1f(9, 0.25f, 2);
     glMapGrid2f(5, -1, 1, 4, 0.5f, 2.5f);
-    for (const GLenum vertex : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}) {
+    for (const GLenum vertex : std::initializer_list<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}) {
         glEnable(vertex);
         glEnable(vertex + to_map2);
-        for (const GLenum attribute : {GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_3}) {
+        for (const GLenum attribute : std::initializer_list<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_1,
+                                                                    GL_MAP1_TEXTURE_COORD_3}) {
             glEnable(attribute);
             glEnable(attribute + to_map2);
             glColor4f(0.25f, 0.5f, 0.75f, 1); // Mesa's evaluators change what is current
@@ -523,7 +529,7 @@ Answers evaluators() {
         glEnable(GL_LIGHTING);
         glEnable(GL_LIGHT0);
         glEnable(GL_NORMALIZE);
-        for (const GLenum normals : {GL_AUTO_NORMAL, GL_MAP2_NORMAL}) {
+        for (const GLenum normals : std::initializer_list<GLenum>{GL_AUTO_NORMAL, GL_MAP2_NORMAL}) {
             glEnable(normals);
             asker.feedback("normals", GL_3D_COLOR, [] { glEvalMesh2(GL_POINT, 0, 5, 0, 4); });
             glDisable(normals);

@@ -38,7 +38,8 @@ void set_up_patches(int width, int height) {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
     map_sheet();
-    for (const GLenum on : {GL_MAP2_VERTEX_4, GL_AUTO_NORMAL, GL_NORMALIZE, GL_LIGHT0, GL_DEPTH_TEST})
+    for (const GLenum on : std::initializer_list<GLenum>{GL_MAP2_VERTEX_4, GL_AUTO_NORMAL, GL_NORMALIZE,
+                                                         GL_LIGHT0, GL_DEPTH_TEST})
         glEnable(on);
     glMapGrid1f(20, 0, 1);
 }

@@ -169,7 +169,7 @@ void set_up_sphere_map(int width, int height) {
     in_perspective(width, height);
     ring_texture();
     glEnable(GL_NORMALIZE);
-    for (const GLenum coord : {GL_S, GL_T}) {
+    for (const GLenum coord : std::initializer_list<GLenum>{GL_S, GL_T}) {
         glTexGeni(coord, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
         glEnable(coord == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T);
     }

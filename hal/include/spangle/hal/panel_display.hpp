@@ -157,6 +157,9 @@ class PanelDisplay : public Display {
     const Placement& placement() const { return placement_; }
 
   private:
+    /// A transfer is late when it takes twice its time and this.
+    static constexpr std::uint32_t grace_us = 100000;
+
     Result<void> check_config() const;
     Result<void> take_buffers();
     Result<void> reset_panel();

@@ -46,4 +46,15 @@ class Windows {
     Interval columns_, rows_;
 };
 
+/// Calls `append` for each part of the area that one window can name, from the top left.
+template <class Append>
+Result<void> for_each_window(const Windows& windows, const Rect& area, Append append) {
+    const Rect part = windows.first_of(area);
+    for (std::int32_t y = 0; y < area.h; y += part.h)
+        for (std::int32_t x = 0; x < area.w; x += part.w)
+            if (const Result<void> r = append({area.x + x, area.y + y, part.w, part.h}); !r)
+                return r;
+    return {};
+}
+
 } // namespace spangle::hal

@@ -1,0 +1,66 @@
+// What the panel says of itself, and of the pixels it holds.
+#include <spangle/hal/panel_display.hpp>
+
+namespace spangle::hal {
+namespace {
+
+/// Three bytes each.
+void reverse_pixels(std::uint8_t* rgb, std::int32_t count) {
+    for (std::int32_t i = 0, k = count - 1; i < k; ++i, --k)
+        for (std::int32_t c = 0; c < 3; ++c) {
+            const std::uint8_t left = rgb[3 * i + c];
+            rgb[3 * i + c] = rgb[3 * k + c];
+            rgb[3 * k + c] = left;
+        }
+}
+
+} // namespace
+
+Result<PanelStatus> PanelDisplay::status() {
+    if (!ready_)
+        return Error{Fault::bad_argument, "display: status before init succeeded"};
+    if (const auto r = settle(); !r)
+        return r.error();
+    return read_status(bus_, *config_.panel, scratch_);
+}
+
+Result<std::uint16_t> PanelDisplay::scanline() {
+    if (!ready_)
+        return Error{Fault::bad_argument, "display: scanline before init succeeded"};
+    if (const auto r = settle(); !r)
+        return r.error();
+    return read_scanline(bus_, *config_.panel, scratch_);
+}
+
+Result<void> PanelDisplay::read_back(const Rect& area, std::uint8_t* rgb) {
+    if (!ready_)
+        return Error{Fault::bad_argument, "display: read_back before init succeeded"};
+    if (const auto r = settle(); !r)
+        return r;
+    windows_.forget();
+    if (!turns_)
+        return read_pixels(bus_, *config_.panel, placement_, config_.format, area, rgb, scratch_);
+    return read_turned(area, rgb);
+}
+
+/// Row by row of the picture, each a column or a row of the memory.
+Result<void> PanelDisplay::read_turned(const Rect& area, std::uint8_t* rgb) {
+    if (area.x < 0 || area.w <= 0 || area.h < 0 || area.w > picture_.width - area.x || area.y < 0 ||
+        area.h > picture_.height - area.y)
+        return Error{Fault::bad_argument, "panel: the area to read is not inside the picture"};
+    const bool backward = scan_.swapped && scan_.reversed;
+    const std::int32_t from = backward ? area.x + area.w - 1 : area.x;
+    for (std::int32_t y = area.y; y < area.y + area.h; ++y) {
+        const Rect part =
+            scan_.swapped ? Rect{y, scan_.row_of(from), 1, area.w} : Rect{area.x, scan_.row_of(y), area.w, 1};
+        if (const auto r = read_pixels(bus_, *config_.panel, placement_, config_.format, part, rgb, scratch_);
+            !r)
+            return r;
+        if (backward)
+            reverse_pixels(rgb, area.w);
+        rgb += std::ptrdiff_t{3} * area.w;
+    }
+    return {};
+}
+
+} // namespace spangle::hal

@@ -1,0 +1,242 @@
+// From power-on to a black picture: what can work is checked first.
+#include <spangle/hal/panel_display.hpp>
+
+namespace spangle::hal {
+namespace {
+
+/// A window and its pixels go into one list.
+constexpr std::size_t least_ops(const CommandSet& set) {
+    const std::uint32_t window = window_size(set).commands + 1;
+    return window > 8 ? window : 8;
+}
+
+} // namespace
+
+Result<void> PanelDisplay::check_config() const {
+    const PanelDesc& panel = *config_.panel;
+    if (const char* rule = flaw(panel))
+        return Error{Fault::bad_argument, rule};
+    if (caps_.write_hz == 0)
+        return Error{Fault::unsupported, "display: the bus has no write clock"};
+    if (caps_.max_transfer != 0 && caps_.max_transfer < sizeof(OpParams))
+        return Error{Fault::unsupported,
+                     "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
+    if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
+        return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
+    if (config_.wait_te && panel.commands->tearing.empty())
+        return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
+    if (caps_.write_hz > fastest_write(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's write clock is faster than this panel is known to take"};
+    if (config_.read_back && caps_.read_hz > fastest_read(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's read clock is faster than the panel's datasheet allows"};
+    if (config_.wait_te && !caps_.has_te)
+        return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
+    const Extent size = sent_size(config_);
+    if (config_.poll_line && caps_.read_hz == 0)
+        return Error{Fault::unsupported, "display: polling the scanned line, but the bus cannot read"};
+    if (config_.scan_order && (config_.buffers != 2 || config_.wire.converts()))
+        return Error{
+            Fault::bad_argument,
+            "display: turning frames into the order of the scan takes two buffers, and pixels that travel "
+            "as they are"};
+    if (turns(config_) && (memory_.turned == nullptr || memory_.turner == nullptr))
+        return Error{Fault::bad_argument, "display: the storage has no room for turned frames"};
+    if (config_.row_hash && size.width > RowHash::widest)
+        return Error{Fault::unsupported, "display: the row hash serves pictures up to 512 columns"};
+    if (config_.row_hash && (memory_.hash.code == nullptr || memory_.hash.windows == nullptr))
+        return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
+    if (config_.row_hash && memory_.hash.cells < RowHash::cells_of(size.width) * size.height)
+        return Error{Fault::bad_argument, "display: the storage has no room for the row hash"};
+    if (config_.buffers < 1 || config_.buffers > 2)
+        return Error{Fault::bad_argument, "display: a panel display has one or two buffers"};
+    if (config_.wire.converts() && config_.buffers != 1)
+        return Error{Fault::bad_argument,
+                     "display: a picture that is turned into another format needs one buffer"};
+    if (memory_.buffers < config_.buffers || memory_.height < book_height(config_) ||
+        memory_.op_count < least_ops(*panel.commands))
+        return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
+    return {};
+}
+
+/// Buffers and books of a display that never was initialised: nobody knows what the panel or the buffers
+/// hold.
+Result<void> PanelDisplay::take_buffers() {
+    const std::size_t size = std::size_t{stride()} * static_cast<std::size_t>(picture_.height);
+    for (unsigned i = 0; i < config_.buffers; ++i) {
+        if (!buffers_[i].empty())
+            continue;
+        const Result<Buffer> buffer = bus_.acquire(size);
+        if (!buffer)
+            return buffer.error();
+        if (buffer.value().bytes == nullptr || buffer.value().size < size)
+            return Error{Fault::no_answer, "display: the bus gave less memory than one frame"};
+        buffers_[i] = BusBuffer(buffer.value());
+        for (std::size_t at = 0; at < size; ++at)
+            buffer.value().bytes[at] = 0;
+        content_[i].rows = memory_.content[i];
+        for (std::int32_t y = 0; y < picture_.height; ++y)
+            content_[i].rows[y] = {0, picture_.width};
+    }
+    if (!config_.wire.converts() || !wire_.empty())
+        return {};
+    // Windows that end inside a byte round up: one a row at most.
+    const std::size_t wire_size =
+        wire_bytes(placement_.size) + static_cast<std::size_t>(placement_.size.height);
+    const Result<Buffer> wire = bus_.acquire(wire_size);
+    if (!wire)
+        return wire.error();
+    if (wire.value().bytes == nullptr || wire.value().size < wire_size)
+        return Error{Fault::no_answer, "display: the bus gave less memory than one frame"};
+    wire_ = BusBuffer(wire.value());
+    return {};
+}
+
+Result<void> PanelDisplay::init() {
+    if (config_.panel == nullptr)
+        return Error{Fault::bad_argument, "display: init without a panel"};
+    if (in_flight_)
+        (void)complete();
+    if (in_flight_)
+        return Error{Fault::busy, "display: init while a transfer is still on the wire"};
+    caps_ = bus_.caps();
+    if (const auto r = check_config(); !r)
+        return r;
+    turns_ = turns(config_);
+    scan_ = scan_order(*config_.panel, config_.orientation);
+    placement_ = turns_ ? scan_.placement : place(*config_.panel, config_.orientation);
+    picture_ = picture_size(config_);
+    pixel_bytes_ = format_info(config_.format).bytes_per_pixel;
+    windows_ = Windows(*config_.panel, placement_, wire_format(config_));
+    ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
+    ops_.parameters_are_commands(config_.panel->commands->parameters_are_commands);
+    if (config_.row_hash)
+        hash_ = RowHash(memory_.hash, placement_.size.width, placement_.size.height,
+                        static_cast<std::int32_t>(pixel_bytes_));
+    if (const auto r = take_buffers(); !r)
+        return r;
+    ready_ = false; // a present must not succeed on a panel that was left in the middle of this
+    if (!opened_) {
+        extents_ = {memory_.touched, picture_.height, false, 0};
+        forget_extents();
+        front_ = static_cast<std::uint8_t>(canvases() - 1);
+        back_ = 0;
+        opened_ = true;
+    }
+    for (std::int32_t y = 0; y < picture_.height; ++y)
+        memory_.damage[y] = {0, picture_.width};
+    suspect_ = true;
+    if (const auto r = reset_panel(); !r)
+        return r;
+    if (const auto r = append_setup(); !r)
+        return r;
+    if (const auto r = append_registers(); !r)
+        return r;
+    if (const auto r = append_black(); !r)
+        return r;
+    if (const auto r = append_program(config_.panel->commands->light); !r)
+        return r;
+    if (const auto r = start(); !r)
+        return r;
+    if (const auto r = complete(); !r)
+        return r;
+    ready_ = true;
+    return {};
+}
+
+Result<void> PanelDisplay::reset_panel() {
+    const PanelTiming& timing = config_.panel->timing;
+    if (config_.reset_line)
+        ops_.reset(timing.reset_low_us);
+    else if (const auto r = append_program(config_.panel->commands->soft_reset); !r)
+        return r;
+    ops_.delay(timing.reset_wait_us);
+    if (const auto r = start(); !r)
+        return r;
+    if (const auto r = complete(); !r)
+        return r;
+    if (config_.read_back)
+        return check_identity(bus_, *config_.panel, scratch_);
+    return {};
+}
+
+Result<void> PanelDisplay::append_setup() {
+    return append_program(config_.panel->setup);
+}
+
+Result<void> PanelDisplay::append_program(Program program) {
+    while (!program.empty()) {
+        const Program::Step step = program.next();
+        if (const auto r = make_room(1); !r)
+            return r;
+        if (step.delay_micros != 0) {
+            ops_.delay(step.delay_micros);
+            continue;
+        }
+        if (step.count > op_limit())
+            return Error{Fault::unsupported,
+                         "display: a setup command is longer than one operation of the bus"};
+        ops_.command(step.command, step.params, step.count);
+    }
+    return {};
+}
+
+Result<void> PanelDisplay::append_registers() {
+    const PanelDesc& panel = *config_.panel;
+    const CommandSet& set = *panel.commands;
+    const FormatCode format = format_code(panel, caps_.kind, wire_format(config_));
+    if (const auto r = make_room(set.setting_count); !r)
+        return r;
+    for (unsigned i = 0; i < set.setting_count; ++i) {
+        const Setting& setting = set.settings[i];
+        const std::uint8_t value = value_of(setting, placement_.madctl, panel, format);
+        if (setting.in_command)
+            ops_.command(static_cast<std::uint8_t>(setting.command ^ value));
+        else
+            ops_.command_byte(setting.command, value);
+    }
+    if (config_.wait_te)
+        if (const auto r = append_program(set.tearing); !r)
+            return r;
+    if (const auto r = append_program(set.wake); !r)
+        return r;
+    if (const auto r = make_room(1); !r)
+        return r;
+    if (panel.timing.sleep_out_wait_us != 0)
+        ops_.delay(panel.timing.sleep_out_wait_us);
+    return {};
+}
+
+/// The display comes on black, not with the noise its memory wakes up with.
+Result<void> PanelDisplay::append_black() {
+    return for_each_window(windows_, {0, 0, placement_.size.width, placement_.size.height},
+                           [this](const Rect& window) { return append_black_window(window); });
+}
+
+Result<void> PanelDisplay::append_black_window(const Rect& window) {
+    // Whole pixels where a pixel has whole bytes.
+    const std::uint32_t unit = wire_bits() % 8 == 0 ? wire_bits() / 8 : 1;
+    std::size_t left =
+        wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}) / unit;
+    const std::uint32_t most = op_limit() / unit;
+    if (const auto r = make_room(windows_.commands()); !r)
+        return r;
+    windows_.open(ops_, window);
+    while (left != 0) {
+        const std::uint32_t count = left < most ? static_cast<std::uint32_t>(left) : most;
+        if (const auto r = make_room(1); !r)
+            return r;
+        ops_.repeat_black(unit, count);
+        left -= count;
+    }
+    return {};
+}
+
+/// Bytes of so many pixels on the wire, rounded up.
+std::size_t PanelDisplay::wire_bytes(const Extent& size) const {
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    return (pixels * wire_bits() + 7) / 8;
+}
+
+} // namespace spangle::hal

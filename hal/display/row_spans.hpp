@@ -1,0 +1,18 @@
+// Intervals of columns: both, and inside a picture.
+#pragma once
+
+#include <spangle/format.hpp>
+
+namespace spangle::hal {
+
+inline RowSpan unite(RowSpan a, RowSpan b) {
+    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+/// Columns inside the picture; the canonical empty row when none are.
+inline RowSpan clip(RowSpan row, std::int16_t width) {
+    const RowSpan inside = {row.begin > 0 ? row.begin : std::int16_t{0}, row.end < width ? row.end : width};
+    return inside.begin < inside.end ? inside : RowSpan{};
+}
+
+} // namespace spangle::hal
