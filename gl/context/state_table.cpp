@@ -79,8 +79,10 @@ constexpr StateRow in(Group group) {
 
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.
 constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
-    row.left_out = !present;
-    row.missing = text;
+    if (!present) {
+        row.left_out = true;
+        row.missing = text;
+    }
     return row;
 }
 constexpr StateRow of_lighting(StateRow row) {
@@ -289,8 +291,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
     of_buffers(STORED(GL_VERTEX_ARRAY_BUFFER_BINDING, arrays.vertex.buffer)),
     of_buffers(STORED(GL_NORMAL_ARRAY_BUFFER_BINDING, arrays.normal.buffer)),
     of_buffers(STORED(GL_COLOR_ARRAY_BUFFER_BINDING, arrays.color.buffer)),
-    of_buffers(STORED(GL_INDEX_ARRAY_BUFFER_BINDING, arrays.index.buffer)),
-    of_buffers(STORED(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, arrays.edge_flag.buffer)),
+    of_color_index(of_buffers(STORED(GL_INDEX_ARRAY_BUFFER_BINDING, arrays.index.buffer))),
+    of_polygon_mode(of_buffers(STORED(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, arrays.edge_flag.buffer))),
     of_buffers(of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, arrays.tex_coord[0].buffer))),
     in(Group::none),
     computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, active_unit),

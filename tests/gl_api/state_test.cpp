@@ -172,7 +172,9 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
     if (SPANGLE_FEATURE_BUFFERS)
         for (GLenum name = GL_ARRAY_BUFFER_BINDING; name <= GL_EDGE_FLAG_ARRAY_BUFFER_BINDING; ++name)
-            table.push_back({name, {0}});
+            if ((SPANGLE_FEATURE_COLOR_INDEX || name != GL_INDEX_ARRAY_BUFFER_BINDING) &&
+                (SPANGLE_FEATURE_POLYGON_MODE || name != GL_EDGE_FLAG_ARRAY_BUFFER_BINDING))
+                table.push_back({name, {0}});
     if (SPANGLE_FEATURE_RASTER_POS)
         table.insert(table.end(), {{GL_CURRENT_RASTER_POSITION, {0, 0, 0, 1}},
                                    {GL_CURRENT_RASTER_POSITION_VALID, {1}},
