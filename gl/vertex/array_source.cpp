@@ -73,9 +73,13 @@ AddressedArrays::AddressedArrays(Context& context) : context_(context) {
         return;
     kept_ = context.arrays;
     each_array(context.arrays, [&](ClientArray& array) {
-        if (array.enabled && array.buffer != 0)
-            array.pointer =
-                find_buffer(context, array.buffer)->bytes + reinterpret_cast<std::uintptr_t>(array.pointer);
+        if (!array.enabled || array.buffer == 0)
+            return;
+        // A draw of no elements asks nothing of its buffers: they may be empty.
+        const BufferObject* const buffer = find_buffer(context, array.buffer);
+        array.pointer = buffer != nullptr && buffer->bytes != nullptr
+                            ? buffer->bytes + reinterpret_cast<std::uintptr_t>(array.pointer)
+                            : nullptr;
     });
 }
 

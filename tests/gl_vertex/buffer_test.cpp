@@ -183,6 +183,21 @@ TEST_F(Buffers, ConstantMemoryIsNotCopied) {
 }
 
 /// Offsets instead of pointers, mixed with client memory; immediate mode, lists and arrays agree.
+/// Found by the fuzzer: an array at an offset into a buffer without a store (UBSan sees the address).
+TEST_F(Buffers, DrawsOfNoElementsAskNothingOfTheirBuffers) {
+    glBindBuffer(GL_ARRAY_BUFFER, 5);
+    glVertexPointer(3, GL_FLOAT, 0, at(16));
+    glEnableClientState(GL_VERTEX_ARRAY);
+    EXPECT_TRUE(drawn([] {
+                    const GLubyte none = 0;
+                    glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_BYTE, &none);
+                    glDrawArrays(GL_TRIANGLES, 0, 0);
+                }).empty());
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    refused(operation, "elements beyond the store");
+}
+
 TEST_F(Buffers, ArraysAndIndices) {
     struct Corner {
         GLubyte color[4];
