@@ -85,57 +85,25 @@ constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
     }
     return row;
 }
-constexpr StateRow of_lighting(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_LIGHTING != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LIGHTING"), row);
-}
-constexpr StateRow of_fog(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_FOG != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"), row);
-}
-constexpr StateRow of_polygon_mode(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_POLYGON_MODE != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_POLYGON_MODE"), row);
-}
-constexpr StateRow of_color_index(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_COLOR_INDEX != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_COLOR_INDEX"), row);
-}
-constexpr StateRow of_texgen(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_TEXGEN != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_TEXGEN"),
-                      row);
-}
-constexpr StateRow of_raster_pos(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_RASTER_POS != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_RASTER_POS"), row);
-}
-constexpr StateRow of_buffers(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_BUFFERS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_BUFFERS"),
-                      row);
-}
-constexpr StateRow of_clip_planes(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_CLIP_PLANES != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_CLIP_PLANES"), row);
-}
-constexpr StateRow of_attrib_stacks(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_ATTRIB_STACKS != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_ATTRIB_STACKS"), row);
-}
-constexpr StateRow of_selection(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_SELECTION != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_SELECTION"), row);
-}
-constexpr StateRow of_evaluators(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_EVALUATORS != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_EVALUATORS"), row);
-}
-[[maybe_unused]] constexpr StateRow of_feedback(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_FEEDBACK != 0,
-                      SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FEEDBACK"), row);
-}
-constexpr StateRow of_lists(StateRow row) {
-    return of_feature(SPANGLE_FEATURE_LISTS != 0, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_LISTS"),
-                      row);
-}
+#define FEATURE(function, name)                                                                              \
+    [[maybe_unused]] constexpr StateRow function(StateRow row) {                                             \
+        return of_feature(SPANGLE_FEATURE_##name != 0,                                                       \
+                          SPANGLE_TEXT("this build has no SPANGLE_FEATURE_" #name), row);                    \
+    }
+FEATURE(of_lighting, LIGHTING)
+FEATURE(of_fog, FOG)
+FEATURE(of_polygon_mode, POLYGON_MODE)
+FEATURE(of_color_index, COLOR_INDEX)
+FEATURE(of_texgen, TEXGEN)
+FEATURE(of_raster_pos, RASTER_POS)
+FEATURE(of_buffers, BUFFERS)
+FEATURE(of_clip_planes, CLIP_PLANES)
+FEATURE(of_attrib_stacks, ATTRIB_STACKS)
+FEATURE(of_selection, SELECTION)
+FEATURE(of_evaluators, EVALUATORS)
+FEATURE(of_feedback, FEEDBACK)
+FEATURE(of_lists, LISTS)
+#undef FEATURE
 
 /// One of each texture unit.
 constexpr StateRow of_unit(PerUnit which, std::size_t step, StateRow row) {

@@ -185,19 +185,6 @@ void MonoController::execute_with(std::uint8_t command, std::span<const std::uin
     }
 }
 
-/// Sets the range and puts the pointer at its start.
-void MonoController::set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound,
-                               Time now) {
-    if (p[0] > p[1] || p[1] >= bound) {
-        report(Rule::window,
-               "range " + std::to_string(p[0]) + ".." + std::to_string(p[1]) + " of " + std::to_string(bound),
-               now);
-        return;
-    }
-    first = at = p[0];
-    last = p[1];
-}
-
 /// Bytes from the pointer until it is back.
 std::uint64_t MonoController::window() const {
     if (mode_ == Mode::page)

@@ -42,8 +42,6 @@ class MonoController final : public OledController {
     void power_on() override;
     void execute(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now) override;
     void execute_with(std::uint8_t command, std::span<const std::uint8_t> parameters, Time now);
-    void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> parameters, int bound,
-                   Time now);
     void data(std::uint8_t byte, Time now) override;
     void end_data(Time now) override;
     void advance();

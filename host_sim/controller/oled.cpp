@@ -91,6 +91,18 @@ void OledController::report_once(Rule rule, const std::string& text, Time at) {
     reported_ |= bit;
 }
 
+void OledController::set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound,
+                               Time now) {
+    if (p[0] > p[1] || p[1] >= bound) {
+        report(Rule::window,
+               "range " + std::to_string(p[0]) + ".." + std::to_string(p[1]) + " of " + std::to_string(bound),
+               now);
+        return;
+    }
+    first = at = p[0];
+    last = p[1];
+}
+
 std::vector<Rgb666> OledController::cells() const {
     std::vector<Rgb666> out;
     for (int row = 0; row < chip_.height; ++row)

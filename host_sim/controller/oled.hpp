@@ -62,6 +62,8 @@ class OledController : public Controller {
     virtual Lit lit(int column, int line) const = 0;
     virtual Rgb666 cell(int column, int row) const = 0;
 
+    /// A range of columns, rows or pages below `bound`, as commands give it; the pointer goes to its start.
+    void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound, Time now);
     /// The first of a rule only, until the next command.
     void report_once(Rule rule, const std::string& text, Time at);
 

@@ -184,19 +184,6 @@ void WindowedController::execute(std::uint8_t command, std::span<const std::uint
     }
 }
 
-/// Sets the range and puts the pointer at its start.
-void WindowedController::set_range(int& first, int& last, int& at, std::span<const std::uint8_t> p, int bound,
-                                   Time now) {
-    if (p[0] > p[1] || p[1] >= bound) {
-        report(Rule::window,
-               "range " + std::to_string(p[0]) + ".." + std::to_string(p[1]) + " of " + std::to_string(bound),
-               now);
-        return;
-    }
-    first = at = p[0];
-    last = p[1];
-}
-
 std::uint64_t WindowedController::window() const {
     return static_cast<std::uint64_t>(last_column_ - first_column_ + 1) *
            static_cast<std::uint64_t>(last_row_ - first_row_ + 1);

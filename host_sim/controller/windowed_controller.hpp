@@ -59,8 +59,6 @@ class WindowedController final : public OledController {
     void data(std::uint8_t byte, Time now) override;
     void end_data(Time now) override;
     void put(unsigned value, Time now);
-    void set_range(int& first, int& last, int& at, std::span<const std::uint8_t> parameters, int bound,
-                   Time now);
     void clear(std::span<const std::uint8_t> corners, Time now);
     bool locks(std::uint8_t command) const;
     bool bit(std::uint8_t mask) const { return (remap_ & mask) != 0; }

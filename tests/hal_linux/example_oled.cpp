@@ -1,12 +1,12 @@
 // The OLED example as it stands, on a modelled Linux board. (Its main() is called example_main here.)
 #include <cerrno>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <spangle/boards/ssd1306_i2c.hpp>
 
 #include "host_sim/board/module.hpp"
 #include "host_sim/linux/i2c_adapter.hpp"
+#include "tests/example_length.hpp"
 
 int example_main(int argc, char** argv);
 
@@ -61,12 +61,7 @@ TEST(OledExample, DrawsAGem) {
 }
 
 TEST(OledExample, IsShort) {
-    std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/oled_i2c/gem.cpp");
-    int lines = 0;
-    for (std::string line; std::getline(source, line);)
-        ++lines;
-    EXPECT_GT(lines, 0);
-    EXPECT_LT(lines, 60);
+    spangle::test::expect_short("oled_i2c/gem.cpp");
 }
 
 } // namespace

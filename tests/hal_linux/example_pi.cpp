@@ -1,6 +1,5 @@
 // The Raspberry Pi example as it stands, on a modelled Pi. (Its main() is called example_main here.)
 #include <cerrno>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <spangle/boards/ili9341_spi.hpp>
@@ -8,6 +7,7 @@
 #include "host_sim/linux/gpio_chip.hpp"
 #include "host_sim/linux/panel_module.hpp"
 #include "host_sim/linux/spi_device.hpp"
+#include "tests/example_length.hpp"
 
 int example_main(int argc, char** argv);
 
@@ -79,12 +79,7 @@ TEST(RaspberryPiExample, DrawsACube) {
 }
 
 TEST(RaspberryPiExample, IsShort) {
-    std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/raspberry_pi/cube.cpp");
-    int lines = 0;
-    for (std::string line; std::getline(source, line);)
-        ++lines;
-    EXPECT_GT(lines, 0);
-    EXPECT_LT(lines, 60);
+    spangle::test::expect_short("raspberry_pi/cube.cpp");
 }
 
 } // namespace

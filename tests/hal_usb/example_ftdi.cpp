@@ -1,9 +1,9 @@
 // The FTDI example as it stands, on a modelled adapter with a modelled panel. (Its main() is called
 // example_main here.)
-#include <fstream>
 
 #include <spangle/boards/ili9341_spi.hpp>
 
+#include "tests/example_length.hpp"
 #include "tests/hal_usb/ftdi_rig.hpp"
 
 int example_main(int argc, char** argv);
@@ -50,12 +50,7 @@ TEST(FtdiExample, DrawsAClock) {
 }
 
 TEST(FtdiExample, IsShort) {
-    std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/ftdi_adapter/clock.cpp");
-    int lines = 0;
-    for (std::string line; std::getline(source, line);)
-        ++lines;
-    EXPECT_GT(lines, 0);
-    EXPECT_LT(lines, 60);
+    spangle::test::expect_short("ftdi_adapter/clock.cpp");
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // The GUD example as it stands, on a modelled device. (Its main() is called example_main here.)
-#include <fstream>
 
+#include "tests/example_length.hpp"
 #include "tests/hal_usb/gud_rig.hpp"
 
 int example_main(int argc, char** argv);
@@ -46,12 +46,7 @@ TEST(GudExample, SaysWhatIsMissing) {
 }
 
 TEST(GudExample, IsShort) {
-    std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/gud_display/triangle.cpp");
-    int lines = 0;
-    for (std::string line; std::getline(source, line);)
-        ++lines;
-    EXPECT_GT(lines, 0);
-    EXPECT_LT(lines, 60);
+    spangle::test::expect_short("gud_display/triangle.cpp");
 }
 
 } // namespace

@@ -1,0 +1,21 @@
+// An example is read at a sitting.
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace spangle::test {
+
+/// `path` below boards/examples.
+inline void expect_short(const std::string& path) {
+    std::ifstream source(SPANGLE_SOURCE_DIR "/boards/examples/" + path);
+    int lines = 0;
+    for (std::string line; std::getline(source, line);)
+        ++lines;
+    EXPECT_GT(lines, 0) << path;
+    EXPECT_LT(lines, 60) << path;
+}
+
+} // namespace spangle::test
