@@ -36,13 +36,8 @@ struct EvalPlace {
     numeric::Block t, rest;
 };
 
-/// 0 and 1 are exact at both ends of the domain.
+/// 0 and 1 are exact at both ends of the domain, since quotients are that can be.
 [[gnu::noinline]] inline EvalPlace place_in(const EvalMap::Side& side, Real at) {
-    constexpr numeric::Block one = numeric::make_block(1, 0);
-    if (at == side.from)
-        return {{}, one};
-    if (at == side.to)
-        return {one, {}};
     const numeric::Block from = evaluation::load(side.from), to = evaluation::load(side.to),
                          here = evaluation::load(at), width = evaluation::sub(to, from);
     return {evaluation::div(evaluation::sub(here, from), width),

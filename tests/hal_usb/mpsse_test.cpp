@@ -35,6 +35,10 @@ TEST_F(Mpsse, CommandsMayComeInPieces) {
     }
     feed({0xA5});
     EXPECT_EQ(engine.longest_burst(), 2u);
+    feed({0x80, 0x08, 0x1B, 0x80, 0x00});
+    EXPECT_EQ(levels & 0xFF, 0xECu) << "the second command waits for its third byte";
+    feed({0x1B});
+    EXPECT_EQ(levels & 0xFF, 0xE4u);
     EXPECT_EQ(engine.violations(), "");
 }
 
