@@ -30,7 +30,8 @@ NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, n
 C_TYPES = {"b": "GLbyte", "s": "GLshort", "i": "GLint", "f": "GLfloat", "d": "GLdouble", "ub": "GLubyte",
            "us": "GLushort", "ui": "GLuint", "x": "GLfixed", "cf": "GLclampf", "cd": "GLclampd", "cx": "GLclampx"}
 CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
-ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED"}
+ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED", "ui": "GL_UNSIGNED_INT",
+               "us": "GL_UNSIGNED_SHORT"}
 INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
 
 

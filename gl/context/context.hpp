@@ -11,6 +11,7 @@
 #include "gl/pixel/fragment_cache.hpp"
 #include "gl/pixel/fragment_ops_state.hpp"
 #include "gl/pixel/hint_state.hpp"
+#include "gl/pixel/pixel_mode_state.hpp"
 #include "gl/pixel/pixel_store_state.hpp"
 #include "gl/texture/texture_state.hpp"
 #include "gl/vertex/arrays_state.hpp"
@@ -66,6 +67,7 @@ struct Context {
     FogState fog;
     TextureState texture;
     PixelStoreState pixel_store;
+    PixelModeState pixel_mode;
     HintState hint;
     ListState list;
     AttribState attrib;

@@ -88,6 +88,7 @@ void destroy_context(Context* context) {
 #endif
     release_attributes(*context);
     release_evaluators(*context);
+    release_pixel_maps(*context);
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);

@@ -27,6 +27,12 @@ void color_material_enabled(Context& context);
 /// Frees the maps of evaluators.
 void release_evaluators(Context& context);
 
+// gl/pixel
+/// Entries of the map that GL_PIXEL_MAP_I_TO_I_SIZE... names.
+GLint pixel_map_size(const Context& context, GLenum pname);
+/// Frees the pixel maps.
+void release_pixel_maps(Context& context);
+
 // gl/context
 /// Entries on the attribute stack of the server or of the client.
 GLint saved_attributes(const Context& context, bool client);

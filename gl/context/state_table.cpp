@@ -97,6 +97,7 @@ FEATURE(of_color_index, COLOR_INDEX)
 FEATURE(of_texgen, TEXGEN)
 FEATURE(of_raster_pos, RASTER_POS)
 FEATURE(of_buffers, BUFFERS)
+FEATURE(of_pixel_transfer, PIXEL_TRANSFER)
 FEATURE(of_clip_planes, CLIP_PLANES)
 FEATURE(of_attrib_stacks, ATTRIB_STACKS)
 FEATURE(of_selection, SELECTION)
@@ -163,6 +164,12 @@ void active_unit(const Context& context, GLenum name, Param* out) {
         GL_TEXTURE0 + (name == GL_ACTIVE_TEXTURE ? context.texture.active : context.arrays.client_active));
 }
 
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+void size_of_pixel_map(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(pixel_map_size(context, name));
+}
+#endif
+
 void bits(const Context& context, GLenum name, Param* out) {
     const raster::Surface& surface = context.drawable.surface;
     const FormatInfo format = format_info(surface.format);
@@ -206,6 +213,13 @@ void bits(const Context& context, GLenum name, Param* out) {
 #else
 #define EVAL_ROW(NAME, MEMBER) of_evaluators(constant(NAME, 0))
 #define EVAL_SWITCH(NAME, MEMBER) of_evaluators(absent_switch(NAME))
+#endif
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+#define TRANSFER_ROW(NAME, MEMBER) STORED(NAME, pixel_mode.MEMBER)
+#define PIXEL_MAP(NAME) computed(GL_PIXEL_MAP_##NAME##_SIZE, Kind::integer, 1, size_of_pixel_map)
+#else
+#define TRANSFER_ROW(NAME, MEMBER) of_pixel_transfer(constant(NAME, 0))
+#define PIXEL_MAP(NAME) of_pixel_transfer(constant(GL_PIXEL_MAP_##NAME##_SIZE, 1))
 #endif
 #define MAP_SWITCH(TARGET, INDEX)                                                                            \
     EVAL_SWITCH(GL_MAP1_##TARGET, enabled[0][INDEX]), EVAL_SWITCH(GL_MAP2_##TARGET, enabled[1][INDEX])
@@ -383,6 +397,32 @@ constexpr auto unsorted = std::to_array<StateRow>({
     STORED(GL_PACK_ALIGNMENT, pixel_store.pack.alignment),
     in(Group::pixel_mode),
     STORED(GL_READ_BUFFER, fragment_ops.read_buffer),
+    TRANSFER_ROW(GL_MAP_COLOR, map_color),
+    TRANSFER_ROW(GL_MAP_STENCIL, map_stencil),
+    TRANSFER_ROW(GL_INDEX_SHIFT, index_shift),
+    TRANSFER_ROW(GL_INDEX_OFFSET, index_offset),
+    TRANSFER_ROW(GL_RED_SCALE, scale[0]),
+    TRANSFER_ROW(GL_GREEN_SCALE, scale[1]),
+    TRANSFER_ROW(GL_BLUE_SCALE, scale[2]),
+    TRANSFER_ROW(GL_ALPHA_SCALE, scale[3]),
+    TRANSFER_ROW(GL_RED_BIAS, bias[0]),
+    TRANSFER_ROW(GL_GREEN_BIAS, bias[1]),
+    TRANSFER_ROW(GL_BLUE_BIAS, bias[2]),
+    TRANSFER_ROW(GL_ALPHA_BIAS, bias[3]),
+    TRANSFER_ROW(GL_DEPTH_SCALE, depth_scale),
+    TRANSFER_ROW(GL_DEPTH_BIAS, depth_bias),
+    in(Group::none),
+    PIXEL_MAP(I_TO_I),
+    PIXEL_MAP(S_TO_S),
+    PIXEL_MAP(I_TO_R),
+    PIXEL_MAP(I_TO_G),
+    PIXEL_MAP(I_TO_B),
+    PIXEL_MAP(I_TO_A),
+    PIXEL_MAP(R_TO_R),
+    PIXEL_MAP(G_TO_G),
+    PIXEL_MAP(B_TO_B),
+    PIXEL_MAP(A_TO_A),
+    of_pixel_transfer(constant(GL_MAX_PIXEL_MAP_TABLE, max_pixel_map_table)),
     in(Group::eval),
     EVAL_SWITCH(GL_AUTO_NORMAL, auto_normal),
     MAP_SWITCH(COLOR_4, eval_color),
@@ -466,6 +506,8 @@ constexpr auto unsorted = std::to_array<StateRow>({
 #undef EVAL_ROW
 #undef EVAL_SWITCH
 #undef MAP_SWITCH
+#undef TRANSFER_ROW
+#undef PIXEL_MAP
 #undef SELECTION_ROW
 #undef FEEDBACK_ROW
 #undef LIGHT

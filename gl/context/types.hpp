@@ -44,7 +44,8 @@ constexpr std::uint32_t unit_of(GLenum texture) {
     return texture - GL_TEXTURE0;
 }
 
-/// An array of the client whose type is its entry point's: GL_FLOAT, GL_DOUBLE, GL_INT or GL_FIXED.
+/// An array of the client whose type is its entry point's: GL_FLOAT, GL_DOUBLE, GL_INT or GL_FIXED;
+/// GL_UNSIGNED_INT or GL_UNSIGNED_SHORT of pixel maps.
 struct Values {
     const void* at;
     GLenum type;

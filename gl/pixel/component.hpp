@@ -1,5 +1,6 @@
-// Components in [0, 1] as exact fractions, and the elements of client memory they come from and go to
-// (GL 1.3, 3.6.4 and 4.3.2, tables 2.6 and 4.7). Integers only; a float is its bits.
+// Components of colours and depths on their way between client memory and the framebuffer, and the elements
+// of client memory they come from and go to (GL 1.3, 3.6.4 and 4.3.2, tables 2.6 and 4.7). Integers only; a
+// float is its bits.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +8,20 @@
 
 #include "gl/pixel/pixel_layout.hpp"
 #include "raster/numeric/real.hpp"
+#include <spangle/raster/units.hpp>
 
 namespace spangle::gl {
 
-/// code / (2^bits - 1), 1 <= bits <= 32.
+/// code / (2^bits - 1), exactly, 1 <= bits <= 32; or with 0 bits the Real whose bits are `code`: what came as
+/// a float, or below 0, or out of arithmetic.
 struct Component {
     std::uint32_t code = 0;
     std::uint8_t bits = 8;
 };
+
+constexpr Component component(Real v) {
+    return {v.bits, 0};
+}
 
 constexpr std::uint32_t all_ones(unsigned bits) {
     return 0xFFFFFFFFu >> (32 - bits);
@@ -30,8 +37,28 @@ constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) 
     return static_cast<std::uint32_t>((std::uint64_t{code} * all_ones(to) + divisor / 2) / divisor);
 }
 
+/// Nearest code of `bits` bits to what is left of the component in [0, 1].
+constexpr std::uint32_t code_of(Component c, unsigned bits) {
+    return c.bits != 0 ? rescale(c.code, c.bits, bits) : numeric::to_unit({c.code}, static_cast<int>(bits));
+}
+
+/// Nearest integer to the component, clamped, times `most`.
+constexpr std::uint32_t steps_of(Component c, std::uint32_t most) {
+    if (c.bits == 0)
+        return numeric::to_steps({c.code}, most);
+    const std::uint64_t divisor = all_ones(c.bits);
+    return static_cast<std::uint32_t>((std::uint64_t{c.code} * most + divisor / 2) / divisor);
+}
+
+/// Clamped, in the rasterizer's colour units; 8 bits are whole 255ths.
+constexpr std::uint32_t color_units_of(Component c) {
+    return c.bits == 8 ? c.code << raster::color_fraction_bits : steps_of(c, raster::color_one);
+}
+
 /// The nearest Real.
 constexpr Real to_real(Component c) {
+    if (c.bits == 0)
+        return {c.code};
     const std::uint32_t divisor = all_ones(c.bits);
     if (c.code == 0)
         return numeric::zero;
@@ -73,28 +100,30 @@ inline void store_element(unsigned char* to, unsigned bytes, bool swap, std::uin
     }
 }
 
-/// Component of an element that holds nothing else, clamped to [0, 1], as a code of `bits` bits.
-constexpr std::uint32_t decode_element(ElementKind kind, unsigned element_bits, std::uint32_t element,
-                                       unsigned bits) {
+/// The component in an element of which it takes `bits` bits, all of them unless the type is packed: c / (2^b
+/// - 1), or (2c + 1) / (2^b - 1) where there are signs (GL 1.3, table 2.6).
+constexpr Component decode_element(ElementKind kind, unsigned bits, std::uint32_t element) {
     if (kind == ElementKind::real)
-        return numeric::to_unit(numeric::from_float_bits(element), static_cast<int>(bits));
-    if (kind ==
-        ElementKind::signed_integer) { // (2c + 1) / (2^b - 1): the code of the positive half is 2c + 1
-        if ((element >> (element_bits - 1) & 1) != 0)
-            return 0;
-        element = 2 * element + 1;
-    }
-    return rescale(element, element_bits, bits);
+        return component(numeric::from_float_bits(element));
+    if (kind == ElementKind::unsigned_integer)
+        return {element, static_cast<std::uint8_t>(bits)};
+    const std::uint32_t twice = 2 * element + 1; // of a positive element; it still has `bits` bits
+    if ((element >> (bits - 1) & 1) == 0)
+        return {twice, static_cast<std::uint8_t>(bits)};
+    const Component magnitude{all_ones(bits) - (twice & all_ones(bits)) + 1, static_cast<std::uint8_t>(bits)};
+    return component(-to_real(magnitude));
 }
 
-/// The reverse, table 4.7. Signed: ((2^b - 1) f - 1) / 2 to nearest, halves up.
-constexpr std::uint32_t encode_element(ElementKind kind, unsigned element_bits, Component c) {
+/// The reverse, clamped to [0, 1] (table 4.7). Signed: ((2^b - 1) f - 1) / 2 to nearest, halves up.
+constexpr std::uint32_t encode_element(ElementKind kind, unsigned bits, Component c) {
     if (kind == ElementKind::real)
-        return numeric::to_float_bits(to_real(c));
-    if (kind == ElementKind::signed_integer)
-        return static_cast<std::uint32_t>(std::uint64_t{c.code} * all_ones(element_bits) /
-                                          (2 * std::uint64_t{all_ones(c.bits)}));
-    return rescale(c.code, c.bits, element_bits);
+        return numeric::to_float_bits(numeric::clamp01(to_real(c)));
+    if (kind != ElementKind::signed_integer)
+        return code_of(c, bits);
+    if (c.bits == 0)
+        return static_cast<std::uint32_t>(numeric::to_half_steps({c.code}, all_ones(bits)) >> 2);
+    return static_cast<std::uint32_t>(std::uint64_t{c.code} * all_ones(bits) /
+                                      (2 * std::uint64_t{all_ones(c.bits)}));
 }
 
 } // namespace spangle::gl

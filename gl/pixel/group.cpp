@@ -1,20 +1,18 @@
 #include "gl/pixel/group.hpp"
 
+#include "gl/context/context.hpp"
+
 namespace spangle::gl {
 
 namespace {
 
-std::uint32_t element_of(const PixelLayout& layout, bool swap_bytes, const unsigned char* from,
-                         unsigned component) {
-    const std::uint32_t offset = layout.packed ? 0 : component * std::uint32_t{layout.element_bytes};
-    const std::uint32_t element = load_element(from + offset, layout.element_bytes, swap_bytes);
-    return layout.packed ? element >> layout.shift[component] & all_ones(layout.bits[component]) : element;
-}
-
 Component luminance(const Pixel& pixel) {
+    const Component(&v)[4] = pixel.value;
+    if (v[0].bits == 0 || v[1].bits == 0 || v[2].bits == 0)
+        return component(numeric::add(numeric::add(to_real(v[0]), to_real(v[1])), to_real(v[2])));
     std::uint64_t sum = 0;
     for (unsigned c = 0; c < 3; ++c)
-        sum += rescale(pixel.value[c].code, pixel.value[c].bits, 32);
+        sum += code_of(v[c], 32);
     constexpr std::uint64_t most = 0xFFFFFFFF;
     return {static_cast<std::uint32_t>(sum < most ? sum : most), 32};
 }
@@ -32,18 +30,53 @@ Component pick(const Pixel& pixel, Channel channel) {
 
 } // namespace
 
-void unpack_color(const PixelLayout& layout, bool swap_bytes, const unsigned char* from,
-                  const ColorBits& bits, std::uint32_t rgba[4]) {
-    rgba[0] = rgba[1] = rgba[2] = 0;
-    rgba[3] = all_ones(bits.of[3]);
-    for (unsigned i = 0; i < layout.components; ++i) {
-        const std::uint32_t element = element_of(layout, swap_bytes, from, i);
-        const bool grey = layout.channel[i] == Channel::luminance;
-        const unsigned first = grey ? 0 : static_cast<unsigned>(layout.channel[i]);
-        const unsigned last = grey ? 2 : first;
-        for (unsigned c = first; c <= last; ++c)
-            rgba[c] = decode_element(layout.kind, layout.bits[i], element, bits.of[c]);
+std::uint32_t Groups::element(const unsigned char* row, std::size_t group, unsigned component) const {
+    if (layout_.kind == ElementKind::bitmap)
+        return bit_of(row, group, lsb_first_) ? 1 : 0;
+    const unsigned char* const from = row + group * layout_.group_bytes();
+    const std::uint32_t offset = layout_.packed ? 0 : component * std::uint32_t{layout_.element_bytes};
+    const std::uint32_t element = load_element(from + offset, layout_.element_bytes, swap_bytes_);
+    return layout_.packed ? element >> layout_.shift[component] & all_ones(layout_.bits[component]) : element;
+}
+
+Pixel Groups::color(const unsigned char* row, std::size_t group) const {
+    Pixel color{{{0, 8}, {0, 8}, {0, 8}, {255, 8}}};
+    for (unsigned i = 0; i < layout_.components; ++i) {
+        const Component c = decode_element(layout_.kind, layout_.bits[i], element(row, group, i));
+        const bool grey = layout_.channel[i] == Channel::luminance;
+        color.value[grey ? 0 : static_cast<unsigned>(layout_.channel[i])] = c;
+        if (grey)
+            color.value[1] = color.value[2] = c;
     }
+    return color;
+}
+
+Component Groups::depth(const unsigned char* row, std::size_t group) const {
+    return decode_element(layout_.kind, layout_.bits[0], element(row, group, 0));
+}
+
+Index Groups::index(const unsigned char* row, std::size_t group) const {
+    return decode_index(layout_.kind, layout_.bits[0], element(row, group, 0));
+}
+
+ColorImage::ColorImage(const Context& context, const PixelLayout& layout)
+    : groups_(layout, context.pixel_store.unpack), transfer_(context.pixel_mode),
+      indices_(layout.channel[0] == Channel::color_index),
+      swaps_(context.pixel_store.unpack.swap_bytes && layout.element_bytes > 1) {}
+
+Pixel ColorImage::color(const unsigned char* row, std::size_t group) const {
+    if (indices_)
+        return transfer_.color_of(groups_.index(row, group));
+    Pixel color = groups_.color(row, group);
+    transfer_.apply(color);
+    return color;
+}
+
+void ColorImage::codes(const unsigned char* row, std::size_t group, const ColorBits& bits,
+                       std::uint32_t rgba[4]) const {
+    const Pixel pixel = color(row, group);
+    for (unsigned c = 0; c < 4; ++c)
+        rgba[c] = code_of(pixel.value[c], bits.of[c]);
 }
 
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to) {
@@ -61,10 +94,10 @@ void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, 
         store_element(to, layout.element_bytes, swap_bytes, word);
 }
 
-void pack_index(const PixelLayout& layout, bool swap_bytes, std::uint32_t index, unsigned char* to) {
-    std::uint32_t element = index;
+void pack_index(const PixelLayout& layout, bool swap_bytes, Index index, unsigned char* to) {
+    std::uint32_t element = rounded(index);
     if (layout.kind == ElementKind::real)
-        element = numeric::to_float_bits(numeric::from_u32(index));
+        element = numeric::to_float_bits(to_real(index));
     else if (layout.kind == ElementKind::signed_integer)
         element &= all_ones(layout.bits[0]) >> 1;
     store_element(to, layout.element_bytes, swap_bytes, element);

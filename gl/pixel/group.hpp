@@ -1,29 +1,71 @@
-// Groups of components: from client memory to colours, and from pixels to client memory.
+// Groups of components: from client memory to colours, depths and indices, and from those to client memory.
 #pragma once
 
-#include "gl/pixel/component.hpp"
+#include "gl/pixel/transfer.hpp"
 
 namespace spangle::gl {
+
+struct Context;
 
 /// How many bits a receiver keeps of R, G, B, A.
 struct ColorBits {
     std::uint8_t of[4] = {8, 8, 8, 8};
 };
 
-/// The colour of one group, "final expansion to RGBA" included: L becomes R, G and B; missing colours are 0,
-/// a missing alpha is 1 (GL 1.3, 3.6.4). Codes have the bits asked for.
-void unpack_color(const PixelLayout& layout, bool swap_bytes, const unsigned char* from,
-                  const ColorBits& bits, std::uint32_t rgba[4]);
+/// Groups of one image in client memory, as UNPACK_SWAP_BYTES and UNPACK_LSB_FIRST say they lie. `row` is the
+/// first byte of a row and `group` counts in it, skipped bits of a BITMAP included (pixel_layout.hpp).
+class Groups {
+  public:
+    Groups(const PixelLayout& layout, const PixelStore& store)
+        : layout_(layout), swap_bytes_(store.swap_bytes), lsb_first_(store.lsb_first) {}
 
-/// A pixel as it was fetched. Depth stands in value[0].
-struct Pixel {
-    Component value[4];
+    /// "Final expansion to RGBA" included: L becomes R, G and B; missing colours are 0, a missing alpha is 1
+    /// (GL 1.3, 3.6.4). Not of COLOR_INDEX.
+    Pixel color(const unsigned char* row, std::size_t group) const;
+    Component depth(const unsigned char* row, std::size_t group) const;
+    Index index(const unsigned char* row, std::size_t group) const;
+
+  private:
+    std::uint32_t element(const unsigned char* row, std::size_t group, unsigned component) const;
+
+    const PixelLayout& layout_;
+    bool swap_bytes_, lsb_first_;
 };
 
-/// Writes the components the format names; L is R + G + B clamped to 1 (GL 1.3, 4.3.2).
+/// Colours of a client image behind pixel transfer: what DrawPixels and texture images are made of (GL 1.3,
+/// 3.6.4, 3.6.5 and 3.8.1). Lives no longer than the layout and the context's state stay as they are.
+class ColorImage {
+  public:
+    ColorImage(const Context& context, const PixelLayout& layout);
+
+    /// A group is its colour: rows may be copied where the receiver keeps colours as the client does.
+    bool is_plain() const { return !indices_ && !transfer_.changes_colors() && !swaps_; }
+
+    Pixel color(const unsigned char* row, std::size_t group) const;
+    /// Clamped, with the bits asked for.
+    void codes(const unsigned char* row, std::size_t group, const ColorBits& bits,
+               std::uint32_t rgba[4]) const;
+
+  private:
+    Groups groups_;
+    Transfer transfer_;
+    bool indices_, swaps_;
+};
+
+/// Writes the components the format names, clamped; L is R + G + B (GL 1.3, 4.3.2). A depth stands in
+/// value[0].
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to);
 
-/// A stencil index, masked to the bits of the type: 2^7 - 1 for BYTE (GL 1.3, table 4.6). Not for BITMAP.
-void pack_index(const PixelLayout& layout, bool swap_bytes, std::uint32_t index, unsigned char* to);
+/// An index, masked to the bits of the type: 2^7 - 1 for BYTE, as it is for FLOAT (GL 1.3, table 4.6). Not
+/// for BITMAP.
+void pack_index(const PixelLayout& layout, bool swap_bytes, Index index, unsigned char* to);
+
+/// Bit `at` of a row of bits.
+inline unsigned char bit_mask(std::size_t at, bool lsb_first) {
+    return static_cast<unsigned char>(lsb_first ? 1u << at % 8 : 0x80u >> at % 8);
+}
+inline bool bit_of(const unsigned char* row, std::size_t at, bool lsb_first) {
+    return (row[at / 8] & bit_mask(at, lsb_first)) != 0;
+}
 
 } // namespace spangle::gl

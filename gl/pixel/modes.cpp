@@ -80,11 +80,11 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     switch (pname) {
     case GL_UNPACK_SWAP_BYTES:
     case GL_PACK_SWAP_BYTES:
-        store.swap_bytes = value != 0;
+        store.swap_bytes = numeric::to_bool(params.v[0].real());
         return;
     case GL_UNPACK_LSB_FIRST:
     case GL_PACK_LSB_FIRST:
-        store.lsb_first = value != 0;
+        store.lsb_first = numeric::to_bool(params.v[0].real());
         return;
     case GL_UNPACK_ALIGNMENT:
     case GL_PACK_ALIGNMENT:

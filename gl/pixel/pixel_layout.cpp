@@ -25,6 +25,7 @@ constexpr Format formats[] = {
     {GL_LUMINANCE, 1, {L}},
     {GL_LUMINANCE_ALPHA, 2, {L, A}},
     {GL_DEPTH_COMPONENT, 1, {Channel::depth}},
+    {GL_COLOR_INDEX, 1, {Channel::color_index}},
     {GL_STENCIL_INDEX, 1, {Channel::stencil}},
 };
 
@@ -88,7 +89,8 @@ GLenum pixel_layout(GLenum format_token, GLenum type_token, PixelLayout& out) {
     const Type* type = find(types, type_token);
     if (format == nullptr || type == nullptr)
         return GL_INVALID_ENUM;
-    if (type->kind == ElementKind::bitmap && format_token != GL_STENCIL_INDEX)
+    if (type->kind == ElementKind::bitmap && format_token != GL_STENCIL_INDEX &&
+        format_token != GL_COLOR_INDEX)
         return GL_INVALID_ENUM;
     // Packed types name their components: RGB, or RGBA and BGRA (table 3.8).
     if (type->fields == 3 && format_token != GL_RGB)

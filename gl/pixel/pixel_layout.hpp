@@ -7,7 +7,7 @@
 namespace spangle::gl {
 
 /// What a component of a group is.
-enum class Channel : std::uint8_t { red, green, blue, alpha, luminance, depth, stencil };
+enum class Channel : std::uint8_t { red, green, blue, alpha, luminance, depth, color_index, stencil };
 
 enum class ElementKind : std::uint8_t { unsigned_integer, signed_integer, real, bitmap };
 
@@ -24,8 +24,8 @@ struct PixelLayout {
     std::uint32_t group_bytes() const { return std::uint32_t{elements} * element_bytes; }
 };
 
-/// INVALID_ENUM: unknown format or type, or BITMAP of colours; INVALID_OPERATION: a packed type with another
-/// number of components; else NO_ERROR, and `out` is valid.
+/// INVALID_ENUM: unknown format or type, or BITMAP of anything but indices; INVALID_OPERATION: a packed type
+/// with another number of components; else NO_ERROR, and `out` is valid.
 GLenum pixel_layout(GLenum format, GLenum type, PixelLayout& out);
 
 /// Where the rows of an image `width` groups wide are: the first one at `skip`, each next one `stride`
@@ -38,5 +38,11 @@ struct ImageRows {
 
 /// GL 1.3, 3.6.4: k = n l, or a / s * ceil(s n l / a) when the elements are smaller than the alignment.
 ImageRows image_rows(const PixelStore& store, const PixelLayout& layout, GLsizei width);
+
+/// Bytes from one image of a volume to the next, as IMAGE_HEIGHT says; SKIP_IMAGES of them lie before the
+/// first (GL 1.3, 3.6.1, 3.8.1). Rows of other images look at neither.
+inline std::size_t image_stride(const PixelStore& store, const ImageRows& rows, GLsizei height) {
+    return rows.stride * static_cast<std::size_t>(store.image_height > 0 ? store.image_height : height);
+}
 
 } // namespace spangle::gl

@@ -1,32 +1,11 @@
 // ReadPixels (GL 1.3, 4.3.2). Pixels outside the surface are undefined; here their memory stays as it is.
-#include <bit>
-
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/pixel/group.hpp"
-#include "raster/surface/pixel.hpp"
+#include "gl/pixel/fetch.hpp"
 
 namespace spangle::gl {
 
 namespace {
-
-/// k / max, max = 2^bits - 1.
-Component fraction(std::uint32_t k, std::uint32_t max) {
-    return {k, static_cast<std::uint8_t>(std::bit_width(max))};
-}
-
-Pixel fetch_color(const raster::Surface& surface, std::int32_t x, std::int32_t y) {
-    const raster::StoredColor stored = raster::read_color(surface, x, y);
-    Pixel pixel;
-    for (int i = 0; i < 4; ++i)
-        pixel.value[i] = fraction(stored.c[i].k, stored.c[i].max);
-    return pixel;
-}
-
-Pixel fetch_depth(const raster::Surface& surface, std::int32_t x, std::int32_t y) {
-    const raster::StoredDepth stored = raster::read_depth(surface, x, y);
-    return {{fraction(stored.k, stored.max)}};
-}
 
 enum class Source { color, depth, stencil };
 
@@ -34,29 +13,40 @@ struct Read {
     const raster::Surface& surface;
     const PixelLayout& layout;
     Source source;
+    Transfer transfer;
     bool swap_bytes, lsb_first;
 };
 
-void put_bit(unsigned char* row, std::size_t bit, bool lsb_first, std::uint32_t value) {
-    const unsigned place = static_cast<unsigned>(bit % 8);
-    const unsigned mask = lsb_first ? 1u << place : 0x80u >> place;
-    row[bit / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[bit / 8] | mask : row[bit / 8] & ~mask);
+void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t value) {
+    const unsigned char mask = bit_mask(at, lsb_first);
+    row[at / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[at / 8] | mask : row[at / 8] & ~mask);
+}
+
+void read_stencil(const Read& r, std::int32_t x, std::int32_t y, unsigned char* row, std::size_t group) {
+    const Index index = r.transfer.stencil(whole_index(raster::read_stencil(r.surface, x, y)));
+    if (r.layout.kind == ElementKind::bitmap)
+        put_bit(row, group, r.lsb_first, rounded(index));
+    else
+        pack_index(r.layout, r.swap_bytes, index, row + group * r.layout.group_bytes());
 }
 
 /// Columns [x, x + count) of a line; `row` is its first byte, `group` the first group to write, skipped bits
 /// included.
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
-    const std::uint32_t bytes = r.layout.group_bytes();
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {
-        if (r.source == Source::color)
-            pack_pixel(r.layout, r.swap_bytes, fetch_color(r.surface, x, y), row + group * bytes);
-        else if (r.source == Source::depth)
-            pack_pixel(r.layout, r.swap_bytes, fetch_depth(r.surface, x, y), row + group * bytes);
-        else if (r.layout.kind == ElementKind::bitmap)
-            put_bit(row, group, r.lsb_first, raster::read_stencil(r.surface, x, y));
-        else
-            pack_index(r.layout, r.swap_bytes, raster::read_stencil(r.surface, x, y), row + group * bytes);
+        if (r.source == Source::stencil) {
+            read_stencil(r, x, y, row, group);
+            continue;
+        }
+        Pixel pixel{};
+        if (r.source == Source::depth) {
+            pixel.value[0] = r.transfer.depth(fetch_depth(r.surface, x, y));
+        } else {
+            pixel = fetch_color(r.surface, x, y);
+            r.transfer.apply(pixel);
+        }
+        pack_pixel(r.layout, r.swap_bytes, pixel, row + group * r.layout.group_bytes());
     }
 }
 
@@ -114,8 +104,8 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glReadPixels: null pointer"));
     const gl::PixelStore& pack = context.pixel_store.pack;
-    read({surface, layout, source, pack.swap_bytes, pack.lsb_first}, pack, x, y, width, height,
-         static_cast<unsigned char*>(pixels));
+    read({surface, layout, source, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first}, pack, x, y,
+         width, height, static_cast<unsigned char*>(pixels));
 }
 
 } // namespace cmd

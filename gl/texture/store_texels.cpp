@@ -1,5 +1,6 @@
 #include "gl/texture/store_texels.hpp"
 
+#include "gl/context/context.hpp"
 #include "gl/pixel/group.hpp"
 #include "gl/texture/internal_format.hpp"
 
@@ -37,11 +38,11 @@ void store_texel(TexelFormat format, const std::uint32_t rgba[4], std::uint8_t* 
 }
 
 /// Groups that are texels already: rows are copied.
-bool same_layout(const PixelLayout& layout, bool swap_bytes, TexelFormat format) {
+bool same_layout(const PixelLayout& layout, TexelFormat format) {
     const Channel first = layout.channel[0], last = layout.channel[layout.components - 1u];
     if (layout.packed)
-        return format == TexelFormat::rgb565 && !swap_bytes && layout.bits[0] == 5 &&
-               layout.components == 3 && layout.shift[0] == 11;
+        return format == TexelFormat::rgb565 && layout.bits[0] == 5 && layout.components == 3 &&
+               layout.shift[0] == 11;
     if (layout.kind != ElementKind::unsigned_integer || layout.element_bytes != 1)
         return false;
     switch (format) {
@@ -63,13 +64,14 @@ bool same_layout(const PixelLayout& layout, bool swap_bytes, TexelFormat format)
 
 } // namespace
 
-void store_texels(LevelImage& image, const TexelRect& rect, const PixelStore& unpack,
-                  const PixelLayout& layout, const void* pixels) {
+void store_texels(const Context& context, LevelImage& image, const TexelRect& rect, const PixelLayout& layout,
+                  const void* pixels) {
     const TexelFormat format = image.shape.format;
     const unsigned bytes = texel_bytes(format);
     const ColorBits bits = texel_bits(format);
-    const bool copy = same_layout(layout, unpack.swap_bytes, format);
-    const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(rect.width));
+    const ColorImage colors(context, layout);
+    const bool copy = colors.is_plain() && same_layout(layout, format);
+    const ImageRows rows = image_rows(context.pixel_store.unpack, layout, static_cast<GLsizei>(rect.width));
     const unsigned char* from = static_cast<const unsigned char*>(pixels) + rows.skip;
     std::uint8_t* to = image.texels() + std::size_t{rect.y} * image.stride + std::size_t{rect.x} * bytes;
     for (std::uint32_t y = 0; y < rect.height; ++y, from += rows.stride, to += image.stride) {
@@ -79,7 +81,7 @@ void store_texels(LevelImage& image, const TexelRect& rect, const PixelStore& un
         }
         for (std::uint32_t x = 0; x < rect.width; ++x) {
             std::uint32_t rgba[4];
-            unpack_color(layout, unpack.swap_bytes, from + std::size_t{x} * layout.group_bytes(), bits, rgba);
+            colors.codes(from, rows.skip_bits + x, bits, rgba);
             store_texel(format, rgba, to + std::size_t{x} * bytes);
         }
     }

@@ -55,7 +55,7 @@ void replace_level(Context& context, GLint level, LevelShape shape, const PixelL
         return error(context, GL_OUT_OF_MEMORY,
                      SPANGLE_TEXT("glTexImage2D: no room in the arena for this level"));
     if (pixels != nullptr)
-        store_texels(*image, {0, 0, shape.width, shape.height}, context.pixel_store.unpack, layout, pixels);
+        store_texels(context, *image, {0, 0, shape.width, shape.height}, layout, pixels);
     else // GL leaves them undefined; here no earlier texels shine through
         std::memset(image->texels(), 0, std::size_t{image->stride} * shape.height);
     arena.free(texture.level[level]);
@@ -127,7 +127,7 @@ void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, 
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage2D: null pointer"));
     const TexelRect rect{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                          static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-    store_texels(*image, rect, context.pixel_store.unpack, layout, pixels);
+    store_texels(context, *image, rect, layout, pixels);
 }
 
 } // namespace cmd

@@ -288,14 +288,21 @@ constexpr std::int32_t to_i32_round(Real v) {
     return detail::with_sign(u.negative, ((u.mantissa >> (-u.exponent - 1)) + 1) >> 1);
 }
 
+/// floor(clamp01(v) * most * 2), most < 2^32: one bit more than the integer below.
+constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
+    const detail::Unpacked u = detail::unpack(clamp01(v));
+    const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
+    return drop > 63 ? 0 : (u.mantissa * std::uint64_t{most}) >> (drop - 1);
+}
+
+/// Nearest integer to clamp01(v) * most, halves up.
+constexpr std::uint32_t to_steps(Real v, std::uint32_t most) {
+    return static_cast<std::uint32_t>((to_half_steps(v, most) + 1) >> 1);
+}
+
 /// Nearest integer to clamp01(v) * (2^bits - 1), bits <= 32, halves up (GL 1.3, 2.13.9 and 2.10.1).
 constexpr std::uint32_t to_unit(Real v, int bits) {
-    const detail::Unpacked u = detail::unpack(clamp01(v));
-    const std::uint64_t ones = (std::uint64_t{1} << bits) - 1;
-    const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
-    if (drop > 63)
-        return 0;
-    return static_cast<std::uint32_t>((((u.mantissa * ones) >> (drop - 1)) + 1) >> 1);
+    return to_steps(v, static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1));
 }
 
 /// Colours, normals, depth range as integers: ((2^32 - 1) v - 1) / 2 with v clamped to [-1, 1] (GL 1.3,

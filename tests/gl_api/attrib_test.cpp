@@ -100,6 +100,10 @@ std::map<GLenum, GLbitfield> server_state() {
     if (SPANGLE_FEATURE_TEXGEN)
         for (GLenum cap = GL_TEXTURE_GEN_S; cap <= GL_TEXTURE_GEN_Q; ++cap)
             groups[cap] = GL_TEXTURE_BIT | GL_ENABLE_BIT;
+    if (SPANGLE_FEATURE_PIXEL_TRANSFER)
+        for (GLenum name = GL_MAP_COLOR; name <= GL_DEPTH_BIAS; ++name)
+            if (name != GL_ZOOM_X && name != GL_ZOOM_Y)
+                groups[name] = GL_PIXEL_MODE_BIT;
     if (SPANGLE_FEATURE_CLIP_PLANES)
         for (GLenum cap = GL_CLIP_PLANE0; cap <= GL_CLIP_PLANE5; ++cap)
             groups[cap] = GL_TRANSFORM_BIT | GL_ENABLE_BIT;
@@ -204,6 +208,11 @@ class Attrib : public RecordingContext {
             if ((groups & GL_ENABLE_BIT) != 0)
                 (k != 0 ? glEnable : glDisable)(name);
         glColor4f(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+        for (GLenum name = GL_MAP_COLOR; name <= GL_DEPTH_BIAS; ++name)
+            if (name != GL_ZOOM_X && name != GL_ZOOM_Y)
+                glPixelTransferi(name, k);
+#endif
         glNormal3f(f(0.5f), f(0.6f), f(0.7f));
         glTexCoord4f(f(1), f(2), f(3), f(4));
         glPointSize(f(2));

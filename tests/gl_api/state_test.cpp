@@ -204,6 +204,16 @@ std::vector<Expected> initial_state() {
         table.insert(
             table.end(),
             {{GL_NAME_STACK_DEPTH, {0}}, {GL_MAX_NAME_STACK_DEPTH, {64}}, {GL_SELECTION_BUFFER_SIZE, {0}}});
+    if (SPANGLE_FEATURE_PIXEL_TRANSFER) {
+        for (GLenum name : {GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET, GL_RED_BIAS,
+                            GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS})
+            table.push_back({name, {0}});
+        for (GLenum name : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE})
+            table.push_back({name, {1}});
+        for (GLenum name = GL_PIXEL_MAP_I_TO_I_SIZE; name <= GL_PIXEL_MAP_A_TO_A_SIZE; ++name)
+            table.push_back({name, {1}});
+        table.push_back({GL_MAX_PIXEL_MAP_TABLE, {256}});
+    }
     if (SPANGLE_FEATURE_EVALUATORS) {
         for (GLenum cap = GL_MAP1_COLOR_4; cap <= GL_MAP1_VERTEX_4; ++cap) {
             table.push_back({cap, {0}});
@@ -295,7 +305,8 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
                               e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS ||
                               e.name == GL_CURRENT_INDEX || e.name == GL_CURRENT_RASTER_POSITION ||
                               e.name == GL_CURRENT_RASTER_DISTANCE || e.name == GL_CURRENT_RASTER_INDEX ||
-                              e.name == GL_CURRENT_RASTER_TEXTURE_COORDS;
+                              e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
+                              (e.name >= GL_RED_SCALE && e.name <= GL_DEPTH_BIAS);
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
 #endif
         }

@@ -89,7 +89,8 @@ TEST(Component, ElementsMeanWhatTable26Says) {
     for (const Entry& e : entries)
         for (unsigned bits : {5u, 6u, 8u, 16u}) {
             const auto wanted = static_cast<std::uint32_t>(std::floor(e.value * all_ones(bits) + 0.5));
-            EXPECT_EQ(decode_element(e.kind, e.bits, e.element, bits), wanted) << e.element << " to " << bits;
+            EXPECT_EQ(code_of(decode_element(e.kind, e.bits, e.element), bits), wanted)
+                << e.element << " to " << bits;
         }
 }
 
@@ -106,8 +107,9 @@ TEST(Component, RandomElementsDecodeToTheNearestCode) {
             f = std::fmax(0, (2 * c + 1) / all_ones(element_bits));
         }
         const std::uint32_t got =
-            decode_element(is_signed ? ElementKind::signed_integer : ElementKind::unsigned_integer,
-                           element_bits, element, 8);
+            code_of(decode_element(is_signed ? ElementKind::signed_integer : ElementKind::unsigned_integer,
+                                   element_bits, element),
+                    8);
         ASSERT_LE(std::fabs(got - f * 255), 0.5 + 1e-9);
     }
 }

@@ -124,6 +124,9 @@ void ClearColor(Context& context, Real red, Real green, Real blue, Real alpha);
 void ClearDepth(Context& context, Real depth);
 void ClearStencil(Context& context, GLint s);
 void PixelStore(Context& context, GLenum pname, const Params& params);
+void PixelTransfer(Context& context, GLenum pname, const Params& params);
+void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
+void GetPixelMap(Context& context, GLenum map, const Values& values);
 void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels);
 void Fog(Context& context, GLenum pname, const Params& params);
 void Hint(Context& context, GLenum target, GLenum mode);
@@ -192,6 +195,7 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void CallList(Context& context, GLuint list);
@@ -930,6 +934,27 @@ struct PixelStore {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glPixelStore between glBegin and glEnd");
+};
+struct PixelTransfer {
+    static constexpr auto run = &cmd::PixelTransfer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPixelTransfer between glBegin and glEnd");
+};
+struct PixelMap {
+    static constexpr auto run = &cmd::PixelMap;
+    static constexpr auto encode = &encode::PixelMap;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPixelMap between glBegin and glEnd");
+};
+struct GetPixelMap {
+    static constexpr auto run = &cmd::GetPixelMap;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetPixelMap between glBegin and glEnd");
 };
 struct ReadPixels {
     static constexpr auto run = &cmd::ReadPixels;

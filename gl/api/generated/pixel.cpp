@@ -106,6 +106,42 @@ void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
     issue<family::PixelStore>(pname, convert::scalar_i(shape::PixelStore(pname), param));
 }
 
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+
+void GLAPIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
+    issue<family::PixelTransfer>(pname, convert::scalar_f(shape::PixelTransfer(pname), param));
+}
+
+void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
+    issue<family::PixelTransfer>(pname, convert::scalar_i(shape::PixelTransfer(pname), param));
+}
+
+void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values) {
+    issue<family::PixelMap>(map, size, Values{values, GL_FLOAT});
+}
+
+void GLAPIENTRY glPixelMapuiv(GLenum map, GLsizei size, const GLuint* values) {
+    issue<family::PixelMap>(map, size, Values{values, GL_UNSIGNED_INT});
+}
+
+void GLAPIENTRY glPixelMapusv(GLenum map, GLsizei size, const GLushort* values) {
+    issue<family::PixelMap>(map, size, Values{values, GL_UNSIGNED_SHORT});
+}
+
+void GLAPIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) {
+    issue<family::GetPixelMap>(map, Values{values, GL_FLOAT});
+}
+
+void GLAPIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) {
+    issue<family::GetPixelMap>(map, Values{values, GL_UNSIGNED_INT});
+}
+
+void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values) {
+    issue<family::GetPixelMap>(map, Values{values, GL_UNSIGNED_SHORT});
+}
+
+#endif
+
 void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
     issue<family::ReadPixels>(x, y, width, height, format, type, pixels);
 }
@@ -216,6 +252,42 @@ void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
 
 void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_PIXEL_TRANSFER
+
+void GLAPIENTRY glPixelTransferf(GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glPixelTransferf: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glPixelTransferi(GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glPixelTransferi: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glPixelMapfv(GLenum, GLsizei, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glPixelMapuiv(GLenum, GLsizei, const GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glPixelMapusv(GLenum, GLsizei, const GLushort*) {
+    refuse_feature(SPANGLE_TEXT("glPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glGetPixelMapfv(GLenum, GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glGetPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glGetPixelMapuiv(GLenum, GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glGetPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+void GLAPIENTRY glGetPixelMapusv(GLenum, GLushort*) {
+    refuse_feature(SPANGLE_TEXT("glGetPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
 }
 
 #endif

@@ -118,20 +118,44 @@ inline Shape PixelStore(GLenum pname) {
     switch (pname) {
     case GL_UNPACK_SWAP_BYTES:
     case GL_UNPACK_LSB_FIRST:
+    case GL_PACK_SWAP_BYTES:
+    case GL_PACK_LSB_FIRST:
+        return {Kind::real, 1};
     case GL_UNPACK_ROW_LENGTH:
     case GL_UNPACK_SKIP_ROWS:
     case GL_UNPACK_SKIP_PIXELS:
     case GL_UNPACK_ALIGNMENT:
     case GL_UNPACK_IMAGE_HEIGHT:
     case GL_UNPACK_SKIP_IMAGES:
-    case GL_PACK_SWAP_BYTES:
-    case GL_PACK_LSB_FIRST:
     case GL_PACK_ROW_LENGTH:
     case GL_PACK_SKIP_ROWS:
     case GL_PACK_SKIP_PIXELS:
     case GL_PACK_ALIGNMENT:
     case GL_PACK_IMAGE_HEIGHT:
     case GL_PACK_SKIP_IMAGES:
+        return {Kind::integer, 1};
+    default:
+        return {};
+    }
+}
+
+inline Shape PixelTransfer(GLenum pname) {
+    switch (pname) {
+    case GL_MAP_COLOR:
+    case GL_MAP_STENCIL:
+    case GL_RED_SCALE:
+    case GL_RED_BIAS:
+    case GL_GREEN_SCALE:
+    case GL_GREEN_BIAS:
+    case GL_BLUE_SCALE:
+    case GL_BLUE_BIAS:
+    case GL_ALPHA_SCALE:
+    case GL_ALPHA_BIAS:
+    case GL_DEPTH_SCALE:
+    case GL_DEPTH_BIAS:
+        return {Kind::real, 1};
+    case GL_INDEX_SHIFT:
+    case GL_INDEX_OFFSET:
         return {Kind::integer, 1};
     default:
         return {};

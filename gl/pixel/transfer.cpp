@@ -1,0 +1,90 @@
+#include "gl/pixel/transfer.hpp"
+
+namespace spangle::gl {
+
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+
+namespace {
+
+bool is_identity(Real scale, Real bias) {
+    return scale == numeric::one && numeric::is_zero(bias);
+}
+
+Component scaled(Component c, Real scale, Real bias) {
+    return is_identity(scale, bias) ? c : component(numeric::add(numeric::mul(to_real(c), scale), bias));
+}
+
+std::uint32_t entry(const PixelMap* map, std::uint32_t at) {
+    return map != nullptr ? map->entries()[at] : 0;
+}
+
+std::uint32_t last_of(const PixelMap* map) {
+    return map != nullptr ? static_cast<std::uint32_t>(map->size) - 1 : 0;
+}
+
+/// Sizes of maps that indices address are powers of two.
+std::uint32_t entry_at(const PixelMap* map, Index index) {
+    return entry(map, rounded(index) & last_of(map));
+}
+
+} // namespace
+
+Transfer::Transfer(const PixelModeState& state) : state_(state), maps_(state.map_color) {
+    for (int c = 0; c < 4; ++c)
+        scales_ = scales_ || !is_identity(state.scale[c], state.bias[c]);
+}
+
+void Transfer::change(Pixel& color) const {
+    for (unsigned c = 0; c < 4; ++c) {
+        Component& v = color.value[c];
+        v = scaled(v, state_.scale[c], state_.bias[c]);
+        if (!maps_)
+            continue;
+        const PixelMap* const map = state_.map[map_r_to_r + c];
+        v = component(Real{entry(map, steps_of(v, last_of(map)))});
+    }
+}
+
+Pixel Transfer::color_of(Index index) const {
+    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    Pixel color;
+    for (unsigned c = 0; c < 4; ++c)
+        color.value[c] = component(Real{entry_at(state_.map[map_i_to_r + c], moved)});
+    return color;
+}
+
+Index Transfer::stencil(Index index) const {
+    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    if (!state_.map_stencil)
+        return moved;
+    return whole_index(entry_at(state_.map[map_s_to_s], moved)); // stored as integers
+}
+
+Component Transfer::depth(Component z) const {
+    return scaled(z, state_.depth_scale, state_.depth_bias);
+}
+
+#else
+
+Transfer::Transfer(const PixelModeState& state) : state_(state) {}
+
+void Transfer::change(Pixel&) const {}
+
+/// The maps as they are at first: one entry, 0.
+Pixel Transfer::color_of(Index) const {
+    static_cast<void>(state_);
+    const Component nothing = component(numeric::zero);
+    return {{nothing, nothing, nothing, nothing}};
+}
+
+Index Transfer::stencil(Index index) const {
+    return index;
+}
+
+Component Transfer::depth(Component z) const {
+    return z;
+}
+
+#endif
+
+} // namespace spangle::gl

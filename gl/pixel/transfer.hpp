@@ -1,0 +1,42 @@
+// Pixel transfer: what happens to every group between unpacking and its receiver, or between the framebuffer
+// and packing (GL 1.3, 3.6.5).
+#pragma once
+
+#include "gl/pixel/component.hpp"
+#include "gl/pixel/index.hpp"
+#include "gl/pixel/pixel_mode_state.hpp"
+
+namespace spangle::gl {
+
+/// A colour on its way: red, green, blue, alpha.
+struct Pixel {
+    Component value[4];
+};
+
+/// Looked at once per image. A state that changes nothing costs one test per group.
+class Transfer {
+  public:
+    explicit Transfer(const PixelModeState& state);
+
+    /// Some colour component may come out other than it went in.
+    bool changes_colors() const { return scales_ || maps_; }
+
+    /// Scale and bias, then the maps of components.
+    void apply(Pixel& color) const {
+        if (changes_colors())
+            change(color);
+    }
+    /// Shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
+    Pixel color_of(Index index) const;
+    /// Shift and offset, then the map of stencil indices.
+    Index stencil(Index index) const;
+    Component depth(Component z) const;
+
+  private:
+    void change(Pixel& color) const;
+
+    const PixelModeState& state_;
+    bool scales_ = false, maps_ = false;
+};
+
+} // namespace spangle::gl
