@@ -77,7 +77,7 @@ void measure(const char* name, const char* scene_id, hal::Display& display, cons
         scene.draw(frame);
         const std::uint64_t bytes_before = bytes, cpu_before = cpu_ns();
         const sim::Time device_before = kernel.device_cpu(), time_before = kernel.now();
-        if (!eglSwapBuffers(egl, window))
+        if (!eglSwapBuffers(egl, window) || !display.finish())
             std::fprintf(stderr, "bench_hal: a frame was lost\n");
         if (frame < warm_frames)
             continue;

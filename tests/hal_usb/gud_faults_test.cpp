@@ -24,7 +24,7 @@ void meet(GudRig& rig, Fate fate, int skip, int times) {
 
 void expect_mended(GudRig& rig) {
     rig.usb.fate = nullptr;
-    const auto again = rig.display->present();
+    const auto again = rig.show();
     ASSERT_TRUE(again.ok()) << again.error().rule;
     EXPECT_EQ(rig.glass_difference(), "");
 }
@@ -36,12 +36,12 @@ TEST(GudFaults, AStallIsClearedAndTheBufferSentAgain) {
         ASSERT_TRUE(rig.start().ok());
         ASSERT_TRUE(rig.draw(1));
         meet(rig, Fate::stall, skip, 1);
-        const auto sent = rig.display->present();
+        const auto sent = rig.show();
         EXPECT_TRUE(sent.ok()) << sent.error().rule;
         EXPECT_EQ(rig.glass_difference(), "");
         ASSERT_TRUE(rig.draw(2));
         meet(rig, Fate::stall, 0, 1000);
-        const auto refused = rig.display->present();
+        const auto refused = rig.show();
         EXPECT_EQ(refused.error().fault, Fault::unsupported);
         EXPECT_NE(std::string(refused.error().rule).find("USB display 1d50:614d: send pixels: "),
                   std::string::npos);
@@ -59,7 +59,7 @@ TEST(GudFaults, WhatFollowsAStallIsTakenBack) {
         return at == 0 ? Fate::stall : at < 4 ? Fate::silent : Fate::normal;
     };
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_TRUE(rig.display->present().ok());
+    EXPECT_TRUE(rig.show().ok());
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(2500));
     EXPECT_EQ(rig.glass_difference(), "");
 }
@@ -72,7 +72,7 @@ TEST(GudFaults, ASilentDeviceTimesOut) {
     ASSERT_TRUE(rig.draw(1));
     meet(rig, Fate::silent, 1, 1000);
     const auto start = std::chrono::steady_clock::now();
-    const auto late = rig.display->present();
+    const auto late = rig.show();
     EXPECT_EQ(late.error().fault, Fault::timeout) << late.error().rule;
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
     expect_mended(rig);
@@ -85,15 +85,15 @@ TEST(GudFaults, PulledInTheMiddleAndPluggedAgain) {
             rig.size(320, 240);
             ASSERT_TRUE(rig.start().ok());
             ASSERT_TRUE(rig.draw(1));
-            ASSERT_TRUE(rig.display->present().ok());
+            ASSERT_TRUE(rig.show().ok());
             ASSERT_TRUE(rig.draw(2, {5, 5, 300, 200}));
             meet(rig, fate, skip, 1000);
-            const auto gone = rig.display->present();
+            const auto gone = rig.show();
             EXPECT_EQ(gone.error().fault, Fault::gone) << gone.error().rule;
             EXPECT_FALSE(rig.display->connected());
             rig.usb.unplug();
             EXPECT_EQ(rig.kernel.open_files(), 0) << "nothing holds on to a device that went";
-            const auto away = rig.display->present();
+            const auto away = rig.show();
             EXPECT_EQ(away.error().fault, Fault::gone);
             EXPECT_NE(std::string(away.error().rule).find("No such file or directory; lsusb lists"),
                       std::string::npos)
@@ -110,12 +110,12 @@ TEST(GudFaults, AnotherSizeThatComesBackNeedsInit) {
     ASSERT_TRUE(rig.start().ok());
     rig.usb.unplug();
     EXPECT_EQ(rig.draw(1), true);
-    EXPECT_EQ(rig.display->present().error().fault, Fault::gone);
+    EXPECT_EQ(rig.show().error().fault, Fault::gone);
     rig.device.power_cycle();
     rig.size(64, 48);
     rig.usb.plug();
-    EXPECT_EQ(rig.display->present().error().fault, Fault::wrong_device);
-    EXPECT_EQ(rig.display->present().error().fault, Fault::bad_argument);
+    EXPECT_EQ(rig.show().error().fault, Fault::wrong_device);
+    EXPECT_EQ(rig.show().error().fault, Fault::bad_argument);
     ASSERT_TRUE(rig.display->init().ok());
     EXPECT_EQ(rig.display->info().width, 64);
     ASSERT_TRUE(rig.draw(3));
@@ -172,7 +172,7 @@ TEST(GudFaults, AThousandSequencesAtRandom) {
             const auto x = static_cast<std::int32_t>(random.below(30)),
                        y = static_cast<std::int32_t>(random.below(20));
             ASSERT_TRUE(rig.draw(sequence * 3 + frame, {x, y, 10, 10}, random.below(2) == 0));
-            if (const auto sent = rig.display->present(); !sent.ok()) {
+            if (const auto sent = rig.show(); !sent.ok()) {
                 ++failures;
                 ASSERT_NE(sent.error().rule[0], '\0');
                 if (sent.error().fault == Fault::gone)
@@ -186,11 +186,11 @@ TEST(GudFaults, AThousandSequencesAtRandom) {
             rig.device.refuse(0xFF, 0);
         }
         rig.usb.plug();
-        auto sent = rig.display->present();
+        auto sent = rig.show();
         // The poller had not noticed yet that it went; or the test machine was busy.
         for (int i = 0; i < 5 && (sent.error().fault == Fault::gone || sent.error().fault == Fault::timeout);
              ++i)
-            sent = rig.display->present();
+            sent = rig.show();
         ASSERT_TRUE(sent.ok()) << sequence << ": " << sent.error().rule;
         ASSERT_EQ(rig.kernel.open_files(), 1) << sequence;
         ASSERT_EQ(rig.glass_difference(), "") << sequence;

@@ -72,6 +72,12 @@ struct GudRig {
         return draw(seed, {0, 0, info.width, info.height}, flat);
     }
 
+    /// Presents, and says what became of it.
+    hal::Result<void> show() {
+        const auto presented = display->present();
+        return presented ? display->finish() : presented;
+    }
+
     /// Empty when the device shows the frame as its format can.
     std::string glass_difference() {
         const auto frame = display->acquire();

@@ -40,11 +40,11 @@ TEST(Gud, EveryFormat) {
             rig.device.max_buffer_size = most;
             ASSERT_TRUE(rig.start().ok());
             ASSERT_TRUE(rig.draw(1));
-            ASSERT_TRUE(rig.display->present().ok());
+            ASSERT_TRUE(rig.show().ok());
             EXPECT_EQ(rig.glass_difference(), "");
             for (const Rect part : {Rect{3, 5, 7, 9}, Rect{39, 0, 1, 30}, Rect{13, 29, 27, 1}}) {
                 ASSERT_TRUE(rig.draw(2, part));
-                ASSERT_TRUE(rig.display->present().ok());
+                ASSERT_TRUE(rig.show().ok());
                 EXPECT_EQ(rig.glass_difference(), "");
             }
             EXPECT_LE(rig.device.counters().largest_buffer, most != 0 ? most : 40u * 30 * 4);
@@ -87,7 +87,7 @@ TEST(Gud, ChoosesAMode) {
     rig.config.height = 47;
     EXPECT_EQ(rig.start().error().fault, Fault::unsupported);
     EXPECT_EQ(rig.display->acquire().error().fault, Fault::bad_argument);
-    EXPECT_EQ(rig.display->present().error().fault, Fault::bad_argument);
+    EXPECT_EQ(rig.show().error().fault, Fault::bad_argument);
     rig.config.height = 0;
     rig.device.limits = {10, 64, 10, 31};
     rig.device.modes.erase(rig.device.modes.begin() + 1);
@@ -129,11 +129,11 @@ TEST(Gud, CompressesOnlyWhatShrinks) {
     const auto before = rig.device.counters();
     EXPECT_EQ(before.compressed, before.flushes) << "black";
     ASSERT_TRUE(rig.draw(1));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.device.counters().compressed, before.compressed) << "noise";
     EXPECT_EQ(rig.device.counters().bulk_bytes - before.bulk_bytes, 40u * 30 * 2);
     ASSERT_TRUE(rig.draw(2, true));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.device.counters().compressed, before.compressed + 1);
     EXPECT_LT(rig.device.counters().bulk_bytes - before.bulk_bytes, 40u * 30 * 2 + 100);
     EXPECT_EQ(rig.glass_difference(), "");
@@ -156,7 +156,7 @@ TEST(Gud, SendsWhatChanged) {
     ASSERT_TRUE(rig.start().ok());
     const auto bytes = [&] {
         const std::uint64_t before = rig.device.counters().bulk_bytes;
-        EXPECT_TRUE(rig.display->present().ok());
+        EXPECT_TRUE(rig.show().ok());
         EXPECT_EQ(rig.glass_difference(), "");
         return rig.device.counters().bulk_bytes - before;
     };
@@ -195,11 +195,11 @@ TEST(Gud, DevicesThatAnswerAfterEverySet) {
     rig.device.status_on_set = true;
     ASSERT_TRUE(rig.start().ok());
     ASSERT_TRUE(rig.draw(1));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.glass_difference(), "");
     rig.device.refuse(0x60, 1);
     ASSERT_TRUE(rig.draw(2));
-    EXPECT_TRUE(rig.display->present().ok()) << "busy once: the buffer goes out again";
+    EXPECT_TRUE(rig.show().ok()) << "busy once: the buffer goes out again";
     EXPECT_EQ(rig.glass_difference(), "");
 }
 
@@ -223,16 +223,16 @@ TEST(Gud, DevicesOfFullUpdatesGetWholeFrames) {
     rig.device.full_update = true;
     ASSERT_TRUE(rig.start().ok());
     ASSERT_TRUE(rig.draw(1));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     ASSERT_TRUE(rig.draw(2, {3, 3, 2, 2}));
     const std::uint64_t before = rig.device.counters().bulk_bytes;
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.device.counters().bulk_bytes - before, 40u * 30 * 2);
     EXPECT_EQ(rig.device.counters().buffers, 0u) << "no SET_BUFFER";
     EXPECT_EQ(rig.glass_difference(), "");
     rig.device.stall_bulk();
     ASSERT_TRUE(rig.draw(3));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.device.counters().buffers, 1u) << "but one after a failure";
     EXPECT_EQ(rig.glass_difference(), "");
 }
@@ -279,7 +279,7 @@ TEST(Gud, TwoTransfersAreInFlight) {
     rig.size(320, 240);
     ASSERT_TRUE(rig.start().ok());
     ASSERT_TRUE(rig.draw(1));
-    ASSERT_TRUE(rig.display->present().ok());
+    ASSERT_TRUE(rig.show().ok());
     EXPECT_EQ(rig.usb.most_under_way, 4) << "libusb makes two requests of each";
     EXPECT_EQ(rig.glass_difference(), "");
 }
@@ -333,6 +333,7 @@ TEST(Gud, ShowsScenesAsABoardDoes) {
         rig.usb.attach(rig.kernel, path);
         rig.display.emplace(rig.config);
         ASSERT_TRUE(test::play(*rig.display, scene, 3));
+        ASSERT_TRUE(rig.display->finish().ok());
         EXPECT_EQ(sim::compare_565(rig.device.glass(), board.glass()).identical_percent(), 100.0) << id;
         EXPECT_EQ(rig.device.violations(), "");
     }

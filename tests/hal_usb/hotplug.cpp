@@ -29,7 +29,8 @@ struct Hotplug : testing::Test {
             return frame.error();
         std::fill(frame.value().pixels, frame.value().pixels + 24 * 16 * 2, value);
         std::fill(frame.value().extents->rows, frame.value().extents->rows + 16, RowSpan{0, 24});
-        return display.present();
+        const auto presented = display.present();
+        return presented ? display.finish() : presented;
     }
     static bool shows(const sim::GudDevice& d, std::uint8_t value) {
         const sim::Image glass = d.glass();
@@ -84,7 +85,7 @@ TEST_F(Hotplug, PulledAndPluggedAgain) {
     EXPECT_EQ(show(display, 0x38).error().fault, Fault::gone);
     device.power_cycle();
     PluggedIn again(bed, device, 3); // another number, as the bus gives it
-    ASSERT_TRUE(display.present().ok());
+    ASSERT_TRUE(display.present().ok() && display.finish().ok());
     EXPECT_TRUE(shows(device, 0x38));
     EXPECT_TRUE(display.connected());
 }

@@ -9,6 +9,11 @@
 
 namespace spangle::hal {
 
+/// A frame is presented while the one before is still on the wire: `block` waits; `drop` does not send it,
+/// and the next one presented in time carries its changes too; `coalesce` does the same, and sends it still,
+/// at the latest at finish(), unless another is drawn over it first.
+enum class Pacing : std::uint8_t { block, drop, coalesce };
+
 struct DisplayInfo {
     const char* name = "";
     std::int32_t width = 0, height = 0;

@@ -1,6 +1,6 @@
 // A GUD display (Generic USB Display, include/drm/gud.h) as a Display, from user space through libusb: any
 // device that speaks the protocol, found by its IDs. Presents send what changed, compressed where that is
-// less.
+// less, while the next frame is drawn.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,7 @@ struct GudConfig {
     /// Devices that ask for it are asked for their connector's status this often, or they take the host for
     /// dead.
     std::uint32_t poll_ms = 10000;
+    Pacing pacing = Pacing::block;
 };
 
 class GudDisplay final : public Display {
@@ -39,9 +40,13 @@ class GudDisplay final : public Display {
     /// Finds the device, sets its mode, and shows black.
     Result<void> init() override;
     Result<Frame> acquire() override;
-    /// Returns when the device has taken everything. After Fault::gone each present looks for the device
-    /// again, and the first that finds it sends the whole picture.
+    /// Returns while the frame is on its way, in memory that only its sender can reach: the buffer is the
+    /// program's again, as it was drawn. What became of a frame is reported by the next present, which sends
+    /// nothing if it failed, or by finish(). After Fault::gone each present looks for the device again, and
+    /// the first that finds it sends the whole picture.
     Result<void> present() override;
+    Result<void> finish() override;
+    void swap_interval(std::int32_t interval) override;
 
     /// What the device's connector said last: is a screen plugged into it?
     bool connected() const;

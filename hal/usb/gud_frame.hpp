@@ -1,0 +1,34 @@
+// What a present hands over: rectangles of the picture as the device wants them, in memory of their own.
+#pragma once
+
+#include <vector>
+
+#include <spangle/format.hpp>
+
+#include "hal/usb/gud_protocol.hpp"
+
+namespace spangle::hal {
+
+/// Who holds it may read and write it: the display fills it, the sender empties it. It is never copied.
+struct GudFrame {
+    struct Band {
+        gud::Buffer buffer;
+        std::size_t at = 0; ///< its pixels in `wire`
+    };
+    std::vector<Band> bands;
+    gud::Bytes wire;
+    std::vector<RowSpan> damage; ///< what the bands cover: what the device lacks if they do not arrive
+};
+
+/// The picture as it is drawn: RGB565, little-endian, rows without gaps.
+struct GudPicture {
+    const std::uint8_t* pixels = nullptr;
+    std::int32_t width = 0, height = 0;
+};
+
+/// Fills the frame with bands that cover its damage, each no larger than the device's buffer. `plan`: scratch
+/// memory, an element for each row.
+void cut(GudFrame& frame, const GudPicture& picture, const gud::Descriptor& device, std::uint8_t format,
+         std::uint16_t* plan);
+
+} // namespace spangle::hal

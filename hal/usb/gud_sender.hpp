@@ -1,0 +1,61 @@
+// The thread behind a GUD display: it sends frames while the next ones are drawn, and asks devices that want
+// it for their connector's status.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "hal/usb/gud_frame.hpp"
+#include "hal/usb/gud_session.hpp"
+
+namespace spangle::hal {
+
+class GudSender {
+  public:
+    GudSender(GudSession& session, std::uint32_t poll_ms);
+    /// What is under way ends first: each of its steps has a timeout.
+    ~GudSender();
+    GudSender(const GudSender&) = delete;
+    GudSender& operator=(const GudSender&) = delete;
+
+    /// A frame has one owner: it is the sender's until wait() gives it back, and nobody else can reach it.
+    /// One at a time.
+    void start(std::unique_ptr<GudFrame> frame);
+    bool busy() const { return under_way_; } ///< wait() would wait
+    struct Sent {
+        std::unique_ptr<GudFrame> frame; ///< null: none was started
+        Result<void> outcome;
+    };
+    Sent wait();
+
+    /// Runs `use` with the session, which nobody else uses then; nothing may be under way.
+    template <class Use> Result<void> alone(Use use) {
+        const std::lock_guard lock(mutex_);
+        const Result<void> result = use(session_);
+        last_poll_ = std::chrono::steady_clock::now();
+        changed_.notify_all(); // what it wants may be new
+        return result;
+    }
+
+  private:
+    GudSession& session_;
+    const std::chrono::milliseconds period_;
+    std::mutex mutex_; ///< whose holder uses the session
+    std::condition_variable changed_;
+    bool stopping_ = false;
+    std::atomic<bool> under_way_ = false;
+    std::unique_ptr<GudFrame> frame_; ///< under way, or sent
+    Result<void> outcome_;
+    std::chrono::steady_clock::time_point last_poll_;
+    std::thread thread_;
+
+    void run();
+    Result<void> send(const GudFrame& frame);
+    bool polls() const { return session_.alive() && session_.wants_polls(); }
+};
+
+} // namespace spangle::hal
