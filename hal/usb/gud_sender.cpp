@@ -41,7 +41,7 @@ Result<void> GudSender::send(const GudFrame& frame) {
 /// A frame that was started goes out, whatever else is due.
 void GudSender::run() {
     std::unique_lock lock(mutex_);
-    while (!stopping_ || under_way_) {
+    while (!stopping_) {
         if (under_way_) {
             outcome_ = send(*frame_);
             under_way_ = false;

@@ -17,7 +17,7 @@ namespace spangle::hal {
 class GudSender {
   public:
     GudSender(GudSession& session, std::uint32_t poll_ms);
-    /// What is under way ends first: each of its steps has a timeout.
+    /// Nothing may be under way.
     ~GudSender();
     GudSender(const GudSender&) = delete;
     GudSender& operator=(const GudSender&) = delete;
