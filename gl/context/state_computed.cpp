@@ -1,0 +1,81 @@
+#include "gl/context/state_computed.hpp"
+
+#include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/context/limits.hpp"
+
+namespace spangle::gl::computed_state {
+
+namespace {
+
+Param integer(std::int32_t value) {
+    return Param::from_integer(static_cast<std::uint32_t>(value));
+}
+
+} // namespace
+
+void matrix(const Context& context, GLenum name, Param* out) {
+    const Matrix16 top = top_matrix(context, name);
+    for (int i = 0; i < 16; ++i)
+        out[i] = Param::from(top.m[i]);
+}
+
+/// The tokens of both forms stand in one order.
+void transposed_matrix(const Context& context, GLenum name, Param* out) {
+    const Matrix16 top = top_matrix(context, name - GL_TRANSPOSE_MODELVIEW_MATRIX + GL_MODELVIEW_MATRIX);
+    for (int i = 0; i < 16; ++i)
+        out[i] = Param::from(top.m[i / 4 + i % 4 * 4]);
+}
+
+void depth_of_stack(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(stack_depth(context, name));
+}
+
+void viewport_limits(const Context&, GLenum, Param* out) {
+    out[0] = out[1] = integer(max_viewport_dim);
+}
+
+void render_mode(const Context& context, GLenum, Param* out) {
+    out[0] = Param::from_integer(context.render.mode);
+}
+
+void saved_depth(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(saved_attributes(context, name == GL_CLIENT_ATTRIB_STACK_DEPTH));
+}
+
+void size_range(const Context&, GLenum name, Param* out) {
+    const bool point = name == GL_POINT_SIZE_RANGE || name == GL_ALIASED_POINT_SIZE_RANGE;
+    out[0] = integer(1);
+    out[1] = integer(point ? max_point_size : max_line_width);
+}
+
+void binding(const Context& context, GLenum, Param* out) {
+    out[0] = Param::from_integer(texture_binding_2d(context));
+}
+
+void active_unit(const Context& context, GLenum name, Param* out) {
+    out[0] = Param::from_integer(
+        GL_TEXTURE0 + (name == GL_ACTIVE_TEXTURE ? context.texture.active : context.arrays.client_active));
+}
+
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+void size_of_pixel_map(const Context& context, GLenum name, Param* out) {
+    out[0] = integer(pixel_map_size(context, name));
+}
+#endif
+
+void bits(const Context& context, GLenum name, Param* out) {
+    const raster::Surface& surface = context.drawable.surface;
+    const FormatInfo format = format_info(surface.format);
+    const std::uint8_t colors[] = {format.red_bits, format.green_bits, format.blue_bits, format.alpha_bits};
+    if (name == GL_DEPTH_BITS)
+        out[0] = integer(surface.depth_format == DepthFormat::none  ? 0
+                         : surface.depth_format == DepthFormat::z16 ? 16
+                                                                    : 24);
+    else if (name == GL_STENCIL_BITS)
+        out[0] = integer(surface.depth_format == DepthFormat::z24s8 ? 8 : 0);
+    else
+        out[0] = integer(colors[name - GL_RED_BITS]);
+}
+
+} // namespace spangle::gl::computed_state

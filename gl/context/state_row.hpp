@@ -1,0 +1,126 @@
+// How a row of the state table is written: where its value lies, how it converts, what it belongs to. For the
+// files of rows (state_rows_*.hpp) and the table they make.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "gl/context/context.hpp"
+#include "gl/context/limits.hpp"
+#include "gl/context/state_computed.hpp"
+#include "gl/context/state_table.hpp"
+
+namespace spangle::gl {
+
+template <class T> constexpr Source source_of_type() {
+    using Element = std::remove_all_extents_t<T>;
+    return std::is_same_v<Element, bool>          ? Source::boolean
+           : std::is_same_v<Element, Real>        ? Source::real
+           : std::is_same_v<Element, const void*> ? Source::pointer
+                                                  : Source::integer;
+}
+
+template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
+    constexpr Source source = source_of_type<T>();
+    static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
+    return {name,
+            source == Source::real ? Kind::real : Kind::integer,
+            source,
+            toggle,
+            static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>)),
+            static_cast<std::uint32_t>(offset),
+            nullptr,
+            nullptr,
+            false};
+}
+
+/// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
+constexpr StateRow linear(StateRow row) {
+    row.kind = Kind::color;
+    return row;
+}
+
+constexpr StateRow constant(GLenum name, std::int32_t value) {
+    return {
+        name,    Kind::integer, Source::constant, Switch::none, 1, static_cast<std::uint32_t>(value), nullptr,
+        nullptr, false};
+}
+
+constexpr StateRow absent_switch(GLenum name) {
+    StateRow row = constant(name, 0);
+    row.toggle = Switch::server;
+    return row;
+}
+
+constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
+                            void (*compute)(const Context&, GLenum, Param*)) {
+    return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
+}
+
+/// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
+constexpr StateRow held(std::size_t offset, std::size_t bytes) {
+    return {0,
+            Kind::integer,
+            Source::held,
+            Switch::none,
+            0,
+            static_cast<std::uint32_t>(offset | bytes << 16),
+            nullptr,
+            nullptr,
+            false};
+}
+
+/// The rows up to the next one of these belong to `group`.
+constexpr StateRow in(Group group) {
+    return {0, Kind::integer, Source::section, Switch::none, 0, 0, nullptr, nullptr, false, group};
+}
+
+/// A row of an optional system: INVALID_OPERATION and a message in a build without it.
+constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
+    if (!present) {
+        row.left_out = true;
+        row.missing = text;
+    }
+    return row;
+}
+#define FEATURE(function, name)                                                                              \
+    constexpr StateRow function(StateRow row) {                                                              \
+        return of_feature(SPANGLE_FEATURE_##name != 0,                                                       \
+                          SPANGLE_TEXT("this build has no SPANGLE_FEATURE_" #name), row);                    \
+    }
+FEATURE(of_lighting, LIGHTING)
+FEATURE(of_fog, FOG)
+FEATURE(of_polygon_mode, POLYGON_MODE)
+FEATURE(of_color_index, COLOR_INDEX)
+FEATURE(of_texgen, TEXGEN)
+FEATURE(of_raster_pos, RASTER_POS)
+FEATURE(of_buffers, BUFFERS)
+FEATURE(of_pixel_transfer, PIXEL_TRANSFER)
+FEATURE(of_clip_planes, CLIP_PLANES)
+FEATURE(of_attrib_stacks, ATTRIB_STACKS)
+FEATURE(of_selection, SELECTION)
+FEATURE(of_evaluators, EVALUATORS)
+FEATURE(of_feedback, FEEDBACK)
+FEATURE(of_lists, LISTS)
+#undef FEATURE
+
+/// One of each texture unit.
+constexpr StateRow of_unit(PerUnit which, std::size_t step, StateRow row) {
+    row.per_unit = which;
+    row.unit_step = static_cast<std::uint16_t>(step);
+    return row;
+}
+constexpr StateRow of_client_unit(StateRow row) {
+    return of_unit(PerUnit::client, sizeof(ClientArray), row);
+}
+
+#define STORED(NAME, MEMBER)                                                                                 \
+    stored<std::remove_reference_t<decltype(std::declval<Context&>().MEMBER)>>(NAME,                         \
+                                                                               offsetof(Context, MEMBER))
+#define SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::server)
+#define CLIENT_SWITCH(NAME, MEMBER) stored<bool>(NAME, offsetof(Context, MEMBER), Switch::client)
+#define HELD(MEMBER) held(offsetof(Context, MEMBER), sizeof(std::declval<Context&>().MEMBER))
+
+} // namespace spangle::gl

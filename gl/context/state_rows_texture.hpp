@@ -1,0 +1,29 @@
+// Texture units (GL 1.3, tables 6.15 to 6.17).
+#pragma once
+
+#include "gl/context/state_row.hpp"
+
+#define TEXGEN(NAME, I)                                                                                      \
+    of_texgen(of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I])))
+
+namespace spangle::gl {
+
+inline constexpr auto texture_rows = std::to_array<StateRow>({
+    in(Group::texture),
+    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d)),
+    TEXGEN(GL_TEXTURE_GEN_S, 0),
+    TEXGEN(GL_TEXTURE_GEN_T, 1),
+    TEXGEN(GL_TEXTURE_GEN_R, 2),
+    TEXGEN(GL_TEXTURE_GEN_Q, 3),
+    of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen)),
+    HELD(texture.active),
+    computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, computed_state::binding),
+    in(Group::none),
+    computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
+    computed(GL_CLIENT_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
+    constant(GL_MAX_TEXTURE_UNITS, texture_units),
+});
+
+#undef TEXGEN
+
+} // namespace spangle::gl

@@ -1,0 +1,104 @@
+// What a vertex meets: current values, matrices, viewport, lighting, evaluators (GL 1.3, tables 6.5 to 6.12
+// and 6.22).
+#pragma once
+
+#include "gl/context/state_row.hpp"
+
+// Builds without a system may have no member for it.
+#define PLANE(I) of_clip_planes(SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I]))
+#define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
+#if SPANGLE_FEATURE_EVALUATORS
+#define EVAL_ROW(NAME, MEMBER) STORED(NAME, eval.MEMBER)
+#define EVAL_SWITCH(NAME, MEMBER) SWITCH(NAME, eval.MEMBER)
+#else
+#define EVAL_ROW(NAME, MEMBER) of_evaluators(constant(NAME, 0))
+#define EVAL_SWITCH(NAME, MEMBER) of_evaluators(absent_switch(NAME))
+#endif
+#define MAP_SWITCH(TARGET, INDEX)                                                                            \
+    EVAL_SWITCH(GL_MAP1_##TARGET, enabled[0][INDEX]), EVAL_SWITCH(GL_MAP2_##TARGET, enabled[1][INDEX])
+
+namespace spangle::gl {
+
+inline constexpr auto vertex_rows = std::to_array<StateRow>({
+    in(Group::current),
+    linear(STORED(GL_CURRENT_COLOR, current.color)),
+    linear(STORED(GL_CURRENT_NORMAL, current.normal)),
+    of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
+    of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
+    of_unit(PerUnit::active, sizeof(CurrentState::TexCoord),
+            STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0].v)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_POSITION, current.raster.position)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_POSITION_VALID, current.raster.valid)),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_DISTANCE, current.raster.distance)),
+    of_raster_pos(linear(STORED(GL_CURRENT_RASTER_COLOR, current.raster.color))),
+    of_raster_pos(STORED(GL_CURRENT_RASTER_INDEX, current.raster.index)),
+    of_raster_pos(of_unit(PerUnit::active, sizeof(RasterPosition::TexCoord),
+                          STORED(GL_CURRENT_RASTER_TEXTURE_COORDS, current.raster.tex_coord[0].v))),
+    in(Group::none),
+    computed(GL_MODELVIEW_MATRIX, Kind::real, 16, computed_state::matrix),
+    computed(GL_PROJECTION_MATRIX, Kind::real, 16, computed_state::matrix),
+    computed(GL_TEXTURE_MATRIX, Kind::real, 16, computed_state::matrix),
+    computed(GL_TRANSPOSE_MODELVIEW_MATRIX, Kind::real, 16, computed_state::transposed_matrix),
+    computed(GL_TRANSPOSE_PROJECTION_MATRIX, Kind::real, 16, computed_state::transposed_matrix),
+    computed(GL_TRANSPOSE_TEXTURE_MATRIX, Kind::real, 16, computed_state::transposed_matrix),
+    computed(GL_MODELVIEW_STACK_DEPTH, Kind::integer, 1, computed_state::depth_of_stack),
+    computed(GL_PROJECTION_STACK_DEPTH, Kind::integer, 1, computed_state::depth_of_stack),
+    computed(GL_TEXTURE_STACK_DEPTH, Kind::integer, 1, computed_state::depth_of_stack),
+    in(Group::transform),
+    STORED(GL_MATRIX_MODE, transform.matrix_mode),
+    SWITCH(GL_NORMALIZE, transform.normalize),
+    SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
+    PLANE(0),
+    PLANE(1),
+    PLANE(2),
+    PLANE(3),
+    PLANE(4),
+    PLANE(5),
+    HELD(transform.clip_plane),
+    in(Group::viewport),
+    STORED(GL_VIEWPORT, transform.viewport),
+    linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
+    in(Group::lighting),
+    STORED(GL_SHADE_MODEL, polygon.shade_model),
+    of_lighting(SWITCH(GL_LIGHTING, lighting.lighting)),
+    of_lighting(SWITCH(GL_COLOR_MATERIAL, lighting.color_material)),
+    of_lighting(STORED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_parameter)),
+    of_lighting(STORED(GL_COLOR_MATERIAL_FACE, lighting.color_material_face)),
+    of_lighting(linear(STORED(GL_LIGHT_MODEL_AMBIENT, lighting.model_ambient))),
+    of_lighting(STORED(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer)),
+    of_lighting(STORED(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side)),
+    of_lighting(STORED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control)),
+    LIGHT(0),
+    LIGHT(1),
+    LIGHT(2),
+    LIGHT(3),
+    LIGHT(4),
+    LIGHT(5),
+    LIGHT(6),
+    LIGHT(7),
+    of_lighting(HELD(lighting.light)),
+    of_lighting(HELD(lighting.material)),
+    in(Group::eval),
+    EVAL_SWITCH(GL_AUTO_NORMAL, auto_normal),
+    MAP_SWITCH(COLOR_4, eval_color),
+    MAP_SWITCH(INDEX, eval_index),
+    MAP_SWITCH(NORMAL, eval_normal),
+    MAP_SWITCH(TEXTURE_COORD_1, eval_texture_1),
+    MAP_SWITCH(TEXTURE_COORD_2, eval_texture_1 + 1),
+    MAP_SWITCH(TEXTURE_COORD_3, eval_texture_1 + 2),
+    MAP_SWITCH(TEXTURE_COORD_4, eval_texture_4),
+    MAP_SWITCH(VERTEX_3, eval_vertex_3),
+    MAP_SWITCH(VERTEX_4, eval_vertex_4),
+    EVAL_ROW(GL_MAP1_GRID_DOMAIN, domain_1),
+    EVAL_ROW(GL_MAP1_GRID_SEGMENTS, segments_1),
+    EVAL_ROW(GL_MAP2_GRID_DOMAIN, domain_2),
+    EVAL_ROW(GL_MAP2_GRID_SEGMENTS, segments_2),
+});
+
+#undef PLANE
+#undef LIGHT
+#undef EVAL_ROW
+#undef EVAL_SWITCH
+#undef MAP_SWITCH
+
+} // namespace spangle::gl
