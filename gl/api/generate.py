@@ -15,7 +15,8 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   feature       optional system it belongs to; "A|B": it is there with either
   vector        of a plain family of reals: they come as an array, too
   digits        of components: false where the name does not tell their number
-  pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try
+  pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try, "@TOKEN" the
+                target it belongs to (else the first), "?FEATURE" the optional system
 """
 import json
 import re
@@ -65,6 +66,22 @@ class Arg:
     @property
     def c_type(self):
         return re.sub(r"\b(?!const|void)([a-z]+)", r"GL\1", self.type).replace("GL ", "")
+
+
+class Pname:
+    """One parameter of a params family."""
+
+    def __init__(self, name, text):
+        self.name = name
+        found = re.fullmatch(r"([cri])(\d+)(?:=(-?\w+))?(?:@(\w+))?(?:\?(\w+))?", text)
+        self.kind, self.count, good, target, self.feature = found.groups()
+        self.good = "0" if good is None else good if re.fullmatch(r"-?\d+", good) else f"GL_{good}"
+        self.target = f"GL_{target}" if target else "0"
+
+    @property
+    def row(self):
+        present = f"SPANGLE_FEATURE_{self.feature} != 0" if self.feature else "true"
+        return f"{{GL_{self.name}, {self.count}, '{self.kind}', {self.good}, {self.target}, {present}}}"
 
 
 class Entry:
@@ -379,8 +396,8 @@ def shapes_header(chapters, _tokens):
             if not f.pnames:
                 continue
             cases = {}
-            for pname, text in f.pnames.items():
-                cases.setdefault(text.partition("=")[0], []).append(pname)
+            for pname in (Pname(n, t) for n, t in f.pnames.items()):
+                cases.setdefault(pname.kind + pname.count, []).append(pname.name)
             out.append(f"\ninline Shape {f.name}(GLenum pname) {{\n    switch (pname) {{\n")
             for text, names in cases.items():
                 out += [f"    case GL_{n}:\n" for n in names]
@@ -471,9 +488,7 @@ def test_table(chapters, tokens):
 
     for _, families in chapters:
         for f in families:
-            pnames = [f"{{GL_{n}, {t.partition('=')[0][1:]}, '{t[0]}', "
-                      f"{'GL_' + t.partition('=')[2] if '=' in t and not t[-1].isdigit() else t.partition('=')[2] or '0'}}}"
-                      for n, t in f.pnames.items()]
+            pnames = [Pname(n, t).row for n, t in f.pnames.items()]
             pname_list = array("Pname", pnames) if pnames else "{}"
             for e in f.entries:
                 args, calls = [], []

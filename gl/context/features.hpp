@@ -1,6 +1,8 @@
 // The optional systems of a build (design 5). CMake defines them; a build by hand has everything.
 #pragma once
 
+#include <spangle/raster/features.hpp>
+
 #ifndef SPANGLE_FEATURE_LISTS
 #define SPANGLE_FEATURE_LISTS 1
 #endif

@@ -45,6 +45,7 @@ inline constexpr auto limits_rows = std::to_array<StateRow>({
     constant(GL_MAX_TEXTURE_STACK_DEPTH, texture_stack_entries),
     constant(GL_SUBPIXEL_BITS, 8),
     constant(GL_MAX_TEXTURE_SIZE, max_texture_size),
+    constant(GL_MAX_TEXTURE_LOD_BIAS, max_texture_lod_bias),
     computed(GL_MAX_VIEWPORT_DIMS, Kind::integer, 2, computed_state::viewport_limits),
     computed(GL_POINT_SIZE_RANGE, Kind::integer, 2, computed_state::size_range),
     computed(GL_ALIASED_POINT_SIZE_RANGE, Kind::integer, 2, computed_state::size_range),

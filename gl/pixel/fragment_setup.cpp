@@ -2,7 +2,7 @@
 
 #include "gl/context/features.hpp"
 #include "gl/context/share_group.hpp"
-#include "gl/texture/complete.hpp"
+#include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
 #include "raster/numeric/real.hpp"
 
@@ -35,33 +35,6 @@ raster::BlendFactor factor_of(GLenum factor) {
     if (factor <= GL_ONE)
         return static_cast<raster::BlendFactor>(factor);
     return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR + 2);
-}
-
-raster::TexEnv env_of(GLenum mode) {
-    switch (mode) {
-    case GL_REPLACE:
-        return raster::TexEnv::replace;
-    case GL_DECAL:
-        return raster::TexEnv::decal;
-    case GL_BLEND:
-        return raster::TexEnv::blend;
-    case GL_ADD:
-        return raster::TexEnv::add;
-    default:
-        return raster::TexEnv::modulate;
-    }
-}
-
-void fill_textures(const Context& context, raster::FragmentState& out) {
-    for (int i = 0; i < texture_units; ++i) {
-        const TextureUnitState& unit = context.texture.unit[i];
-        out.unit[i].texture = unit.texture_2d ? complete_texture(context, i) : nullptr;
-        if (out.unit[i].texture == nullptr)
-            continue;
-        out.unit[i].env = env_of(unit.env_mode);
-        for (int c = 0; c < 4; ++c)
-            out.unit[i].env_color[c] = color_units(unit.env_color[c]);
-    }
 }
 
 void fill_fog(const Context& context, raster::FragmentState& out) {

@@ -1,4 +1,4 @@
-// TexEnv: how a texel meets the fragment's colour (GL 1.3, 3.8.12).
+// TexEnv: how a texel meets the fragment's colour (GL 1.3, 3.8.12, 3.8.13).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 
@@ -7,7 +7,146 @@ namespace spangle::gl::cmd {
 namespace {
 
 bool is_mode(GLenum v) {
-    return v == GL_MODULATE || v == GL_REPLACE || v == GL_DECAL || v == GL_BLEND || v == GL_ADD;
+    return v == GL_MODULATE || v == GL_REPLACE || v == GL_DECAL || v == GL_BLEND || v == GL_ADD ||
+           (SPANGLE_FEATURE_TEXTURE_COMBINE && v == GL_COMBINE);
+}
+
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+
+bool is_function(GLenum v, bool alpha) {
+    return v == GL_REPLACE || v == GL_MODULATE || v == GL_ADD || v == GL_ADD_SIGNED || v == GL_INTERPOLATE ||
+           v == GL_SUBTRACT || (!alpha && (v == GL_DOT3_RGB || v == GL_DOT3_RGBA));
+}
+
+bool is_source(GLenum v) {
+    return v == GL_TEXTURE || v == GL_CONSTANT || v == GL_PRIMARY_COLOR || v == GL_PREVIOUS ||
+           unit_of(v) < texture_units;
+}
+
+bool is_operand(GLenum v, bool alpha) {
+    return v == GL_SRC_ALPHA || v == GL_ONE_MINUS_SRC_ALPHA ||
+           (!alpha && (v == GL_SRC_COLOR || v == GL_ONE_MINUS_SRC_COLOR));
+}
+
+bool is_scale(Real v) {
+    return v == numeric::one || v == Real{0x40000000} || v == Real{0x40800000};
+}
+
+/// Where a token of a combiner is kept, or null. Of the tokens of one kind those of alpha follow those of
+/// RGB.
+template <class Env> auto* combiner_token(Env& env, GLenum pname) {
+    for (unsigned alpha = 0; alpha < 2; ++alpha) {
+        if (pname == GL_COMBINE_RGB + alpha)
+            return &env.func[alpha];
+        const GLenum source = pname - (alpha == 0 ? GL_SOURCE0_RGB : GL_SOURCE0_ALPHA),
+                     operand = pname - (alpha == 0 ? GL_OPERAND0_RGB : GL_OPERAND0_ALPHA);
+        if (source < 3)
+            return &env.source[alpha][source];
+        if (operand < 3)
+            return &env.operand[alpha][operand];
+    }
+    return static_cast<decltype(&env.func[0])>(nullptr);
+}
+
+template <class Env> auto* combiner_scale(Env& env, GLenum pname) {
+    return pname == GL_RGB_SCALE ? &env.scale[0] : pname == GL_ALPHA_SCALE ? &env.scale[1] : nullptr;
+}
+
+bool legal_token(GLenum pname, GLenum value) {
+    if (pname <= GL_COMBINE_ALPHA)
+        return is_function(value, pname == GL_COMBINE_ALPHA);
+    return pname < GL_OPERAND0_RGB ? is_source(value) : is_operand(value, pname >= GL_OPERAND0_ALPHA);
+}
+
+/// INVALID_ENUM: not a pname of combiners.
+GLenum set_combiner(TexEnvState& env, GLenum pname, Param value) {
+    if (GLenum* const token = combiner_token(env, pname); token != nullptr) {
+        if (!legal_token(pname, value.token()))
+            return GL_INVALID_ENUM;
+        *token = value.token();
+        return GL_NO_ERROR;
+    }
+    Real* const scale = combiner_scale(env, pname);
+    if (scale == nullptr)
+        return GL_INVALID_ENUM;
+    if (!is_scale(value.real()))
+        return GL_INVALID_VALUE;
+    *scale = value.real();
+    return GL_NO_ERROR;
+}
+
+bool get_combiner(const TexEnvState& env, GLenum pname, Param& value) {
+    if (const GLenum* const token = combiner_token(env, pname); token != nullptr) {
+        value = Param::from_integer(*token);
+        return true;
+    }
+    const Real* const scale = combiner_scale(env, pname);
+    if (scale != nullptr)
+        value = Param::from(*scale);
+    return scale != nullptr;
+}
+
+#endif
+
+/// A name of combiners in a build that has none: says so.
+bool left_out(Context& context, GLenum pname) {
+#if !SPANGLE_FEATURE_TEXTURE_COMBINE
+    if ((pname >= GL_COMBINE_RGB && pname <= GL_RGB_SCALE) || pname == GL_ALPHA_SCALE ||
+        pname - GL_SOURCE0_RGB < 3 || pname - GL_SOURCE0_ALPHA < 3 || pname - GL_OPERAND0_RGB < 3 ||
+        pname - GL_OPERAND0_ALPHA < 3) {
+        error(context, GL_INVALID_OPERATION,
+              SPANGLE_TEXT("glTexEnv: this build has no SPANGLE_FEATURE_TEXTURE_COMBINE"));
+        return true;
+    }
+#endif
+    static_cast<void>(context);
+    static_cast<void>(pname);
+    return false;
+}
+
+GLenum set(TexEnvState& env, GLenum pname, const Params& params) {
+    switch (pname) {
+    case GL_TEXTURE_ENV_MODE:
+        if (!is_mode(params.v[0].token()))
+            return GL_INVALID_ENUM;
+        env.mode = params.v[0].token();
+        return GL_NO_ERROR;
+    case GL_TEXTURE_ENV_COLOR:
+        for (int c = 0; c < 4; ++c)
+            env.color[c] = numeric::clamp01(params.v[c].real());
+        return GL_NO_ERROR;
+    default:
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+        return set_combiner(env, pname, params.v[0]);
+#else
+        return GL_INVALID_ENUM;
+#endif
+    }
+}
+
+bool get(const TexEnvState& env, GLenum pname, Params& params) {
+    params.count = 1;
+    switch (pname) {
+    case GL_TEXTURE_ENV_MODE:
+        params.v[0] = Param::from_integer(env.mode);
+        return true;
+    case GL_TEXTURE_ENV_COLOR:
+        for (int c = 0; c < 4; ++c)
+            params.v[c] = Param::from(env.color[c]);
+        params.count = 4;
+        return true;
+    default:
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+        return get_combiner(env, pname, params.v[0]);
+#else
+        return false;
+#endif
+    }
+}
+
+/// The target of GL 1.4 has one parameter, which the others do not.
+bool legal_target(GLenum target, GLenum pname) {
+    return target == (pname == GL_TEXTURE_LOD_BIAS ? GL_TEXTURE_FILTER_CONTROL : GL_TEXTURE_ENV);
 }
 
 } // namespace
@@ -19,36 +158,32 @@ void ActiveTexture(Context& context, GLenum texture) {
 }
 
 void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params) {
-    TextureUnitState& unit = context.texture.unit[context.texture.active];
-    if (target != GL_TEXTURE_ENV || params.count == 0)
+    TexEnvState& env = context.texture.unit[context.texture.active].env;
+    if (!legal_target(target, pname) || params.count == 0)
         return error(context, GL_INVALID_ENUM);
-    if (pname == GL_TEXTURE_ENV_MODE) {
-        if (!is_mode(params.v[0].token()))
-            return error(context, GL_INVALID_ENUM);
-        unit.env_mode = params.v[0].token();
-    } else if (pname == GL_TEXTURE_ENV_COLOR) {
-        for (int c = 0; c < 4; ++c)
-            unit.env_color[c] = numeric::clamp01(params.v[c].real());
-    } else {
-        return error(context, GL_INVALID_ENUM);
+    if (left_out(context, pname))
+        return;
+    if (pname == GL_TEXTURE_LOD_BIAS) {
+        env.lod_bias = params.v[0].real();
+    } else if (const GLenum refused = set(env, pname, params); refused != GL_NO_ERROR) {
+        return error(context, refused);
     }
     context.changed(dirty_fragment);
 }
 
 void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
-    const TextureUnitState& unit = context.texture.unit[context.texture.active];
+    const TexEnvState& env = context.texture.unit[context.texture.active].env;
     params.count = 0;
-    if (target != GL_TEXTURE_ENV)
+    if (!legal_target(target, pname))
         return error(context, GL_INVALID_ENUM);
-    if (pname == GL_TEXTURE_ENV_MODE) {
-        params.v[0] = Param::from_integer(unit.env_mode);
+    if (left_out(context, pname))
+        return;
+    if (pname == GL_TEXTURE_LOD_BIAS) {
+        params.v[0] = Param::from(env.lod_bias);
         params.count = 1;
-    } else if (pname == GL_TEXTURE_ENV_COLOR) {
-        for (int c = 0; c < 4; ++c)
-            params.v[c] = Param::from(unit.env_color[c]);
-        params.count = 4;
-    } else {
-        return error(context, GL_INVALID_ENUM);
+    } else if (!get(env, pname, params)) {
+        params.count = 0;
+        error(context, GL_INVALID_ENUM);
     }
 }
 

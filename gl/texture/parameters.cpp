@@ -55,6 +55,9 @@ GLenum set_parameter(TextureObject& texture, GLenum pname, const Params& params)
     case GL_TEXTURE_MAX_LOD:
         texture.parameters.max_lod = value.real();
         return GL_NO_ERROR;
+    case GL_TEXTURE_LOD_BIAS:
+        texture.parameters.lod_bias = value.real();
+        return GL_NO_ERROR;
     case GL_TEXTURE_PRIORITY:
         texture.parameters.priority = numeric::clamp01(value.real());
         return GL_NO_ERROR;
@@ -138,6 +141,8 @@ void GetTexParameter(Context& context, GLenum target, GLenum pname, Params& para
         return answer(params, Param::from(texture.parameters.min_lod));
     case GL_TEXTURE_MAX_LOD:
         return answer(params, Param::from(texture.parameters.max_lod));
+    case GL_TEXTURE_LOD_BIAS:
+        return answer(params, Param::from(texture.parameters.lod_bias));
     case GL_TEXTURE_PRIORITY:
         return answer(params, Param::from(texture.parameters.priority));
     case GL_TEXTURE_RESIDENT: // there is one kind of memory

@@ -12,8 +12,7 @@ namespace spangle::gl {
 namespace {
 
 struct SavedUnit {
-    GLenum env_mode;
-    Real env_color[4];
+    TexEnvState env;
     GLuint binding_2d;
     TextureParameters parameters_2d;
 };
@@ -21,8 +20,7 @@ struct SavedUnit {
 /// Binds the name again: an object that was deleted meanwhile is made anew, as BindTexture does.
 void restore_unit(Context& context, unsigned u, const SavedUnit& saved) {
     TextureUnitState& unit = context.texture.unit[u];
-    unit.env_mode = saved.env_mode;
-    std::memcpy(unit.env_color, saved.env_color, sizeof unit.env_color);
+    unit.env = saved.env;
     context.texture.active = u;
     cmd::BindTexture(context, GL_TEXTURE_2D, saved.binding_2d);
     TextureObject& bound = context.texture.bound(u);
@@ -44,8 +42,7 @@ void save_textures(const Context& context, void* to) {
     for (unsigned u = 0; u < texture_units; ++u, out += sizeof(SavedUnit)) {
         const TextureObject& bound = context.texture.bound(u);
         const TextureUnitState& unit = context.texture.unit[u];
-        SavedUnit saved = {unit.env_mode, {}, bound.name, bound.parameters};
-        std::memcpy(saved.env_color, unit.env_color, sizeof saved.env_color);
+        const SavedUnit saved = {unit.env, bound.name, bound.parameters};
         std::memcpy(out, &saved, sizeof saved);
     }
 }

@@ -10,6 +10,8 @@ namespace spangle::gl {
 inline constexpr int texture_levels = raster::max_texture_levels;
 inline constexpr GLsizei max_texture_size = 1 << (texture_levels - 1);
 
+inline constexpr std::int32_t max_texture_lod_bias = 12; ///< past either end of every chain
+
 /// Border included; all zero is GL's initial texture array.
 struct LevelShape {
     std::uint16_t width = 0, height = 0;
@@ -34,6 +36,7 @@ struct TextureParameters {
     Real border_color[4] = {};
     Real priority = numeric::one;
     Real min_lod{0xC47A0000}, max_lod{0x447A0000}; ///< -1000, 1000
+    Real lod_bias = {};
     GLint base_level = 0, max_level = 1000;
 };
 

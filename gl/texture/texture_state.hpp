@@ -12,6 +12,20 @@ struct TexGenState {
     Real object_plane[4] = {}, eye_plane[4] = {}; ///< the latter in eye space
 };
 
+/// What TexEnv sets (GL 1.3, 3.8.12, 3.8.13). Of combiners [0] is RGB, [1] alpha.
+struct TexEnvState {
+    GLenum mode = GL_MODULATE;
+    Real color[4] = {};
+    Real lod_bias = {};
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+    GLenum func[2] = {GL_MODULATE, GL_MODULATE};
+    GLenum source[2][3] = {{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}};
+    GLenum operand[2][3] = {{GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+                            {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA}};
+    Real scale[2] = {numeric::one, numeric::one};
+#endif
+};
+
 struct TextureUnitState {
     TextureUnitState() {
         for (int c = 0; c < 2; ++c)
@@ -20,8 +34,7 @@ struct TextureUnitState {
 
     bool texture_2d = false;
     TextureObject* bound_2d = nullptr; ///< null: the default texture (name 0)
-    GLenum env_mode = GL_MODULATE;
-    Real env_color[4] = {};
+    TexEnvState env;
     bool gen_on[4] = {}; ///< of S, T, R, Q
     TexGenState gen[4];
 };

@@ -8,6 +8,7 @@
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
+#include "raster/span/stage_combine.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
@@ -57,20 +58,43 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
+/// Where a unit looks, and how closely.
+template <class N, int Unit>
+void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    using One = OneLane<N>;
+    chain.template choose<Coord<One, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
+    if (wants_lod(*state.unit[Unit].texture))
+        chain.template add<Lod<One, Unit>>();
+}
+
 template <class N, int Unit>
 void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     if (!key.unit[Unit].on)
         return;
-    using One = OneLane<N>;
-    const Texture& texture = *state.unit[Unit].texture;
-    chain.template choose<Coord<One, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
-    const bool has_lod = texture.mip != MipFilter::none || texture.mag != texture.min;
-    if (has_lod)
-        chain.template add<Lod<One, Unit>>();
+    add_coordinates<N, Unit>(chain, key, state);
     if constexpr (is_fixed<N>)
         chain.add(&PacketTexture<N>::template run<Unit>);
     else
-        chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(has_lod);
+        chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(
+            wants_lod(*state.unit[Unit].texture));
+}
+
+template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    if (!key.combine) {
+        add_unit<N, 0>(chain, key, state);
+        add_unit<N, 1>(chain, key, state);
+        return;
+    }
+    if constexpr (has_combine) {
+        if (key.unit[0].on)
+            add_coordinates<N, 0>(chain, key, state);
+        if (key.unit[1].on)
+            add_coordinates<N, 1>(chain, key, state);
+        if constexpr (is_fixed<N>)
+            chain.add(&PacketTexture<N>::combined);
+        else
+            chain.template add<CombineUnits<N>>();
+    }
 }
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
@@ -100,8 +124,7 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     } else {
         chain.template add<White<N>>();
     }
-    add_unit<N, 0>(chain, key, state);
-    add_unit<N, 1>(chain, key, state);
+    add_units(chain, key, state);
     if (key.color_sum)
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
     if (key.fog) {

@@ -1,6 +1,7 @@
 // From GL's state to the canonical key.
 #include "raster/span/draw_state.hpp"
 #include "raster/span/texel.hpp"
+#include "raster/span/texture_combine.hpp"
 
 namespace spangle::raster {
 
@@ -25,7 +26,7 @@ UnitKey unit_key(const TextureUnit& unit) {
     const bool packed = image.stride == static_cast<std::uint32_t>(image.width * texel_bytes(texture.format));
     key.general = texture.mip != MipFilter::none || texture.mag != texture.min ||
                   texture.wrap_s != Wrap::repeat || texture.wrap_t != Wrap::repeat ||
-                  texture.border_texels != 0 || !packed;
+                  texture.border_texels != 0 || !packed || unit.env == TexEnv::combine;
     if (key.general)
         return key;
     key.texels = texture.format;
@@ -111,8 +112,10 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     const std::uint8_t channels = format_info(target.format).alpha_bits != 0 ? 0xF : 0x7;
     key.masked = (state.color_mask & channels) != channels;
     key.count = state.count;
-    key.color = color_survives(state, false);
-    key.color_alpha = color_survives(state, true) && alpha_is_read(key);
+    key.combine = combines(state);
+    // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.
+    key.color = key.combine || color_survives(state, false);
+    key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key));
     key.color = key.color || key.color_alpha;
     if (raw(key, state)) {
         key.number = Number::raw565;

@@ -30,6 +30,7 @@ struct Key {
     PixelFormat format{};
     DepthFormat depth_format{}; ///< none unless depth or stencil is used
     UnitKey unit[max_texture_units];
+    bool combine = false;     ///< some unit combines: all of them are sampled first
     bool color = true;        ///< a primary colour is looked at
     bool color_alpha = false; ///< and its alpha
     bool color_sum = false;

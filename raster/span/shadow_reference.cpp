@@ -27,8 +27,7 @@ template <class N> class Fragment {
             depth(state);
         if constexpr (!is_raw<N>) {
             primary(state);
-            unit<0>(state, ShadowStage::coord0, ShadowStage::lod0, ShadowStage::texture0);
-            unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
+            units(state);
             rest(state);
         } else if (state.needs.unit[0]) {
             coord<0>(state, ShadowStage::coord0);
@@ -115,21 +114,37 @@ template <class N> class Fragment {
         axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t, state.log2_height[Unit]);
     }
 
-    template <int Unit>
-    void unit(const DrawState& state, ShadowStage coord_stage, ShadowStage lod, ShadowStage texture_stage) {
+    template <int Unit> void place(const DrawState& state, ShadowStage coord_stage, ShadowStage lod) {
         if (!state.needs.unit[Unit])
             return;
         coord<Unit>(state, coord_stage);
-        const Texture& texture = *state.fragment.unit[Unit].texture;
-        if (texture.mip != MipFilter::none || texture.mag != texture.min) {
-            run<Lod<N, Unit>, Lod<Reference, Unit>>();
-            // Below 0 texels are magnified, however much.
-            report_[lod].add(std::fmax(f_.lod[Unit][0] / 256.0, 0), std::fmax(d_.lod[Unit][0] / 256.0, 0));
+        if (!wants_lod(*state.fragment.unit[Unit].texture))
+            return;
+        run<Lod<N, Unit>, Lod<Reference, Unit>>();
+        // Below 0 texels are magnified, however much.
+        report_[lod].add(std::fmax(f_.lod[Unit][0] / 256.0, 0), std::fmax(d_.lod[Unit][0] / 256.0, 0));
+    }
+    template <int Unit>
+    void unit(const DrawState& state, ShadowStage coord_stage, ShadowStage lod, ShadowStage texture_stage) {
+        place<Unit>(state, coord_stage, lod);
+        if (!state.needs.unit[Unit])
+            return;
+        if (wants_lod(*state.fragment.unit[Unit].texture))
             run<Texture2D<N, Unit, true>, Texture2D<Reference, Unit, true>>();
-        } else {
+        else
             run<Texture2D<N, Unit, false>, Texture2D<Reference, Unit, false>>();
-        }
         colors(texture_stage);
+    }
+    void units(const DrawState& state) {
+        if (!combines(state.fragment)) {
+            unit<0>(state, ShadowStage::coord0, ShadowStage::lod0, ShadowStage::texture0);
+            unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
+            return;
+        }
+        place<0>(state, ShadowStage::coord0, ShadowStage::lod0);
+        place<1>(state, ShadowStage::coord1, ShadowStage::lod1);
+        run<CombineUnits>();
+        colors(state.needs.unit[1] ? ShadowStage::texture1 : ShadowStage::texture0);
     }
 
     void rest(const DrawState& state) {

@@ -10,6 +10,7 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_texture.hpp"
 #include "raster/span/stage_texture_lod.hpp"
+#include "raster/span/texture_combine.hpp"
 
 namespace spangle::raster {
 
@@ -252,14 +253,23 @@ template <int Unit, bool HasLod> struct Texture2D<Reference, Unit, HasLod> : Ref
     using ReferenceStage::ReferenceStage;
     bool operator()(Px<Reference>& p) const {
         const TextureUnit& unit = span.state->fragment.unit[Unit];
-        const std::uint32_t* const c = unit.env_color;
-        const Reference::Color constant = {Reference::from_units(c[0]), Reference::from_units(c[1]),
-                                           Reference::from_units(c[2]), Reference::from_units(c[3])};
-        const ReferenceSampler sampler{*unit.texture};
-        apply_env<Reference>(
-            unit.env, unit.texture->base, p.color,
-            sampler.sample(p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0), constant);
+        apply_env<Reference>(unit.env, unit.texture->base, p.color, texel(p), env_color<Reference>(unit));
         return true;
+    }
+    Reference::Color texel(const Px<Reference>& p) const {
+        const TextureUnit& unit = span.state->fragment.unit[Unit];
+        const ReferenceSampler sampler{*unit.texture};
+        return sampler.sample(p.coord[Unit].s[0], p.coord[Unit].t[0],
+                              HasLod ? p.lod[Unit][0] + unit.lod_bias : 0);
+    }
+};
+
+template <> struct CombineMath<Reference> {
+    static constexpr double half = 0.5;
+    static double scaled(double v, unsigned log2) { return clamp01(v * (1 << log2)); }
+    static double dot3(const Reference::Color& a, const Reference::Color& b) {
+        return clamp01(
+            4 * ((a.r - half) * (b.r - half) + (a.g - half) * (b.g - half) + (a.b - half) * (b.b - half)));
     }
 };
 

@@ -19,27 +19,28 @@ SPANGLE_INLINE typename N::Color between_levels(const typename N::Color& a, cons
     return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
 }
 
-/// A texture and its environment, all modes at run time. Out of line, because the chain calls it from two
-/// units.
+/// Mipmaps, or filters that differ.
+inline bool wants_lod(const Texture& texture) {
+    return texture.mip != MipFilter::none || texture.mag != texture.min;
+}
+
+/// A texture, all modes at run time. Out of line, because the chain calls it from two units.
 template <class N> struct TextureFunction {
     using Color = typename N::Color;
     const Texture& texture;
-    TexEnv env;
-    bool wants_lod; ///< mipmaps, or filters that differ
-    Color constant, border;
+    std::int32_t lod_bias;
+    bool wants_lod;
+    Color border;
 
     explicit TextureFunction(const TextureUnit& unit)
-        : texture(*unit.texture), env(unit.env),
-          wants_lod(texture.mip != MipFilter::none || texture.mag != texture.min) {
-        const std::uint32_t* const c = unit.env_color;
-        constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
+        : texture(*unit.texture), lod_bias(unit.lod_bias), wants_lod(raster::wants_lod(texture)) {
         const std::uint8_t* const b = texture.border_color;
         border = {N::from8(b[0]), N::from8(b[1]), N::from8(b[2]), N::from8(b[3])};
     }
 
-    [[gnu::noinline]] void apply(Color& color, std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
-        apply_env<N>(env, texture.base, color,
-                     wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t), constant);
+    /// The texture's colour.
+    [[gnu::noinline]] Color sample(std::uint32_t s, std::uint32_t t, std::int32_t lod) const {
+        return wants_lod ? minified(lod, s, t) : filtered(0, texture.mag, s, t);
     }
 
     /// Level and filter by lambda (GL 1.3, 3.8.8).
@@ -52,6 +53,7 @@ template <class N> struct TextureFunction {
         }
     };
     Sampling sampling(std::int32_t lod) const {
+        lod += lod_bias;
         lod = lod < texture.min_lod ? texture.min_lod : lod;
         lod = lod > texture.max_lod ? texture.max_lod : lod;
         const bool late =
@@ -134,11 +136,15 @@ template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
     static constexpr unsigned out = field_color;
     TextureFunction<N> function;
+    const TextureUnit& unit;
     SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t)
-        : function(s.state->fragment.unit[Unit]) {}
+        : function(s.state->fragment.unit[Unit]), unit(s.state->fragment.unit[Unit]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        function.apply(p.color, p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0);
+        apply_env<N>(unit.env, function.texture.base, p.color, texel(p), env_color<N>(unit));
         return true;
+    }
+    typename N::Color texel(const Px<N>& p) const {
+        return function.sample(p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0);
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include "raster/span/stage_texture.hpp"
 #include "raster/span/texel_packet.hpp"
+#include "raster/span/texture_combine.hpp"
 
 namespace spangle::raster {
 
@@ -17,6 +18,23 @@ template <class N> class PacketTexture {
   public:
     template <int Unit> static void run(Packet<N>& k, const Span<typename N::Policy>& span) {
         apply(k, span.state->fragment.unit[Unit], Unit);
+    }
+    /// All units that are on, when one of them combines.
+    static void combined(Packet<N>& k, const Span<typename N::Policy>& span) {
+        const FragmentState& state = span.state->fragment;
+        Color texels[max_texture_units][Packet<N>::groups];
+        for (int u = 0; u < max_texture_units; ++u)
+            if (state.unit[u].texture != nullptr)
+                sample(k, state.unit[u], u, texels[u]);
+        for (std::int32_t i = 0; i < k.n; ++i) {
+            typename One::Color texel[max_texture_units]{}, color;
+            for (int u = 0; u < max_texture_units; ++u)
+                if (state.unit[u].texture != nullptr)
+                    lane_of(texels[u][i / lanes], i % lanes, texel[u]);
+            lane_of(k.color[i / lanes], i % lanes, color);
+            TextureCombine<One>::units(state, texel, color);
+            set_lane(k.color[i / lanes], i % lanes, color);
+        }
     }
 
   private:
@@ -32,13 +50,20 @@ template <class N> class PacketTexture {
           which_(which) {}
 
     [[gnu::noinline]] static void apply(Packet<N>& k, const TextureUnit& unit, int which) {
+        Color texels[Packet<N>::groups];
+        sample(k, unit, which, texels);
+        const Color constant = env_color<N>(unit);
+        for (std::int32_t g = 0; g * lanes < k.n; ++g)
+            apply_env<N>(unit.env, unit.texture->base, k.color[g], texels[g], constant);
+    }
+    [[gnu::noinline]] static void sample(Packet<N>& k, const TextureUnit& unit, int which, Color* texels) {
         const PacketTexture stage(k, unit, which);
-        if (!stage.together())
-            stage.one_by_one();
+        if (!stage.together(texels))
+            stage.one_by_one(texels);
     }
 
     /// False: not all fragments take the same levels by the same filter, or some see the border colour.
-    bool together() const {
+    bool together(Color* texels) const {
         using Sampling = typename TextureFunction<One>::Sampling;
         Sampling how = {0, texture_.mag, 0};
         std::uint16_t next[packet_length] = {};
@@ -51,7 +76,6 @@ template <class N> class PacketTexture {
                 next[i] = static_cast<std::uint16_t>(other.next);
             }
         }
-        Color texels[Packet<N>::groups];
         if (!filtered(how.level, how.filter, texels))
             return false;
         if (how.next != 0) {
@@ -61,21 +85,14 @@ template <class N> class PacketTexture {
             for (std::int32_t g = 0; g * lanes < n_; ++g)
                 texels[g] = between_levels<N>(texels[g], behind[g], L::gather(next + g * lanes));
         }
-        const std::uint32_t* const c = unit_.env_color;
-        const Color constant = {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]),
-                                N::from_units(c[3])};
-        for (std::int32_t g = 0; g * lanes < n_; ++g)
-            apply_env<N>(unit_.env, texture_.base, k_.color[g], texels[g], constant);
         return true;
     }
-    [[gnu::noinline]] void one_by_one() const {
+    [[gnu::noinline]] void one_by_one(Color* texels) const {
         for (std::int32_t i = 0; i < k_.n; ++i) {
             const auto& coord = k_.coord[which_][i / lanes];
-            typename One::Color color;
-            lane_of(k_.color[i / lanes], i % lanes, color);
-            function_.apply(color, coord.s[i % lanes], coord.t[i % lanes],
-                            function_.wants_lod ? k_.lod[which_][i] : 0);
-            set_lane(k_.color[i / lanes], i % lanes, color);
+            set_lane(texels[i / lanes], i % lanes,
+                     function_.sample(coord.s[i % lanes], coord.t[i % lanes],
+                                      function_.wants_lod ? k_.lod[which_][i] : 0));
         }
     }
 

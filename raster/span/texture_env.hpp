@@ -6,6 +6,12 @@
 
 namespace spangle::raster {
 
+/// TEXTURE_ENV_COLOR.
+template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit& unit) {
+    const std::uint32_t* const c = unit.env_color;
+    return {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
+}
+
 /// f: the colour so far, becomes the result; s: the texture's; c: TEXTURE_ENV_COLOR.
 template <class N>
 SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f, const typename N::Color& s,
@@ -46,6 +52,8 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
             f.a = N::add(f.a, s.a);
         else if (alpha)
             f.a = N::mul(f.a, s.a);
+        return;
+    case TexEnv::combine: // of all units at once: texture_combine.hpp
         return;
     }
 }

@@ -31,6 +31,8 @@ struct Pname {
     int count;         ///< values it takes
     char kind;         ///< c colour, r real, i integer
     std::int64_t good; ///< a value that is accepted
+    GLenum target;     ///< the target it belongs to; 0: the first one
+    bool present;      ///< its optional system is in this build
 };
 
 struct Arg {

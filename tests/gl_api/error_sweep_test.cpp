@@ -43,7 +43,7 @@ class ErrorSweep : public RecordingContext {
 #endif
         std::memset(client, 0, sizeof client);
         if (!c.pnames.empty()) { // the vector form's first value
-            const auto value = static_cast<GLint>(c.pnames[pname].good);
+            const auto value = static_cast<GLint>(good_value(c, pname));
             const auto number = static_cast<GLfloat>(value);
             const GLdouble wide = number;
             if (std::strstr(c.name, "dv") != nullptr)
@@ -63,11 +63,16 @@ class ErrorSweep : public RecordingContext {
             case Kind::real:
                 v.number = static_cast<double>(arg.good);
                 break;
+            case Kind::enum_:
+                v.integer = arg.good;
+                if (&arg == c.args.data() && !c.pnames.empty() && c.pnames[pname].target != 0)
+                    v.integer = c.pnames[pname].target;
+                break;
             case Kind::pname:
                 v.integer = c.pnames[pname].name;
                 break;
             case Kind::pvalue:
-                v.number = static_cast<double>(c.pnames[pname].good);
+                v.number = static_cast<double>(good_value(c, pname));
                 break;
             default:
                 v.integer = arg.good;
@@ -75,6 +80,12 @@ class ErrorSweep : public RecordingContext {
             values.push_back(v);
         }
         return values;
+    }
+
+    /// As the entry point takes it: reals of the fixed-point forms have 16 fraction bits.
+    static std::int64_t good_value(const Command& c, std::size_t pname) {
+        const bool fixed = c.pnames[pname].kind == 'r' && std::strstr(c.name, "OES") != nullptr;
+        return c.pnames[pname].good * (fixed ? 65536 : 1);
     }
 
     GLenum call(const Command& c, const std::vector<Value>& values) {
@@ -111,7 +122,10 @@ TEST_F(ErrorSweep, GoodArgumentsAreAccepted) {
             !std::strcmp(c.family, "PopMatrix") || !std::strcmp(c.family, "NewList"))
             continue;
         for (std::size_t p = 0; p < std::max<std::size_t>(1, c.pnames.size()); ++p) {
-            const GLenum expected = scalar_of_vector(c, p) ? GL_INVALID_ENUM : GL_NO_ERROR;
+            const bool present = c.pnames.empty() || c.pnames[p].present;
+            const GLenum expected = scalar_of_vector(c, p) ? GL_INVALID_ENUM
+                                    : present              ? GL_NO_ERROR
+                                                           : GL_INVALID_OPERATION;
             EXPECT_EQ(call(c, good(c, p)), expected) << c.name << " pname " << p;
             if (context->inside_begin_end())
                 glEnd();
@@ -257,7 +271,12 @@ TEST_F(ErrorSweep, EveryAcceptedTokenIsAccepted) {
         for (std::size_t i = 0; c.present && i < c.args.size(); ++i)
             for (GLenum token :
                  c.args[i].kind == Kind::enum_ ? c.args[i].accepted : std::span<const GLenum>{}) {
-                auto values = good(c);
+                const auto of_target = std::find_if(c.pnames.begin(), c.pnames.end(), [&](const Pname& p) {
+                    return i == 0 && p.target == token;
+                });
+                auto values = of_target == c.pnames.end()
+                                  ? good(c)
+                                  : good(c, static_cast<std::size_t>(of_target - c.pnames.begin()));
                 values[i].integer = token;
                 EXPECT_NE(call(c, values), GLenum{GL_INVALID_ENUM}) << c.name << " " << std::hex << token;
                 if (context->inside_begin_end())

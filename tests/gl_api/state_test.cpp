@@ -123,6 +123,7 @@ std::vector<Expected> initial_state() {
         {GL_MAX_TEXTURE_STACK_DEPTH, {2}},
         {GL_SUBPIXEL_BITS, {8}},
         {GL_MAX_TEXTURE_SIZE, {2048}},
+        {GL_MAX_TEXTURE_LOD_BIAS, {12}},
         {GL_MAX_VIEWPORT_DIMS, {2048, 2048}},
         {GL_POINT_SIZE_RANGE, {1, 64}},
         {GL_ALIASED_POINT_SIZE_RANGE, {1, 64}},

@@ -369,7 +369,7 @@ TEST(TextureEnvironment, ModesColourAndErrors) {
     cmd::GetTexEnv(b.context, GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, got);
     ASSERT_EQ(got.count, 4u);
     EXPECT_EQ(got.v[3].word, 0u);
-    for (GLenum mode : {GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD}) {
+    for (GLenum mode : {GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_COMBINE, GL_ADD}) {
         cmd::TexEnv(b.context, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, integer(mode));
         EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
         cmd::GetTexEnv(b.context, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, got);
@@ -380,7 +380,8 @@ TEST(TextureEnvironment, ModesColourAndErrors) {
         Params params;
     } bad[] = {{GL_TEXTURE_2D, GL_TEXTURE_ENV_MODE, integer(GL_REPLACE)},
                {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, integer(GL_KEEP)},
-               {GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, integer(0x8570)}, // COMBINE is not in this slice
+               {GL_TEXTURE_ENV, GL_TEXTURE_LOD_BIAS, reals({1})},
+               {GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_ENV_MODE, integer(GL_REPLACE)},
                {GL_TEXTURE_ENV, GL_TEXTURE_WRAP_S, integer(GL_REPLACE)},
                {GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, Params{}}};
     for (const auto& c : bad) {

@@ -58,7 +58,15 @@ FragmentState random_state(RandomVertices& random, const Texture* const (&textur
         if (random.below(3) == 0)
             continue;
         state.unit[i].texture = textures[i];
-        state.unit[i].env = static_cast<TexEnv>(random.below(5));
+        state.unit[i].env = static_cast<TexEnv>(random.below(6));
+        state.unit[i].lod_bias = static_cast<std::int32_t>(random.below(513)) - 256;
+        for (Combiner* c : {&state.unit[i].rgb, &state.unit[i].alpha}) {
+            c->func = static_cast<CombineFunc>(random.below(c == &state.unit[i].rgb ? 8 : 6));
+            c->log2_scale = static_cast<std::uint8_t>(random.below(3));
+            for (auto& argument : c->argument)
+                argument = {static_cast<CombineSource>(random.below(6)),
+                            static_cast<CombineOperand>(random.below(4))};
+        }
         for (auto& c : state.unit[i].env_color)
             c = random.below(color_one + 1);
     }
@@ -97,6 +105,7 @@ template <class N> void single_fragments(Variant& variant, const Key& key, const
         const Texture* const texture = state.unit[unit].texture;
         return texture != nullptr && (texture->mip != MipFilter::none || texture->mag != texture->min);
     };
+    replace(&PacketTexture<N>::combined, &chain_stage<N, CombineUnits<N>>);
     replace(&PacketTexture<N>::template run<0>,
             has_lod(0) ? &chain_stage<N, Texture2D<N, 0, true>> : &chain_stage<N, Texture2D<N, 0, false>>);
     replace(&PacketTexture<N>::template run<1>,

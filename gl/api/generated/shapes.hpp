@@ -191,6 +191,7 @@ inline Shape TexParameter(GLenum pname) {
     case GL_TEXTURE_PRIORITY:
     case GL_TEXTURE_MIN_LOD:
     case GL_TEXTURE_MAX_LOD:
+    case GL_TEXTURE_LOD_BIAS:
         return {Kind::real, 1};
     default:
         return {};
@@ -212,6 +213,7 @@ inline Shape GetTexParameter(GLenum pname) {
     case GL_TEXTURE_PRIORITY:
     case GL_TEXTURE_MIN_LOD:
     case GL_TEXTURE_MAX_LOD:
+    case GL_TEXTURE_LOD_BIAS:
         return {Kind::real, 1};
     default:
         return {};
@@ -221,9 +223,27 @@ inline Shape GetTexParameter(GLenum pname) {
 inline Shape TexEnv(GLenum pname) {
     switch (pname) {
     case GL_TEXTURE_ENV_MODE:
+    case GL_COMBINE_RGB:
+    case GL_COMBINE_ALPHA:
+    case GL_SOURCE0_RGB:
+    case GL_SOURCE1_RGB:
+    case GL_SOURCE2_RGB:
+    case GL_SOURCE0_ALPHA:
+    case GL_SOURCE1_ALPHA:
+    case GL_SOURCE2_ALPHA:
+    case GL_OPERAND0_RGB:
+    case GL_OPERAND1_RGB:
+    case GL_OPERAND2_RGB:
+    case GL_OPERAND0_ALPHA:
+    case GL_OPERAND1_ALPHA:
+    case GL_OPERAND2_ALPHA:
         return {Kind::integer, 1};
     case GL_TEXTURE_ENV_COLOR:
         return {Kind::color, 4};
+    case GL_RGB_SCALE:
+    case GL_ALPHA_SCALE:
+    case GL_TEXTURE_LOD_BIAS:
+        return {Kind::real, 1};
     default:
         return {};
     }
@@ -232,9 +252,27 @@ inline Shape TexEnv(GLenum pname) {
 inline Shape GetTexEnv(GLenum pname) {
     switch (pname) {
     case GL_TEXTURE_ENV_MODE:
+    case GL_COMBINE_RGB:
+    case GL_COMBINE_ALPHA:
+    case GL_SOURCE0_RGB:
+    case GL_SOURCE1_RGB:
+    case GL_SOURCE2_RGB:
+    case GL_SOURCE0_ALPHA:
+    case GL_SOURCE1_ALPHA:
+    case GL_SOURCE2_ALPHA:
+    case GL_OPERAND0_RGB:
+    case GL_OPERAND1_RGB:
+    case GL_OPERAND2_RGB:
+    case GL_OPERAND0_ALPHA:
+    case GL_OPERAND1_ALPHA:
+    case GL_OPERAND2_ALPHA:
         return {Kind::integer, 1};
     case GL_TEXTURE_ENV_COLOR:
         return {Kind::color, 4};
+    case GL_RGB_SCALE:
+    case GL_ALPHA_SCALE:
+    case GL_TEXTURE_LOD_BIAS:
+        return {Kind::real, 1};
     default:
         return {};
     }

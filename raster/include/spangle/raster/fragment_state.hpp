@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
+#include <spangle/raster/features.hpp>
 
 namespace spangle::raster {
 
@@ -29,7 +30,21 @@ enum class BlendFactor : std::uint8_t {
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, clamp_to_border };
 enum class Filter : std::uint8_t { nearest, linear };
 enum class MipFilter : std::uint8_t { none, nearest, linear };
-enum class TexEnv : std::uint8_t { replace, modulate, decal, blend, add };
+enum class TexEnv : std::uint8_t { replace, modulate, decal, blend, add, combine };
+enum class CombineFunc : std::uint8_t {
+    replace,
+    modulate,
+    add,
+    add_signed,
+    interpolate,
+    subtract,
+    dot3_rgb,
+    dot3_rgba,
+};
+/// `texture0` + n: the texture colour of unit n, whichever unit asks for it.
+enum class CombineSource : std::uint8_t { texture, constant, primary_color, previous, texture0 };
+/// As GL's tokens stand: SRC_COLOR, ONE_MINUS_SRC_COLOR, SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
+enum class CombineOperand : std::uint8_t { color, one_minus_color, alpha, one_minus_alpha };
 enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intensity, rgb, rgba };
 enum class FogMode : std::uint8_t { exp, exp2, linear };
 
@@ -67,9 +82,21 @@ struct Texture {
 
 inline constexpr int max_texture_units = 2;
 
+/// What becomes of RGB or of alpha with COMBINE (GL 1.3, tables 3.24 to 3.26).
+struct Combiner {
+    CombineFunc func = CombineFunc::modulate;
+    std::uint8_t log2_scale = 0; ///< 0 to 2
+    struct Argument {
+        CombineSource source = CombineSource::previous;
+        CombineOperand operand = CombineOperand::color;
+    } argument[3];
+};
+
 struct TextureUnit {
     const Texture* texture = nullptr; ///< null: unit off
     TexEnv env = TexEnv::modulate;
+    Combiner rgb, alpha;                       ///< of TexEnv::combine; units they name as a source are on
+    std::int32_t lod_bias = 0;                 ///< s23.8, of the texture and of the unit
     std::uint32_t env_color[4] = {0, 0, 0, 0}; ///< Colour units (see vertex.hpp)
 };
 

@@ -1,0 +1,129 @@
+#include "gl/texture/texture_setup.hpp"
+
+#include "gl/pixel/fragment_setup.hpp"
+#include "gl/texture/complete.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+raster::TexEnv env_of(GLenum mode) {
+    switch (mode) {
+    case GL_REPLACE:
+        return raster::TexEnv::replace;
+    case GL_DECAL:
+        return raster::TexEnv::decal;
+    case GL_BLEND:
+        return raster::TexEnv::blend;
+    case GL_ADD:
+        return raster::TexEnv::add;
+    case GL_COMBINE:
+        return raster::TexEnv::combine;
+    default:
+        return raster::TexEnv::modulate;
+    }
+}
+
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+
+raster::CombineFunc func_of(GLenum func) {
+    switch (func) {
+    case GL_REPLACE:
+        return raster::CombineFunc::replace;
+    case GL_ADD:
+        return raster::CombineFunc::add;
+    case GL_ADD_SIGNED:
+        return raster::CombineFunc::add_signed;
+    case GL_INTERPOLATE:
+        return raster::CombineFunc::interpolate;
+    case GL_SUBTRACT:
+        return raster::CombineFunc::subtract;
+    case GL_DOT3_RGB:
+        return raster::CombineFunc::dot3_rgb;
+    case GL_DOT3_RGBA:
+        return raster::CombineFunc::dot3_rgba;
+    default:
+        return raster::CombineFunc::modulate;
+    }
+}
+
+raster::CombineSource source_of(GLenum source) {
+    switch (source) {
+    case GL_TEXTURE:
+        return raster::CombineSource::texture;
+    case GL_CONSTANT:
+        return raster::CombineSource::constant;
+    case GL_PRIMARY_COLOR:
+        return raster::CombineSource::primary_color;
+    case GL_PREVIOUS:
+        return raster::CombineSource::previous;
+    default:
+        return static_cast<raster::CombineSource>(static_cast<unsigned>(raster::CombineSource::texture0) +
+                                                  unit_of(source));
+    }
+}
+
+unsigned arguments_of(GLenum func) {
+    return func == GL_REPLACE ? 1 : func == GL_INTERPOLATE ? 3 : 2;
+}
+
+raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
+    raster::Combiner out;
+    out.func = func_of(env.func[alpha]);
+    out.log2_scale = env.scale[alpha] == numeric::one ? 0 : env.scale[alpha] == Real{0x40000000} ? 1 : 2;
+    for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
+        out.argument[i] = {source_of(env.source[alpha][i]),
+                           static_cast<raster::CombineOperand>(env.operand[alpha][i] - GL_SRC_COLOR)};
+    return out;
+}
+
+/// A unit that asks for the texture of one that is off does nothing (ARB_texture_env_crossbar).
+bool sources_are_on(const raster::FragmentState& out, const raster::Combiner& combiner) {
+    for (const raster::Combiner::Argument& argument : combiner.argument) {
+        const unsigned unit =
+            static_cast<unsigned>(argument.source) - static_cast<unsigned>(raster::CombineSource::texture0);
+        if (unit < texture_units && out.unit[unit].texture == nullptr)
+            return false;
+    }
+    return true;
+}
+
+void fill_combiners(const TexEnvState& env, raster::FragmentState& out, raster::TextureUnit& unit) {
+    unit.rgb = combiner_of(env, 0);
+    unit.alpha = combiner_of(env, 1);
+    if (sources_are_on(out, unit.rgb) && sources_are_on(out, unit.alpha))
+        return;
+    unit.rgb = unit.alpha = {raster::CombineFunc::replace, 0, {}}; // of what was before
+}
+
+#endif
+
+/// s23.8, both parts clamped as their sum (GL 1.4, 3.8.8: +-MAX_TEXTURE_LOD_BIAS).
+std::int32_t lod_bias(Real texture, Real unit) {
+    constexpr std::int32_t most = max_texture_lod_bias << 8;
+    return numeric::clamp(numeric::to_fixed(numeric::add(texture, unit), 8), -most, most);
+}
+
+} // namespace
+
+void fill_textures(const Context& context, raster::FragmentState& out) {
+    for (int i = 0; i < texture_units; ++i)
+        out.unit[i].texture = context.texture.unit[i].texture_2d ? complete_texture(context, i) : nullptr;
+    for (int i = 0; i < texture_units; ++i) {
+        raster::TextureUnit& unit = out.unit[i];
+        if (unit.texture == nullptr)
+            continue;
+        const TexEnvState& env = context.texture.unit[i].env;
+        unit.env = env_of(env.mode);
+        for (int c = 0; c < 4; ++c)
+            unit.env_color[c] = color_units(env.color[c]);
+        unit.lod_bias =
+            lod_bias(context.texture.bound(static_cast<unsigned>(i)).parameters.lod_bias, env.lod_bias);
+#if SPANGLE_FEATURE_TEXTURE_COMBINE
+        if (env.mode == GL_COMBINE)
+            fill_combiners(env, out, unit);
+#endif
+    }
+}
+
+} // namespace spangle::gl

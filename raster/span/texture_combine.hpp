@@ -1,0 +1,138 @@
+// COMBINE: what a texture unit makes of up to three arguments (GL 1.3, 3.8.13, tables 3.24 to 3.26; sources
+// of other units are GL 1.4).
+#pragma once
+
+#include "raster/span/texture_env.hpp"
+
+namespace spangle::raster {
+
+/// 1/2, the scales and the scalar product, which leave [0, 1] on the way.
+template <class N> struct CombineMath {
+    using T = typename N::T;
+    static constexpr T half = N::one / 2;
+
+    static T scaled(T v, unsigned log2) { return v > N::one >> log2 ? N::one : v << log2; }
+    /// 4 (a - 1/2) . (b - 1/2)
+    static T dot3(const typename N::Color& a, const typename N::Color& b) {
+        const std::int64_t sum = product(a.r, b.r) + product(a.g, b.g) + product(a.b, b.b);
+        return static_cast<T>(numeric::clamp<std::int64_t>(4 * sum, 0, N::one));
+    }
+
+  private:
+    static std::int64_t product(T a, T b) {
+        const T x = a > half ? a - half : half - a, y = b > half ? b - half : half - b;
+        const auto magnitude = static_cast<std::int64_t>(N::mul(x, y));
+        return (a > half) == (b > half) ? magnitude : -magnitude;
+    }
+};
+
+template <class N> class TextureCombine {
+    static_assert(N::lanes == 1);
+    using T = typename N::T;
+    using Color = typename N::Color;
+    using Math = CombineMath<N>;
+
+  public:
+    /// `texel[n]`: of unit n, where it is on. `color`: the primary colour, becomes the result of all units.
+    static void units(const FragmentState& state, const Color* texel, Color& color) {
+        const Color primary = color;
+        for (int u = 0; u < max_texture_units; ++u) {
+            const TextureUnit& unit = state.unit[u];
+            if (unit.texture == nullptr)
+                continue;
+            const Color constant = env_color<N>(unit);
+            if (unit.env != TexEnv::combine)
+                apply_env<N>(unit.env, unit.texture->base, color, texel[u], constant);
+            else
+                color = combine(unit, {texel, u, constant, primary, color});
+        }
+    }
+
+  private:
+    struct Sources {
+        const Color* texel;
+        int unit;
+        Color constant, primary, previous;
+
+        Color of(CombineSource source) const {
+            switch (source) {
+            case CombineSource::texture:
+                return texel[unit];
+            case CombineSource::constant:
+                return constant;
+            case CombineSource::primary_color:
+                return primary;
+            case CombineSource::previous:
+                return previous;
+            default:
+                return texel[static_cast<int>(source) - static_cast<int>(CombineSource::texture0)];
+            }
+        }
+    };
+
+    static Color argument(const Sources& sources, const Combiner::Argument& argument) {
+        const Color c = sources.of(argument.source);
+        switch (argument.operand) {
+        case CombineOperand::color:
+            return c;
+        case CombineOperand::one_minus_color:
+            return {N::one - c.r, N::one - c.g, N::one - c.b, N::one - c.a};
+        case CombineOperand::alpha:
+            return {c.a, c.a, c.a, c.a};
+        case CombineOperand::one_minus_alpha:
+            break;
+        }
+        const T rest = N::one - c.a;
+        return {rest, rest, rest, rest};
+    }
+
+    /// Clamping to [0, 1] before the scale changes nothing: that is 1 or more.
+    static T component(CombineFunc func, T a, T b, T c) {
+        switch (func) {
+        case CombineFunc::replace:
+            return a;
+        case CombineFunc::modulate:
+            return N::mul(a, b);
+        case CombineFunc::add:
+            return N::add(a, b);
+        case CombineFunc::add_signed:
+            return b < Math::half ? N::subtract(a, Math::half - b) : N::add(a, b - Math::half);
+        case CombineFunc::interpolate:
+            return N::lerp(b, a, c);
+        default:
+            return N::subtract(a, b);
+        }
+    }
+
+    static Color combine(const TextureUnit& unit, const Sources& sources) {
+        const auto argument_of = [&](const Combiner& combiner, int i) {
+            return argument(sources, combiner.argument[i]);
+        };
+        const CombineFunc func = unit.rgb.func;
+        const Color a = argument_of(unit.rgb, 0), b = argument_of(unit.rgb, 1);
+        Color out{};
+        if (func >= CombineFunc::dot3_rgb) {
+            out.r = out.g = out.b = out.a = Math::dot3(a, b);
+        } else {
+            const Color c = argument_of(unit.rgb, 2);
+            out = {component(func, a.r, b.r, c.r), component(func, a.g, b.g, c.g),
+                   component(func, a.b, b.b, c.b), T{}};
+        }
+        if (func != CombineFunc::dot3_rgba)
+            out.a = component(unit.alpha.func, argument_of(unit.alpha, 0).a, argument_of(unit.alpha, 1).a,
+                              argument_of(unit.alpha, 2).a);
+        const unsigned rgb = unit.rgb.log2_scale;
+        return {Math::scaled(out.r, rgb), Math::scaled(out.g, rgb), Math::scaled(out.b, rgb),
+                Math::scaled(out.a, unit.alpha.log2_scale)};
+    }
+};
+
+/// Some unit combines: then all of them are sampled before.
+inline bool combines(const FragmentState& state) {
+    bool any = false;
+    for (const TextureUnit& unit : state.unit)
+        any = any || (unit.texture != nullptr && unit.env == TexEnv::combine);
+    return any;
+}
+
+} // namespace spangle::raster
