@@ -4,6 +4,7 @@
 #include "raster/span/fill.hpp"
 #include "raster/span/fused.hpp"
 #include "raster/span/key.hpp"
+#include "raster/span/number_packed.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
@@ -26,10 +27,7 @@ template <class N, int I> struct None : StageBase {
 /// What fused lists can do. Everything else is the chain's.
 constexpr bool fusible(const Key& key) {
     return !key.unit[1].on && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
-           !key.count && key.alpha == Compare::always &&
-           (key.kind != Kind::full || key.number == Number::exact) &&
-           (!key.fog ||
-            (key.fog_mode == FogMode::linear && (key.kind == Kind::affine || key.number == Number::exact))) &&
+           !key.count && key.alpha == Compare::always && (!key.fog || key.fog_mode == FogMode::linear) &&
            (!key.blend ||
             (key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha)) &&
            key.depth_format != DepthFormat::z24s8;
@@ -46,12 +44,17 @@ template <Key K> class FusedCase {
         K.blend && !K.fog && !K.dither && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
+    /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
+    static constexpr bool laned = (!exact || packed) && !full && !(K.fog && projective) && is_565(K.format);
     using Runs =
         std::conditional_t<!projective, NoRuns, std::conditional_t<exact || K.cubic, CubicRuns, CoordRuns>>;
+    template <int L>
+    using ExactSystem =
+        std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>, Exact>;
     template <int L> struct Stages {
         using N =
             std::conditional_t<raw, Raw565<L>,
-                               std::conditional_t<exact, std::conditional_t<packed, PackedExact, Exact>,
+                               std::conditional_t<exact, ExactSystem<L>,
                                                   std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>;
         static auto depth() {
             if constexpr (tested)
@@ -118,9 +121,9 @@ template <Key K> class FusedCase {
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;
     /// Few fragments cost more one by one than eight with copies of what is stored.
-    static constexpr bool heavy = !raw && !exact && is_565(K.format) && (textured || K.blend || K.fog);
+    static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
     /// Fetching texels gains nothing from lanes, combining them does.
-    static constexpr bool wide = !exact && !(raw && textured) && is_565(K.format);
+    static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
 

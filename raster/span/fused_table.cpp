@@ -76,7 +76,8 @@ constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = T
 constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
 constexpr Say straight(Number::raw565, Kind::affine),
     bent(Number::raw565, Kind::textured); // texels as they are
-constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured);
+constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
+    full(Number::balanced, Kind::full);
 constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
     fine_full(Number::exact, Kind::full); // the exact tier
 constexpr Say fine_bent = bent.cubic();
@@ -131,6 +132,10 @@ constexpr FusedSpan table[] = {
     entry<textured.texture(t565, rgb, nearest, modulate).depth(less)>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<textured.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<textured.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<full.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
+    entry<full.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),

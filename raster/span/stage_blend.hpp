@@ -2,6 +2,7 @@
 // as 1.
 #pragma once
 
+#include "raster/span/number_packed.hpp"
 #include "raster/span/stage_store.hpp"
 
 namespace spangle::raster {

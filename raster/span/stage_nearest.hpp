@@ -1,6 +1,7 @@
 // NEAREST of one REPEAT image along a span.
 #pragma once
 
+#include "raster/span/number_packed.hpp"
 #include "raster/span/texel_walk.hpp"
 
 namespace spangle::raster {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/number_packed.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/texel_color.hpp"
 #include "raster/span/texture_env.hpp"
@@ -224,7 +225,9 @@ struct TextureFixed : StageBase {
                                   __attribute__((always_inline)) { return word_at(address(k)); });
     }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
-        if constexpr (Env == TexEnv::blend)
+        if constexpr (Env == TexEnv::replace && Base == BaseFormat::rgba)
+            p.color = s; // of systems that combine nothing but this with what is stored, too
+        else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
         else
             apply_env<N>(Env, Base, p.color, s, Color{});

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "raster/span/number.hpp"
+#include "raster/span/number_packed.hpp"
 
 namespace spangle::raster::test {
 namespace {
@@ -88,10 +88,12 @@ template <unsigned Bits> void packed_exact() {
                 const Packed::Color c = Packed::from_word(s | s << 8 | s << 16 | a << 24);
                 const std::uint32_t got = PackedExact::over(c, Bits == 5 ? k << 11 | (31 - k) : k << 5);
                 ASSERT_EQ(Bits == 5 ? got >> 11 : (got >> 5) & 63, want) << s << " " << a << " " << k;
+                ASSERT_EQ(ExactBytes<1>::over<Bits>(s, a, k) >> (8 - Bits), want)
+                    << s << " " << a << " " << k;
             }
 }
 
-TEST(Over, PackedExactHasTheBitsOfExact) {
+TEST(Over, PackedAndBytesHaveTheBitsOfExact) {
     packed_exact<5>();
     packed_exact<6>();
 }
