@@ -21,6 +21,7 @@ inline void observe_other([[maybe_unused]] const DrawState& state) {
 template <class P> class Pen {
   public:
     Span<P> span;
+    bool is_set_up = false; ///< the planes of span are
 
     Pen(const DrawState& state, const Surface& target) : clip_(state.fragment.scissor) {
         span.state = &state;

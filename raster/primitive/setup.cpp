@@ -60,9 +60,6 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
 
 // --- planes
 
-/// Words of 64 bits are shifted as cheaply.
-static constexpr bool lifts = sizeof(void*) == 4;
-
 /// Differences counted in 2^(exponent - up) of the unit of d.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t d1, std::int32_t d2) const {
     return {std::int64_t{d1} * by_.dx[0] + std::int64_t{d2} * by_.dx[1],
@@ -136,11 +133,9 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     const std::uint32_t first = z0 + (1u << (31 - bits));
     const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
                d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
-    if constexpr (lifts) {
-        const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
-        if (liftable(difference_bits(d1, d2), lift)) [[likely]]
-            return add_lifted(span_.z, first, d1, d2, lift, by_);
-    }
+    const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
+    if (liftable(difference_bits(d1, d2), lift)) [[likely]]
+        return add_lifted(span_.z, first, d1, d2, lift, by_);
     add_steep(span_.z, first, d1, d2, 1);
 }
 
@@ -183,17 +178,14 @@ void Setup<Fixed>::steep_colors() {
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (span_.kind == Kind::full)
         return projective_colors();
-    if constexpr (lifts) {
-        const Coefficients by = by_;
-        const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
-        if (liftable(bits, lift)) [[likely]] {
-            const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
-            return each_color<Rgb>(
-                [&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
-                    add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i),
-                               from.difference(2, i), lift, by);
-                });
-        }
+    const Coefficients by = by_;
+    const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
+    if (liftable(bits, lift)) [[likely]] {
+        const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
+        return each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
+            add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i),
+                       lift, by);
+        });
     }
     steep_colors();
 }

@@ -6,6 +6,7 @@
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/edge.hpp"
 #include "raster/primitive/pen.hpp"
+#include "raster/primitive/triangle_tile.hpp"
 
 namespace spangle::raster {
 
@@ -38,8 +39,11 @@ template <class V> struct Corner {
     explicit Corner(const V& v) : vertex(&v), x(position(v).x), y(position(v).y) {}
 };
 
-/// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
-/// in.
+template <class V> struct Sorted {
+    Corner<V> a, b, c; ///< upwards
+    std::int64_t area2;
+};
+
 template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int64_t& area2) {
     if (high.y > low.y || (high.y == low.y && high.x >= low.x))
         return;
@@ -55,10 +59,43 @@ template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high
     area2 = -area2;
 }
 
-template <class V> struct Sorted {
-    Corner<V> a, b, c; ///< upwards
-    std::int64_t area2;
-};
+/// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
+/// in. No two of them are the same.
+template <bool Branches = numeric::cheap_branches, class V>
+SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std::int64_t& area2) {
+    if constexpr (Branches) {
+        sort_pair(low, middle, area2);
+        sort_pair(middle, high, area2);
+        sort_pair(low, middle, area2);
+    } else {
+        // From the outcomes of three comparisons, which branches would be taken at random for: the corners
+        // upwards, and whether their order is turned.
+        struct Order {
+            std::uint8_t low, middle, high, turned;
+        };
+        static constexpr Order orders[8] = {{0, 1, 2, 0}, {1, 0, 2, 1}, {},           {1, 2, 0, 0},
+                                            {0, 2, 1, 1}, {},           {2, 0, 1, 0}, {2, 1, 0, 1}};
+        const auto key = [](const Corner<V>& v) { return v.y * (std::int64_t{1} << 32) + v.x; };
+        const std::int64_t a = key(low), b = key(middle), c = key(high);
+        const Order order = orders[static_cast<unsigned>(b < a) | static_cast<unsigned>(c < a) << 1 |
+                                   static_cast<unsigned>(c < b) << 2];
+        const V* const v[3] = {low.vertex, middle.vertex, high.vertex};
+        const std::int64_t turn = -std::int64_t{order.turned};
+        low = Corner(*v[order.low]);
+        middle = Corner(*v[order.middle]);
+        high = Corner(*v[order.high]);
+        area2 = (area2 ^ turn) - turn;
+    }
+}
+
+/// Once per triangle, as soon as something of it may be seen.
+template <class P>
+SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
+                           const typename P::Vertex& provoking) {
+    if (host_lanes == 1 || !pen.is_set_up)
+        Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
+    pen.is_set_up = true;
+}
 
 template <class E, class P>
 void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename P::Vertex& provoking) {
@@ -73,7 +110,7 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     Row* end = fill();
     if (end == begin)
         return;
-    Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
+    set_up(pen, t, provoking);
     pen.begin();
     do {
         pen.draw(end);
@@ -90,9 +127,33 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                                       : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
     if (end == begin)
         return;
-    Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
+    set_up(pen, t, provoking);
     pen.begin();
     pen.draw(end);
+}
+
+/// As a tile, where it is one and its state and kind draw tiles.
+template <class P>
+SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
+                              const typename P::Vertex& provoking, std::int32_t left, std::int32_t right) {
+    if constexpr (host_lanes > 1 && std::is_same_v<P, Fixed>) {
+        const DrawState& state = *pen.span.state;
+        const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
+        Tile tile;
+        if (!state.tiles || pen.cuts() || state.counters != nullptr ||
+            !make_tile(tile, xs, ys, t.area2 < 0, left, right, pen.clip()) ||
+            !is_touched(*pen.span.target, tile, left, right))
+            return false;
+        if (tile.rows <= 0)
+            return true;
+        set_up(pen, t, provoking);
+        const TileFunction draw = state.variant[static_cast<unsigned>(pen.span.kind)].tile;
+        if (draw == nullptr)
+            return false;
+        draw(pen.span, tile);
+        return true;
+    }
+    return false;
 }
 
 } // namespace detail
@@ -103,9 +164,7 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
                                      const typename P::Vertex& c, const typename P::Vertex& provoking,
                                      std::int64_t area2) {
     detail::Corner low(a), middle(b), high(c);
-    detail::sort_pair(low, middle, area2);
-    detail::sort_pair(middle, high, area2);
-    detail::sort_pair(low, middle, area2);
+    detail::sort(low, middle, high, area2);
     std::int32_t least = low.x < middle.x ? low.x : middle.x, most = low.x < middle.x ? middle.x : low.x;
     least = high.x < least ? high.x : least;
     most = high.x > most ? high.x : most;
@@ -113,7 +172,10 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
 
     detail::observe(state, {low.vertex, middle.vertex, high.vertex});
     Pen<P> pen(state, target);
-    if (state.nothing || !pen.sees(first_center(least), first_center(most)))
+    const std::int32_t left = first_center(least), right = first_center(most);
+    if (state.nothing || !pen.sees(left, right))
+        return;
+    if (detail::draw_tile(pen, sorted(), provoking, left, right))
         return;
     const std::int32_t width = most - least, height = high.y - low.y;
     using Low = std::conditional_t<numeric::divides, LowEdge, ShortEdge>;

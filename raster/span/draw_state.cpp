@@ -79,6 +79,7 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     if (const FusedSpan* const fused = find_fused(key); fused != nullptr) {
         variant.run = reinterpret_cast<AnyFunction>(fused->run);
         variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
+        variant.tile = fused->tile;
     }
 }
 
@@ -153,6 +154,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         choose_span(draw.variant[i], key, state);
         walks = walks || draw.variant[i].walk != nullptr;
+        draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
     }
     if (walks)
         draw.paths = area_of_paths(state.scissor, target);

@@ -35,6 +35,10 @@ struct Counters {
 #endif
 };
 
+struct Tile;
+/// Draws a tile (tile.hpp) with the planes of the span.
+using TileFunction = void (*)(const Span<Fixed>&, const Tile&);
+
 /// A function of some signature: RowsFunction<P> to draw rows, PathFunction to draw paths,
 /// void(Packet<N>&, const Span<P>&) for a stage of the chain. Whoever fills it in and whoever calls it agree
 /// on P and N.
@@ -46,6 +50,7 @@ inline constexpr int max_stages = 14;
 struct Variant {
     AnyFunction run = nullptr;              ///< RowsFunction: a fused span, or the runner of `chain`
     AnyFunction walk = nullptr;             ///< PathFunction, or null: paths are drawn as rows
+    TileFunction tile = nullptr;            ///< or null: tiles are drawn as rows
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
     std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
 };
@@ -83,6 +88,7 @@ struct DrawState {
     Needs needs;
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
+    bool tiles = false;              ///< some variant draws tiles
     Tier tier = Tier::exact;
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};

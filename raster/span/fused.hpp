@@ -214,20 +214,55 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     }
 }
 
-/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy.
+/// Rows in groups of eight lanes, the last of them with lanes that are dead: these keep what they hold, and
+/// lie inside of the scissor rectangle, which has eight columns at least.
+template <class Case>
+SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    using N = typename Case::template System<8>;
+    const Surface& target = *span.target;
+    const Rect& clip = span.state->fragment.scissor;
+    const std::int32_t room = clip.x + clip.w - 8; // of the last group
+    PlaneRow at{span, nullptr, nullptr, row->first, row->y};
+    typename Case::template List<8> list(at, 0);
+    do {
+        at.x = row->first < room ? row->first : room;
+        at.y = row->y;
+        point_at(at.color, at.depth, target, at.x, at.y, format_info(Case::key.format).bytes_per_pixel, 1);
+        list.start(at, 0);
+        Px<N> p(at);
+        std::int32_t first = row->first - at.x;
+        const std::int32_t last = row->last - at.x, most = room - at.x;
+        for (p.i = 0;; p.i += 8) {
+            if (p.i > most) [[unlikely]] {
+                first = p.i - most;
+                p.i = most;
+                list.start(at, most);
+            }
+            p.live = some_lanes(first, last - p.i < 8 ? last - p.i : 8);
+            list(p);
+            if (p.i + 8 >= last)
+                break;
+            list.step();
+            first = 0;
+        }
+    } while (++row != end);
+}
+
+/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain.
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Wide == 8 && Case::heavy) {
         fused_rows<Case>(span, row, end);
+    } else if constexpr (Case::plain) {
+        if constexpr (Wide == 8 && Case::wide)
+            if (span.state->fragment.scissor.w >= 8)
+                return fused_plain_rows<Case>(span, row, end);
+        do
+            fused_plain_row<Case>(span, *row);
+        while (++row != end);
     } else {
         do {
             const std::int32_t n = row->last - row->first;
-            if constexpr (Case::plain) {
-                if (!(Wide == 8 && Case::wide) || n < 8) {
-                    fused_plain_row<Case>(span, *row);
-                    continue;
-                }
-            }
             enter_fused<Case>(span, *row);
             if constexpr (Wide == 8 && Case::wide) {
                 if (n >= 8) {
@@ -236,8 +271,7 @@ template <class Case, int Wide = host_lanes>
                     continue;
                 }
             }
-            if constexpr (!Case::plain)
-                fused_narrow_row<Case>(span, *row);
+            fused_narrow_row<Case>(span, *row);
         } while (++row != end);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "raster/span/fill.hpp"
 #include "raster/span/fused.hpp"
+#include "raster/span/fused_tile.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_blend.hpp"
@@ -131,6 +132,13 @@ template <Key K> class FusedCase {
     static constexpr PathFunction walk() {
         if constexpr (plain)
             return &fused_paths<FusedCase>;
+        else
+            return nullptr;
+    }
+
+    static constexpr TileFunction tile() {
+        if constexpr (plain && wide && host_lanes == 8)
+            return &fused_tile<FusedCase>;
         else
             return nullptr;
     }

@@ -61,9 +61,9 @@ struct Say {
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
-    return {Case::key, &Case::run, Case::walk(), nullptr};
+    return {Case::key, &Case::run, Case::walk(), nullptr, nullptr};
 #else
-    return {Case::key, &Case::run, Case::walk(), &fused<Case, 1>};
+    return {Case::key, &Case::run, Case::walk(), Case::tile(), &fused<Case, 1>};
 #endif
 }
 

@@ -14,6 +14,7 @@ struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
     PathFunction walk;          ///< null where paths are drawn as rows
+    TileFunction tile;          ///< null where tiles are drawn as rows
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 

@@ -118,9 +118,13 @@ template <> struct Lanes<8> {
         const Words w = {v, v, v, v};
         return {w, w};
     }
+    /// By masks: words put together one by one would take twice as long.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) {
-        return {Words{start, start + 2 * step, start + 4 * step, start + 6 * step},
-                Words{start + step, start + 3 * step, start + 5 * step, start + 7 * step}};
+        constexpr std::uint32_t on = 0xFFFFFFFF;
+        const U32 by = splat32(step);
+        const Words two = by.even + by.even, four = two + two;
+        const Words even = splat32(start).even + (two & Words{0, on, 0, on}) + (four & Words{0, 0, on, on});
+        return {even, even + by.even};
     }
     SPANGLE_INLINE static U16 high_half(const U32& v) {
         return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));

@@ -11,6 +11,7 @@
 //   void start(span, x)                         the same as construction in another row of the primitive
 //   (fused
 //                                               lists);
+//   void next_row()                             to the same column of the next row (tiles);
 //   static in, out                              fields of Px it reads and writes (Field); out counts only
 //   where it
 //                                               writes every lane that is alive;
@@ -68,6 +69,7 @@ struct StageBase {
     static constexpr bool kill = false, effect = false, runs = false, rows = false;
     SPANGLE_INLINE void step() {}
     template <class S> SPANGLE_INLINE void start(const S&, std::int32_t) {}
+    SPANGLE_INLINE void next_row() {}
 };
 
 /// An affine plane along rows, one value per lane.
@@ -76,7 +78,8 @@ template <class L> class Ramp {
     typename L::U32 at;
     template <class S>
     SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane)
-        : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))) {
+        : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
+          row_(L::splat32(plane.dy)) {
         start(span, x, plane);
     }
     template <class S>
@@ -84,9 +87,10 @@ template <class L> class Ramp {
         at = L::splat32(span.at(x, plane)) + offset_;
     }
     SPANGLE_INLINE void step() { at += by_; }
+    SPANGLE_INLINE void next_row() { at += row_; }
 
   private:
-    typename L::U32 offset_, by_; ///< of the lanes of one group; from group to group
+    typename L::U32 offset_, by_, row_; ///< of the lanes of one group; from group to group, from row to row
 };
 
 /// Stages in a row are a stage again. `S` are distinct types (a second texture unit has another template
@@ -106,6 +110,8 @@ template <class N, class... S> struct Seq : S... {
 
     template <class At> SPANGLE_INLINE Seq(const At& span, std::int32_t x) : S(span, x)... {}
     SPANGLE_INLINE bool operator()(Px<N>& p) { return (static_cast<S&>(*this)(p) && ...); }
+    /// None left out: worth it where a branch would be taken at random.
+    SPANGLE_INLINE void all(Px<N>& p) { (static_cast<void>(static_cast<S&>(*this)(p)), ...); }
     SPANGLE_INLINE void step() { (S::step(), ...); }
     SPANGLE_INLINE bool row(std::int32_t n) {
         const auto one = [&]<class T>(T& stage) {
@@ -125,7 +131,10 @@ template <class N, class... S> struct Seq : S... {
         };
         (one(static_cast<S&>(*this)), ...);
     }
-    SPANGLE_INLINE void start(const Span<Policy>& span, std::int32_t x) { (S::start(span, x), ...); }
+    template <class At> SPANGLE_INLINE void start(const At& span, std::int32_t x) {
+        (S::start(span, x), ...);
+    }
+    SPANGLE_INLINE void next_row() { (S::next_row(), ...); }
     /// On or back by some pixels, to pixel x of the span; the run stays.
     SPANGLE_INLINE void jump(const Span<Policy>& span, std::int32_t x, std::int32_t pixels) {
         const auto one = [&]<class T>(T& stage) {

@@ -82,7 +82,12 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
         g.step();
         b.step();
     }
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+    SPANGLE_INLINE void next_row() {
+        r.next_row();
+        g.next_row();
+        b.next_row();
+    }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         r.start(s, x, s.color_value[0]);
         g.start(s, x, s.color_value[1]);
         b.start(s, x, s.color_value[2]);

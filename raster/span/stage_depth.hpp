@@ -47,6 +47,7 @@ template <class N> struct DepthValue : StageBase {
     /// The code of 24 bits (one lane).
     SPANGLE_INLINE std::uint32_t code24() const { return z.at >> 8; }
     SPANGLE_INLINE void step() { z.step(); }
+    SPANGLE_INLINE void next_row() { z.next_row(); }
 };
 
 template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
@@ -56,7 +57,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     static constexpr bool kill = true, effect = Write;
     using L = typename N::L;
     using DepthValue<N>::DepthValue;
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { this->z.start(s, x, s.z); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { this->z.start(s, x, s.z); }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         std::uint8_t* const at = p.depth_plane + 2 * p.i;

@@ -52,6 +52,7 @@ inline DrawState in_chain(DrawState state, Number number) {
         state.variant[i].run = chain_runner(number);
         state.variant[i].walk = nullptr;
     }
+    state.tiles = false;
     return state;
 }
 

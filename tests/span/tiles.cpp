@@ -1,0 +1,148 @@
+// Every tile is its chain: the fragments that exact rows find, byte for byte.
+#include <gtest/gtest.h>
+
+#include "raster/primitive/triangle.hpp"
+#include "tests/span/state_of_key.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+constexpr int width = 40, height = 40;
+
+struct Hits {
+    int tiles = 0, rows[Tile::most_rows + 1] = {}, at_border = 0;
+};
+Hits hits;
+TileFunction under_test;
+
+void note_and_draw(const Span<Fixed>& span, const Tile& tile) {
+    const Rect& clip = span.state->fragment.scissor;
+    ++hits.tiles;
+    ++hits.rows[tile.rows];
+    hits.at_border += tile.x == clip.x + clip.w - Tile::columns ? 1 : 0;
+    under_test(span, tile);
+}
+
+/// Some ends lie on centres, corners and lines between them, some sides flat or upright.
+Triangle small_triangle(RandomVertices& source, Kind kind) {
+    Triangle t = random_triangle(source, width, height, kind);
+    const auto left = static_cast<std::int32_t>(source.below(width - 4)),
+               low = static_cast<std::int32_t>(source.below(height - 4));
+    const std::uint32_t step = source.below(2) == 0 ? 1 : 64;
+    const auto place = [&](std::int32_t from, std::uint32_t pixels, std::int32_t most) {
+        const auto v =
+            from * subpixel_one + static_cast<std::int32_t>(source.below(pixels * 256 / step) * step);
+        return v < most * subpixel_one ? v : most * subpixel_one;
+    };
+    for (FixedVertex& v : t.v) {
+        v.x = place(left, 9, width);
+        v.y = place(low, 13, height);
+    }
+    if (source.below(4) == 0)
+        t.v[1].y = t.v[0].y;
+    if (source.below(4) == 0)
+        t.v[2].x = t.v[1].x;
+    return t;
+}
+
+void expect_equal(const FusedSpan& fused, const std::string& name) {
+    const StateOfKey of(fused.key, width, height);
+    const DepthFormat depth =
+        fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
+    Canvas chain_canvas(width, height, fused.key.format, depth),
+        tile_canvas(width, height, fused.key.format, depth);
+    std::vector<RowSpan> touched[2];
+    DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface);
+    DrawState chained = in_chain(state, fused.key.number);
+    ASSERT_TRUE(state.tiles) << name;
+    under_test = fused.tile;
+    state.variant[static_cast<unsigned>(fused.key.kind)].tile = &note_and_draw;
+    hits = {};
+    RandomVertices source(31);
+    for (int round = 0; round < 4000; ++round) {
+        chain_canvas.noise(static_cast<std::uint32_t>(round));
+        tile_canvas.noise(static_cast<std::uint32_t>(round));
+        const Rect cut = {static_cast<int>(source.below(16)), static_cast<int>(source.below(16)),
+                          4 + static_cast<int>(source.below(20)), 4 + static_cast<int>(source.below(20))};
+        state.fragment.scissor = chained.fragment.scissor = round % 4 == 0 ? cut : of.state.scissor;
+        for (int i = 0; i < 2; ++i) { // recorded now and then
+            Surface& surface = (i == 0 ? chain_canvas : tile_canvas).surface;
+            touched[i].assign(height, RowSpan{5, 30});
+            surface.touched = round % 3 == 0 ? touched[i].data() : nullptr;
+            surface.touched_step = 1;
+        }
+        const Triangle t = small_triangle(source, fused.key.kind);
+        draw(chained, chain_canvas.surface, t);
+        draw(state, tile_canvas.surface, t);
+        ASSERT_EQ(chain_canvas.color, tile_canvas.color) << name << " round " << round;
+        ASSERT_EQ(chain_canvas.depth, tile_canvas.depth) << name << " round " << round;
+        for (std::size_t y = 0; y < height; ++y) {
+            ASSERT_EQ(touched[0][y].begin, touched[1][y].begin) << name << " round " << round;
+            ASSERT_EQ(touched[0][y].end, touched[1][y].end) << name << " round " << round;
+        }
+    }
+    EXPECT_GE(hits.tiles, 1500) << name;
+    for (int rows = 1; rows <= Tile::most_rows; ++rows)
+        EXPECT_GE(hits.rows[rows], 10) << name << ' ' << rows;
+    EXPECT_GE(hits.at_border, 100) << name;
+}
+
+TEST(Tiles, EveryTileIsItsChain) {
+    int tiles = 0;
+    for (std::size_t i = 0; i < fused_span_count(); ++i)
+        if (fused_spans()[i].tile != nullptr) {
+            expect_equal(fused_spans()[i], "entry " + std::to_string(i));
+            ++tiles;
+        }
+    EXPECT_GE(tiles, host_lanes > 1 ? 4 : 0);
+}
+
+/// In memory with nothing beside it: what a tile must not reach shows under sanitizers.
+TEST(Tiles, SurfacesOfFewerColumnsAreLeftAlone) {
+    for (const int columns : {1, 7, 8, 9}) {
+        FragmentState fragment;
+        fragment.tier = Tier::balanced;
+        fragment.dither = false;
+        fragment.scissor = {0, 0, columns, 5};
+        Canvas canvas(columns, 5, PixelFormat::rgb565_be, DepthFormat::none);
+        const DrawState state = compile<FixedVertex>(fragment, canvas.surface);
+        RandomVertices source(3);
+        Triangle t{{source.vertex(1, 1), source.vertex(1, 1), source.vertex(1, 1)}};
+        t.v[0].x = t.v[2].x = 0, t.v[1].x = columns * subpixel_one;
+        t.v[0].y = t.v[1].y = 0, t.v[2].y = 5 * subpixel_one;
+        for (FixedVertex& v : t.v)
+            std::fill_n(v.color, 4, color_one);
+        draw(state, canvas.surface, t);
+        EXPECT_EQ(canvas.color[0], 0xFF) << columns;
+        EXPECT_EQ(canvas.color.back(), 0) << columns;
+    }
+}
+
+TEST(Tiles, BothWaysOfSortingAgree) {
+    RandomVertices source(5);
+    for (int round = 0; round < 5000; ++round) {
+        FixedVertex v[3];
+        for (FixedVertex& at : v)
+            at.x = static_cast<std::int32_t>(source.below(7)) - 3,
+            at.y = static_cast<std::int32_t>(source.below(3)) - 1;
+        const std::int64_t area = signed_area(v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y);
+        if (area == 0)
+            continue;
+        const FixedVertex* order[2][3];
+        for (int way = 0; way < 2; ++way) {
+            detail::Corner low(v[0]), middle(v[1]), high(v[2]);
+            std::int64_t area2 = area;
+            way == 0 ? detail::sort<true>(low, middle, high, area2)
+                     : detail::sort<false>(low, middle, high, area2);
+            ASSERT_EQ(area2, signed_area(low.x, low.y, middle.x, middle.y, high.x, high.y));
+            ASSERT_TRUE(low.y < middle.y || (low.y == middle.y && low.x < middle.x));
+            ASSERT_TRUE(middle.y < high.y || (middle.y == high.y && middle.x < high.x));
+            order[way][0] = low.vertex, order[way][1] = middle.vertex, order[way][2] = high.vertex;
+        }
+        for (int i = 0; i < 3; ++i)
+            ASSERT_EQ(order[0][i], order[1][i]);
+    }
+}
+
+} // namespace
+} // namespace spangle::raster::test
