@@ -49,6 +49,7 @@ struct Drawable {
     raster::Surface surface; ///< drawn to
     raster::Surface read;    ///< read from: the same, unless EGL was given two
     bool double_buffered = false, read_double_buffered = false;
+    std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
     void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };

@@ -64,6 +64,13 @@ void size_of_pixel_map(const Context& context, GLenum name, Param* out) {
 }
 #endif
 
+void index_mode(const Context& context, GLenum name, Param* out) {
+    const std::int32_t index_bits = context.drawable.index_bits;
+    out[0] = integer(name == GL_INDEX_BITS                          ? index_bits
+                     : (index_bits != 0) == (name == GL_INDEX_MODE) ? 1
+                                                                    : 0);
+}
+
 void bits(const Context& context, GLenum name, Param* out) {
     const raster::Surface& surface = context.drawable.surface;
     const FormatInfo format = format_info(surface.format);

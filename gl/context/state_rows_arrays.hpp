@@ -28,6 +28,10 @@ inline constexpr auto arrays_rows = std::to_array<StateRow>({
     of_polygon_mode(CLIENT_SWITCH(GL_EDGE_FLAG_ARRAY, arrays.edge_flag.enabled)),
     of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_STRIDE, arrays.edge_flag.stride)),
     of_polygon_mode(STORED(GL_EDGE_FLAG_ARRAY_POINTER, arrays.edge_flag.pointer)),
+    of_fog(CLIENT_SWITCH(GL_FOG_COORDINATE_ARRAY, arrays.fog_coord.enabled)),
+    of_fog(STORED(GL_FOG_COORDINATE_ARRAY_TYPE, arrays.fog_coord.type)),
+    of_fog(STORED(GL_FOG_COORDINATE_ARRAY_STRIDE, arrays.fog_coord.stride)),
+    of_fog(STORED(GL_FOG_COORDINATE_ARRAY_POINTER, arrays.fog_coord.pointer)),
     of_client_unit(CLIENT_SWITCH(GL_TEXTURE_COORD_ARRAY, arrays.tex_coord[0].enabled)),
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_SIZE, arrays.tex_coord[0].size)),
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type)),
@@ -40,6 +44,7 @@ inline constexpr auto arrays_rows = std::to_array<StateRow>({
     of_buffers(STORED(GL_NORMAL_ARRAY_BUFFER_BINDING, arrays.normal.buffer)),
     of_buffers(STORED(GL_COLOR_ARRAY_BUFFER_BINDING, arrays.color.buffer)),
     of_color_index(of_buffers(STORED(GL_INDEX_ARRAY_BUFFER_BINDING, arrays.index.buffer))),
+    of_fog(of_buffers(STORED(GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, arrays.fog_coord.buffer))),
     of_polygon_mode(of_buffers(STORED(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, arrays.edge_flag.buffer))),
     of_buffers(of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, arrays.tex_coord[0].buffer))),
 });

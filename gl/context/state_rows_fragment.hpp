@@ -8,6 +8,8 @@ namespace spangle::gl {
 inline constexpr auto fragment_rows = std::to_array<StateRow>({
     in(Group::fog),
     of_fog(linear(STORED(GL_FOG_COLOR, fog.color))),
+    of_fog(STORED(GL_FOG_INDEX, fog.index)),
+    of_fog(STORED(GL_FOG_COORDINATE_SOURCE, fog.source)),
     of_fog(STORED(GL_FOG_DENSITY, fog.density)),
     of_fog(STORED(GL_FOG_START, fog.start)),
     of_fog(STORED(GL_FOG_END, fog.end)),

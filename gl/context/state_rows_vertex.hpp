@@ -25,6 +25,7 @@ inline constexpr auto vertex_rows = std::to_array<StateRow>({
     linear(STORED(GL_CURRENT_NORMAL, current.normal)),
     of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
     of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),
+    of_fog(STORED(GL_CURRENT_FOG_COORDINATE, current.fog_coord)),
     of_unit(PerUnit::active, sizeof(CurrentState::TexCoord),
             STORED(GL_CURRENT_TEXTURE_COORDS, current.tex_coord[0].v)),
     of_raster_pos(STORED(GL_CURRENT_RASTER_POSITION, current.raster.position)),

@@ -40,6 +40,10 @@ void capture_seldom([[maybe_unused]] Context& context, const ArraysState& arrays
     if (arrays.index.on())
         list::record_words<family::Index>(context, now.index);
 #endif
+#if SPANGLE_FEATURE_FOG
+    if (arrays.fog_coord.on())
+        list::record_words<family::FogCoord>(context, now.fog_coord);
+#endif
 #if SPANGLE_FEATURE_POLYGON_MODE
     if (arrays.edge_flag.on())
         list::record_words<family::EdgeFlag>(context, now.edge_flag);

@@ -11,6 +11,8 @@ struct FogState {
     Real density = numeric::one;
     Real start = numeric::zero, end = numeric::one;
     Real color[4] = {};
+    Real index = numeric::zero;        ///< as set
+    GLenum source = GL_FRAGMENT_DEPTH; ///< GL 1.4, 3.10
 };
 
 } // namespace spangle::gl

@@ -30,6 +30,16 @@ void Fog(Context& context, GLenum pname, const Params& params) {
     case GL_FOG_END:
         fog.end = value;
         break;
+    case GL_FOG_INDEX:
+        fog.index = value;
+        break;
+    case GL_FOG_COORDINATE_SOURCE: {
+        const GLenum source = params.v[0].token();
+        if (source != GL_FRAGMENT_DEPTH && source != GL_FOG_COORDINATE)
+            return error(context, GL_INVALID_ENUM);
+        fog.source = source;
+        break;
+    }
     case GL_FOG_COLOR:
         for (int c = 0; c < 4; ++c)
             fog.color[c] = numeric::clamp01(params.v[c].real());

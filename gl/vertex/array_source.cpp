@@ -29,7 +29,7 @@ bool reaches(const Context& context, const ClientArray& array, std::uint32_t hig
 /// Calls f(array) for each.
 template <class F> void each_array(ArraysState& arrays, F f) {
     for (ClientArray* array :
-         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag})
+         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag, &arrays.fog_coord})
         f(*array);
     for (ClientArray& array : arrays.tex_coord)
         f(array);
@@ -46,7 +46,7 @@ bool arrays_reach(const Context& context, std::uint32_t highest) {
             return false;
     return reaches(context, arrays.vertex, highest) && reaches(context, arrays.normal, highest) &&
            reaches(context, arrays.color, highest) && reaches(context, arrays.index, highest) &&
-           reaches(context, arrays.edge_flag, highest);
+           reaches(context, arrays.edge_flag, highest) && reaches(context, arrays.fog_coord, highest);
 }
 
 bool find_indices(const Context& context, std::uint32_t count, Indices& indices) {

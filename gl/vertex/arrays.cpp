@@ -70,6 +70,16 @@ void point(ArraysState& arrays, ClientArray& array, GLint size, GLenum type, GLs
     array.pointer = pointer;
 }
 
+/// An element of one component, if the array is on.
+[[maybe_unused]] void set_number(const ClientArray& array, std::uint32_t index, Real& out) {
+    const ArrayReader numbers(array, false);
+    if (!numbers.on())
+        return;
+    Real v[4];
+    numbers.read(index, v);
+    out = v[0];
+}
+
 bool is_position_type(GLenum type) {
     return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED;
 }
@@ -94,11 +104,10 @@ void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
 void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const ArraysState& arrays,
                 [[maybe_unused]] std::uint32_t index) {
 #if SPANGLE_FEATURE_COLOR_INDEX
-    if (const ArrayReader indices(arrays.index, false); indices.on()) {
-        Real v[4];
-        indices.read(index, v);
-        current.index = v[0];
-    }
+    set_number(arrays.index, index, current.index);
+#endif
+#if SPANGLE_FEATURE_FOG
+    set_number(arrays.fog_coord, index, current.fog_coord);
 #endif
 #if SPANGLE_FEATURE_POLYGON_MODE
     if (const ArrayReader flags(arrays.edge_flag, false); flags.on())
@@ -158,6 +167,16 @@ void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* poi
 }
 #endif
 
+#if SPANGLE_FEATURE_FOG
+void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
+    if (stride < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (type != GL_FLOAT && type != GL_DOUBLE)
+        return error(context, GL_INVALID_ENUM);
+    point(context.arrays, context.arrays.fog_coord, 1, type, stride, pointer);
+}
+#endif
+
 #if SPANGLE_FEATURE_POLYGON_MODE
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
     if (stride < 0)
@@ -195,6 +214,9 @@ void enable_array(Context& context, GLenum array, bool on) {
     case GL_EDGE_FLAG_ARRAY:
         return enable_optional(context, context.arrays.edge_flag, on, SPANGLE_FEATURE_POLYGON_MODE != 0,
                                SPANGLE_TEXT("this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+    case GL_FOG_COORDINATE_ARRAY:
+        return enable_optional(context, context.arrays.fog_coord, on, SPANGLE_FEATURE_FOG != 0,
+                               SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"));
     default:
         error(context, GL_INVALID_ENUM);
     }

@@ -18,7 +18,7 @@ struct ClientArray {
 
 struct ArraysState {
     ClientArray vertex, normal, color;
-    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE};
+    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE}, fog_coord{.size = 1};
     ClientArray tex_coord[texture_units];
     GLuint array_buffer = 0, element_buffer = 0; ///< names bound
     bool buffered = false;                       ///< some array may lie in a buffer

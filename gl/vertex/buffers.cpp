@@ -74,7 +74,7 @@ void forget(ArraysState& arrays, GLuint name) {
     drop(arrays.array_buffer);
     drop(arrays.element_buffer);
     for (ClientArray* array :
-         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag})
+         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag, &arrays.fog_coord})
         if (array->buffer == name)
             array->buffer = 0, array->pointer = nullptr;
     for (ClientArray& array : arrays.tex_coord)

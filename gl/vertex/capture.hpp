@@ -12,8 +12,9 @@ void record_hit(Context& context, std::uint32_t nearest, std::uint32_t farthest)
 
 /// A vertex as feedback returns it.
 struct FeedbackVertex {
-    Real window[4]; ///< x, y, z in the window, w in clip coordinates
-    Real color[4];
+    Real window[4];  ///< x, y, z in the window, w in clip coordinates
+    Real color[4];   ///< or the index
+    int colors;      ///< how many of them
     Real texture[4]; ///< behind the texture matrix
 };
 

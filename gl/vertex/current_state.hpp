@@ -10,6 +10,7 @@ struct CurrentState {
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
     Real index = numeric::one; ///< as set; masked only in use
+    Real fog_coord = numeric::zero;
     bool edge_flag = true;
     struct TexCoord {
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};

@@ -17,7 +17,8 @@ class DoubleLighting {
     void derive(const Context& context) {
         on_ = context.lighting.lighting;
         two_side_ = context.lighting.two_side;
-        tracks_ = on_ && context.lighting.color_material;
+        index_bits_ = context.drawable.index_bits;
+        tracks_ = on_ && context.lighting.color_material && index_bits_ == 0;
         DoubleMath::normal_matrix(context.transform, normal_);
     }
     void materials_changed() {}
@@ -32,7 +33,8 @@ class DoubleLighting {
     void light(const Context& context, const Input& vertex, const DoubleMath::Eye& eye, int side,
                raster::DoubleVertex& out) const {
         const LightingState& state = context.lighting;
-        const Material& material = state.material[side];
+        const Material& given = state.material[side];
+        const Material material = index_bits_ != 0 ? weighing(given) : given;
         double n[3];
         for (int i = 0; i < 3; ++i)
             n[i] = normal_[i] * vertex.normal[0] + normal_[3 + i] * vertex.normal[1] +
@@ -49,6 +51,13 @@ class DoubleLighting {
         for (unsigned i = 0; i < max_lights; ++i)
             if (state.light_enabled[i])
                 add(state, state.light[i], material, eye, n, primary, specular);
+        if (index_bits_ != 0) {
+            const double d = primary[0] + primary[1] + primary[2],
+                         s = clamp(specular[0] + specular[1] + specular[2]), am = real(given.indexes[0]),
+                         dm = real(given.indexes[1]), sm = real(given.indexes[2]);
+            const double c = am + d * (1.0 - s) * (dm - am) + s * (sm - am);
+            return DoubleMath::set_index(c < sm ? c : sm, index_bits_, out);
+        }
         const bool separate = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
         for (int c = 0; c < 3; ++c) {
             out.color[c] = clamp(separate ? primary[c] : primary[c] + specular[c]);
@@ -64,7 +73,20 @@ class DoubleLighting {
 
   private:
     bool on_ = false, two_side_ = false, tracks_ = false;
+    unsigned index_bits_ = 0;
     double normal_[9] = {}; ///< column-major
+
+    /// Colours of light become d_l and s_l, which the three sums make together (GL 1.3, 2.13.5).
+    static Material weighing(const Material& material) {
+        Material out;
+        constexpr double weight[3] = {.30, .59, .11};
+        for (int c = 0; c < 3; ++c) {
+            out.ambient[c] = out.emission[c] = numeric::zero;
+            out.diffuse[c] = out.specular[c] = numeric::from_double(weight[c]);
+        }
+        out.shininess = material.shininess;
+        return out;
+    }
 
     static double real(Real v) { return DoubleMath::number(v); }
     static double clamp(double v) { return v > 0.0 ? (v < 1.0 ? v : 1.0) : 0.0; }

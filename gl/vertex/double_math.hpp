@@ -218,6 +218,20 @@ struct DoubleMath {
         out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
     }
     static void set_fog(Depth eye_z, Window& out) { out.fog = std::fabs(eye_z); }
+    static void set_fog_coordinate(Depth coordinate, Window& out) { out.fog = coordinate; }
+    static Depth fog_coordinate(const Window& v) { return v.fog; }
+    static Depth fog_coordinate(Real coordinate) { return number(coordinate); }
+
+    /// In 255ths, as the integers have it.
+    static void set_index(double index, unsigned bits, Window& out) {
+        const double range = static_cast<double>(1u << bits), part = std::fmod(index, range);
+        out.color[0] = (part < 0.0 ? part + range : part) / 255.0;
+        out.color[1] = out.color[2] = out.color[3] = 0.0;
+        for (double& c : out.secondary)
+            c = 0.0;
+    }
+    static void set_index(Real index, unsigned bits, Window& out) { set_index(number(index), bits, out); }
+    static Real index_of(const Window& v) { return numeric::from_double(v.color[0] * 255.0); }
 
   private:
     static std::int32_t snap(double v) {

@@ -49,7 +49,7 @@ void feed_vertex(Context& context, const FeedbackVertex& v) {
     FeedbackState& f = context.render.feedback;
     feed(f, v.window, f.type == GL_2D ? 2 : f.type == GL_4D_COLOR_TEXTURE ? 4 : 3);
     if (f.type >= GL_3D_COLOR)
-        feed(f, v.color, 4);
+        feed(f, v.color, v.colors);
     if (f.type >= GL_3D_COLOR_TEXTURE)
         feed(f, v.texture, 4);
 }

@@ -109,6 +109,19 @@ numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const nu
     return numeric::to_block_row(v, column);
 }
 
+/// What stands in for the material where colours are indices: the sums of the colours of light are then those
+/// of d_l and s_l, .30 R + .59 G + .11 B (GL 1.3, 2.13.5).
+Material weighing(const Material& material) {
+    Material out;
+    constexpr Real weight[3] = {{0x3E99999A}, {0x3F170A3D}, {0x3DE147AE}};
+    for (int c = 0; c < 3; ++c) {
+        out.ambient[c] = out.emission[c] = numeric::zero;
+        out.diffuse[c] = out.specular[c] = weight[c];
+    }
+    out.shininess = material.shininess;
+    return out;
+}
+
 constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 
 } // namespace
@@ -116,7 +129,8 @@ constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 void FixedLighting::derive(const Context& context) {
     const LightingState& state = context.lighting;
     on_ = state.lighting;
-    tracks_color_ = on_ && state.color_material;
+    index_bits_ = SPANGLE_FEATURE_COLOR_INDEX ? context.drawable.index_bits : 0;
+    tracks_color_ = on_ && state.color_material && index_bits_ == 0; // GL 1.3, corollary 16
     folded_ = false;
     if (!on_)
         return;
@@ -174,9 +188,12 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
 }
 
 void FixedLighting::fold(const Context& context) {
-    fold_side(context.lighting.material[0], fold_[0]);
-    if (two_side_)
-        fold_side(context.lighting.material[1], fold_[1]);
+    for (int side = 0; side < (two_side_ ? 2 : 1); ++side) {
+        const Material& material = context.lighting.material[side];
+        fold_side(index_bits_ != 0 ? weighing(material) : material, fold_[side]);
+        for (int i = 0; i < 3; ++i)
+            fold_[side].index[i] = material.indexes[i];
+    }
     folded_ = true;
 }
 
@@ -205,7 +222,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
     // Eight products with 31 bits each, and the base, stay below 2^63.
-    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_) && brightest < 1u << 28;
+    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_) && brightest < 1u << 28 &&
+                index_bits_ == 0;
 }
 
 /// base + sum of (n . l) * diffuse: with unit normals n . l = (N n) . l / |N n|, else (N^T l) . n. False: a
@@ -341,11 +359,29 @@ void FixedLighting::light_fully(const Input& vertex, const numeric::Block4& eye,
         else
             add_general(source_[i], fold, i, eye, n, primary, specular);
     }
+    if (index_bits_ != 0)
+        return set_index(fold, primary, specular, out);
     for (int c = 0; c < 3; ++c) {
         out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
         out.secondary[c] = separate_ ? to_color(specular[c]) : 0;
     }
     out.color[3] = fold.alpha;
+}
+
+/// a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), s_m at most; s' is s, 1 at most.
+void FixedLighting::set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
+                              raster::FixedVertex& out) const {
+    using numeric::Block;
+    const auto sum = [](const Sum(&v)[3]) { return numeric::make_block(v[0] + v[1] + v[2], -sum_bits); };
+    constexpr Block one = numeric::make_block(1, 0);
+    Block s = sum(specular);
+    s = numeric::compare(s, one) > 0 ? one : s;
+    const Block am = numeric::to_block(fold.index[0]), dm = numeric::to_block(fold.index[1]),
+                sm = numeric::to_block(fold.index[2]);
+    const Block diffuse =
+        numeric::mul(numeric::mul(sum(primary), numeric::sub(one, s)), numeric::sub(dm, am));
+    const Block c = numeric::add(numeric::add(am, diffuse), numeric::mul(s, numeric::sub(sm, am)));
+    FixedMath::set_index(numeric::to_real(numeric::compare(c, sm) > 0 ? sm : c), index_bits_, out);
 }
 
 void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out) {

@@ -67,6 +67,7 @@ class FixedLighting {
         bool has_specular = false;
         std::uint32_t shininess; ///< as numeric::power_exponent() gives it
         std::uint32_t alpha;     ///< colour units
+        Real index[3];           ///< of an index framebuffer: ambient, diffuse, specular
         bool plain = false;      ///< only ambient and diffuse terms of lights that reach every vertex alike
     };
     /// The normal of a vertex in eye space.
@@ -79,6 +80,7 @@ class FixedLighting {
     bool normalize_ = false, local_viewer_ = false, separate_ = false;
     bool all_simple_ = false;  ///< no light asks where the vertex is
     bool common_rows_ = false; ///< of the normal matrix: their results have one exponent
+    unsigned index_bits_ = 0;  ///< of an index framebuffer; 0: colours
     int count_ = 0;            ///< enabled lights
     Source source_[max_lights];
     Fold fold_[2];
@@ -88,6 +90,8 @@ class FixedLighting {
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;
+    void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
+                   raster::FixedVertex& out) const;
     void light_fully(const Input& vertex, const numeric::Block4& eye, int side,
                      raster::FixedVertex& out) const;
     bool light_plain(const Input& vertex, int side, raster::FixedVertex& out) const;

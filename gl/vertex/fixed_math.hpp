@@ -361,9 +361,33 @@ struct FixedMath {
 
     /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
     static void set_fog(Depth eye_z, Window& out) {
-        out.fog_mantissa = static_cast<std::uint32_t>(eye_z.m < 0 ? -eye_z.m : eye_z.m);
+        out.fog_mantissa = eye_z.m < 0 ? -eye_z.m : eye_z.m;
         out.fog_exponent = eye_z.e;
     }
+    /// A fog coordinate (GL 1.4, 3.10), which has a sign.
+    static void set_fog_coordinate(Depth coordinate, Window& out) {
+        out.fog_mantissa = coordinate.m;
+        out.fog_exponent = coordinate.e;
+    }
+    static Depth fog_coordinate(const Window& v) { return {v.fog_mantissa, v.fog_exponent}; }
+    static Depth fog_coordinate(Real coordinate) { return numeric::to_block(coordinate); }
+
+    /// A colour index of so many bits takes the place of red, in units of 2^-20: interpolation is the same.
+    /// Its integer part is masked (GL 1.3, 2.13.6).
+    static void set_index(Real index, unsigned bits, Window& out) {
+        const numeric::Block v = numeric::to_block(index);
+        const int up = v.e + index_fraction;
+        const std::int64_t m = v.m;
+        const std::uint64_t units =
+            up >= 64  ? 0
+            : up >= 0 ? static_cast<std::uint64_t>(m) << up
+                      : static_cast<std::uint64_t>(numeric::shift_right_round(m, up < -62 ? 62 : -up));
+        out.color[0] = static_cast<std::uint32_t>(units) & ((1u << (bits + index_fraction)) - 1);
+        out.color[1] = out.color[2] = out.color[3] = 0;
+        for (std::uint32_t& c : out.secondary)
+            c = 0;
+    }
+    static Real index_of(const Window& v) { return real(numeric::make_block(v.color[0], -index_fraction)); }
 
     /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
     static std::uint32_t color_units(Real component) {
@@ -376,6 +400,8 @@ struct FixedMath {
     }
 
   private:
+    static constexpr int index_fraction = 20;
+
     /// Up to which number of leading zeros of w no lifted coordinate is shifted by more than 31.
     static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
         std::int32_t most = 31;

@@ -104,6 +104,12 @@ void Index(Context& context, Real index) {
 }
 #endif
 
+#if SPANGLE_FEATURE_FOG
+void FogCoord(Context& context, Real coord) {
+    context.current.fog_coord = coord;
+}
+#endif
+
 #if SPANGLE_FEATURE_POLYGON_MODE
 void EdgeFlag(Context& context, bool flag) {
     context.current.edge_flag = flag;

@@ -56,7 +56,7 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
     const Format& f = formats[format - GL_V2F];
     const GLsizei step = stride != 0 ? stride : f.stride;
     ArraysState& arrays = context.arrays;
-    arrays.index.enabled = arrays.edge_flag.enabled = false;
+    arrays.index.enabled = arrays.edge_flag.enabled = arrays.fog_coord.enabled = false;
     set(arrays, arrays.tex_coord[arrays.client_active], f.tex_size, GL_FLOAT, step, pointer, 0);
     set(arrays, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
         f.color_at);

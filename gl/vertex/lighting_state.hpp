@@ -24,6 +24,7 @@ struct Material {
     Real specular[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real emission[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real shininess = numeric::zero;
+    Real indexes[3] = {numeric::zero, numeric::one, numeric::one}; ///< ambient, diffuse, specular
 };
 
 struct LightingState {

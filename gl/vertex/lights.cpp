@@ -229,6 +229,11 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
             m.shininess = v[0];
             continue;
         }
+        if (pname == GL_COLOR_INDEXES) {
+            for (int i = 0; i < 3; ++i)
+                m.indexes[i] = v[i];
+            continue;
+        }
         const bool both = pname == GL_AMBIENT_AND_DIFFUSE;
         for (const GLenum one :
              {both ? static_cast<GLenum>(GL_AMBIENT) : pname, both ? static_cast<GLenum>(GL_DIFFUSE) : pname})
@@ -253,6 +258,8 @@ void GetMaterial(Context& context, GLenum face, GLenum pname, Params& params) {
         return give(params, m.emission, 4);
     case GL_SHININESS:
         return give(params, &m.shininess, 1);
+    case GL_COLOR_INDEXES:
+        return give(params, m.indexes, 3);
     default:
         return error(context, GL_INVALID_ENUM);
     }

@@ -92,7 +92,7 @@ template <class M, class L> class Pipeline {
     /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
     struct Cut : Vertex {
         typename M::Clip clip{};
-        typename M::Depth eye_z{}; ///< with its sign: clipping mixes it, fog takes its size
+        typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
         typename M::Eye eye{};
         typename L::Input light{};
 #if SPANGLE_FEATURE_FEEDBACK
@@ -112,6 +112,8 @@ template <class M, class L> class Pipeline {
     bool odd_ = false;        ///< number of triangles of the strip so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
     unsigned units_ = 0;                       ///< bit u: texture unit u is on
+    bool fog_given_ = false;                   ///< by fog coordinates
+    unsigned index_bits_ = 0;                  ///< of an index framebuffer; 0: colours
     bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
     bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
     bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
@@ -149,6 +151,8 @@ template <class M, class L> class Pipeline {
             forget();
         }
         fog_ = context.fog.fog;
+        fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
+        index_bits_ = context.drawable.index_bits;
         lit_ = context.lighting.lighting;
         two_sided_ = lighting_.two_sided();
         units_ = 0;
@@ -164,7 +168,7 @@ template <class M, class L> class Pipeline {
         captures_ = !context.render.draws();
         outlines_ =
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
-        each_vertex_ = lighting_.tracks_color() || outlined() || captures();
+        each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed();
         whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any();
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
@@ -195,6 +199,9 @@ template <class M, class L> class Pipeline {
     }
     bool captures() const {
         return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
+    }
+    bool indexed() const {
+        return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0;
     }
     /// The edges that the view volume cuts are seen, or what is left of the primitive is.
     bool exactly_clipped() const {

@@ -49,7 +49,11 @@ template <class M, class L> void Pipeline<M, L>::feed(const Corner& corner) {
     FeedbackVertex out;
     M::window_of(transforms_, cut ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position),
                  out.window);
-    M::color_of(corner.window, out.color);
+    if (indexed())
+        out.color[0] = M::index_of(corner.window);
+    else
+        M::color_of(corner.window, out.color);
+    out.colors = indexed() ? 1 : 4;
     M::reals(cut ? static_cast<const Cut&>(v).texture : texture_[&v - slot_], out.texture);
     feed_vertex(*context_, out);
 }

@@ -17,7 +17,7 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     out.flags |= is_cut;
     out.clip = M::to_clip(transforms_, v.position);
     if (fog_)
-        out.eye_z = M::depth(transforms_, v.position);
+        out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
     if (needs_eye())
         out.eye = M::to_eye(transforms_, v.position);
     out.light = L::input(v.normal);
@@ -34,7 +34,10 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
     M::mix(a.window, b.window, t, units_, out.window);
     if (fog_) {
         out.eye_z = M::mix(a.eye_z, b.eye_z, t);
-        M::set_fog(out.eye_z, out.window);
+        if (fog_given_)
+            M::set_fog_coordinate(out.eye_z, out.window);
+        else
+            M::set_fog(out.eye_z, out.window);
     }
     if (needs_eye())
         out.eye = M::mix(a.eye, b.eye, t);

@@ -24,15 +24,20 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     Real eye[4];
     M::reals(M::to_eye(transforms_, v.position), eye);
     M::window_of(transforms_, clip, out.position);
-    out.distance = numeric::abs(eye[2]);
-    out.index = current.index;
+    out.distance = context.fog.source == GL_FOG_COORDINATE ? current.fog_coord : numeric::abs(eye[2]);
     v.flags = 0;
     if (lit_)
         light(v, 0, v.window);
-    for (int c = 0; c < 4; ++c)
-        out.color[c] = numeric::clamp01(current.color[c]);
-    if (lit_)
-        M::color_of(v.window, out.color);
+    if (indexed()) { // which of the two the mode does not have stays what it was
+        if (!lit_)
+            M::set_index(current.index, index_bits_, v.window);
+        out.index = M::index_of(v.window);
+    } else {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = numeric::clamp01(current.color[c]);
+        if (lit_)
+            M::color_of(v.window, out.color);
+    }
     for (int u = 0; u < texture_units; ++u)
         M::reals(texture_of(current, v, u), out.tex_coord[u].v);
 #if SPANGLE_FEATURE_SELECTION
@@ -146,10 +151,15 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
     lighting_.light(*context_, L::input(v.normal), eye, side, out);
 }
 
-/// What is known only now: the edge flag, and the colour where the material is the current colour.
+/// What is known only now: the edge flag, what else few programs give, and the colour where the material is
+/// the current colour.
 template <class M, class L> void Pipeline<M, L>::given(const CurrentState& current, Vertex& v) {
     if (current.edge_flag)
         v.flags |= edge_flag;
+    if (fog_given_)
+        M::set_fog_coordinate(M::fog_coordinate(current.fog_coord), v.window);
+    if (indexed() && !lit_)
+        M::set_index(current.index, index_bits_, v.window);
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
         texture_[&v - slot_] = texture_of(current, v, 0);

@@ -23,10 +23,12 @@ void WindowPos(Context& context, Real x, Real y, Real z) {
     raster.position[1] = y;
     raster.position[2] = numeric::add(near, numeric::mul(numeric::clamp01(z), numeric::sub(far, near)));
     raster.position[3] = numeric::one;
-    raster.distance = numeric::zero;
-    for (int c = 0; c < 4; ++c)
-        raster.color[c] = numeric::clamp01(current.color[c]);
-    raster.index = current.index;
+    raster.distance = context.fog.source == GL_FOG_COORDINATE ? current.fog_coord : numeric::zero;
+    if (context.drawable.index_bits != 0)
+        raster.index = current.index;
+    else
+        for (int c = 0; c < 4; ++c)
+            raster.color[c] = numeric::clamp01(current.color[c]);
     for (int u = 0; u < texture_units; ++u)
         for (int c = 0; c < 4; ++c)
             raster.tex_coord[u].v[c] = current.tex_coord[u].v[c];

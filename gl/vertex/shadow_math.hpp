@@ -177,6 +177,23 @@ struct ShadowMath {
                  out.twin.fog);
     }
 
+    static void set_fog_coordinate(const Depth& coordinate, Window& out) {
+        FixedMath::set_fog_coordinate(coordinate.fixed, out.fixed);
+        DoubleMath::set_fog_coordinate(coordinate.twin, out.twin);
+    }
+    static Depth fog_coordinate(const Window& v) {
+        return {FixedMath::fog_coordinate(v.fixed), DoubleMath::fog_coordinate(v.twin)};
+    }
+    static Depth fog_coordinate(Real coordinate) {
+        return {FixedMath::fog_coordinate(coordinate), DoubleMath::fog_coordinate(coordinate)};
+    }
+    static void set_index(Real index, unsigned bits, Window& out) {
+        FixedMath::set_index(index, bits, out.fixed);
+        DoubleMath::set_index(index, bits, out.twin);
+        report_color(out);
+    }
+    static Real index_of(const Window& v) { return FixedMath::index_of(v.fixed); }
+
     /// Primary and secondary colour, once they are set.
     static void report_color(const Window& v) {
         raster::ShadowReport* const report = raster::shadow_report();

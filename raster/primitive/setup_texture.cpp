@@ -97,10 +97,8 @@ void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     std::uint64_t all = 0;
     constexpr std::int64_t limit = std::int64_t{1} << 60;
     for (int i = 0; i < 3; ++i) {
-        const std::uint64_t product = numeric::mul_u32(v_[i]->fog_mantissa, abs_u32(state_.fog.scale));
-        const std::int64_t half = static_cast<std::int64_t>(product >> 1);
-        c[i] = to_fixed(state_.fog.scale < 0 ? -half : half,
-                        1 + v_[i]->fog_exponent + state_.fog.scale_exponent, 24);
+        const std::int64_t product = numeric::mul_s32(v_[i]->fog_mantissa, state_.fog.scale);
+        c[i] = to_fixed(product / 2, 1 + v_[i]->fog_exponent + state_.fog.scale_exponent, 24);
         c[i] = numeric::clamp(c[i] + state_.fog.offset, -limit, limit);
         all |= numeric::abs_u64(c[i]);
     }

@@ -14,7 +14,8 @@ inline std::uint32_t fog_factor(FogMode mode, std::uint32_t coordinate) {
         const auto f = static_cast<std::int32_t>(coordinate);
         return static_cast<std::uint32_t>(f < 0 ? 0 : f > one ? one : f);
     }
-    const std::uint32_t c = numeric::abs_u32(static_cast<std::int32_t>(coordinate));
+    const auto given = static_cast<std::int32_t>(coordinate);
+    const std::uint32_t c = numeric::abs_u32(mode == FogMode::exp && given < 0 ? 0 : given);
     const std::uint64_t square = numeric::mul_u32(c, c) >> 24;
     const std::uint64_t exponent = mode == FogMode::exp ? c : square;
     return numeric::exp2_neg(exponent < 0xFFFFFFFFu ? static_cast<std::uint32_t>(exponent) : 0xFFFFFFFFu) >>

@@ -61,7 +61,7 @@ FixedVertex vertex(double x, double y, double z, double w, double s, double t, d
     const double c[4] = {r, g, b, a};
     for (int i = 0; i < 4; ++i)
         v.color[i] = static_cast<std::uint32_t>(c[i] * color_one);
-    v.fog_mantissa = static_cast<std::uint32_t>(w * 268435456.0);
+    v.fog_mantissa = static_cast<std::int32_t>(w * 268435456.0);
     v.fog_exponent = -28;
     v.tex[0].s = static_cast<std::int32_t>(s * (1 << 20));
     v.tex[0].t = static_cast<std::int32_t>(t * (1 << 20));

@@ -75,8 +75,10 @@ std::map<GLenum, GLbitfield> server_state() {
     }
     if (SPANGLE_FEATURE_FOG) {
         groups[GL_FOG] = GL_FOG_BIT | GL_ENABLE_BIT;
-        for (GLenum name : {GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE})
+        for (GLenum name : {GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE, GL_FOG_INDEX,
+                            GL_FOG_COORDINATE_SOURCE})
             groups[name] = GL_FOG_BIT;
+        groups[GL_CURRENT_FOG_COORDINATE] = GL_CURRENT_BIT;
     }
     if (SPANGLE_FEATURE_LISTS)
         groups[GL_LIST_BASE] = GL_LIST_BIT;
@@ -126,6 +128,12 @@ std::map<GLenum, GLbitfield> client_state() {
         for (GLenum name :
              {GL_INDEX_ARRAY, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_POINTER})
             groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_FOG)
+        for (GLenum name : {GL_FOG_COORDINATE_ARRAY, GL_FOG_COORDINATE_ARRAY_TYPE,
+                            GL_FOG_COORDINATE_ARRAY_STRIDE, GL_FOG_COORDINATE_ARRAY_POINTER})
+            groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_FOG)
+        groups[GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING] = client_vertex_array;
     if (SPANGLE_FEATURE_BUFFERS)
         for (GLenum name : {GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING,
                             GL_VERTEX_ARRAY_BUFFER_BINDING, GL_NORMAL_ARRAY_BUFFER_BINDING,
@@ -256,6 +264,7 @@ class Attrib : public RecordingContext {
         for (GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
             glMaterialfv(GL_FRONT_AND_BACK, name, four);
         glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, f(20));
+        glMaterialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, four);
         k != 0 ? glColorMaterial(GL_FRONT, GL_EMISSION) : glColorMaterial(GL_BACK, GL_SPECULAR);
         (k != 0 ? glEnable : glDisable)(GL_COLOR_MATERIAL);
         glLightModelfv(GL_LIGHT_MODEL_AMBIENT, four);
@@ -268,6 +277,9 @@ class Attrib : public RecordingContext {
         for (GLenum name : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
             glFogf(name, f(2));
         glFogi(GL_FOG_MODE, k != 0 ? GL_LINEAR : GL_EXP2);
+        glFogf(GL_FOG_INDEX, f(3));
+        glFogi(GL_FOG_COORDINATE_SOURCE, k != 0 ? GL_FRAGMENT_DEPTH : GL_FOG_COORDINATE);
+        glFogCoordf(f(6));
 #endif
 #if SPANGLE_FEATURE_TEXGEN
         for (const GLenum coord : {GL_S, GL_T, GL_R, GL_Q}) {
@@ -317,6 +329,10 @@ class Attrib : public RecordingContext {
         glNormalPointer(type, k + 8, memory_ + 2 + k);
         glColorPointer(k + 3, type, k + 8, memory_ + 4 + k);
         glTexCoordPointer(k + 2, type, k + 8, memory_ + 6 + k);
+#if SPANGLE_FEATURE_FOG
+        (k != 0 ? glEnableClientState : glDisableClientState)(GL_FOG_COORDINATE_ARRAY);
+        glFogCoordPointer(k != 0 ? GL_FLOAT : GL_DOUBLE, k + 8, memory_ + 12 + k);
+#endif
 #if SPANGLE_FEATURE_POLYGON_MODE
         (k != 0 ? glEnableClientState : glDisableClientState)(GL_EDGE_FLAG_ARRAY);
         glEdgeFlagPointer(k + 8, memory_ + 8 + k);

@@ -148,9 +148,18 @@ std::vector<Expected> initial_state() {
         {GL_ACCUM_BLUE_BITS, {0}},
         {GL_ACCUM_ALPHA_BITS, {0}},
     };
-    const std::vector<Expected> fog = {{GL_FOG_COLOR, {0, 0, 0, 0}}, {GL_FOG_DENSITY, {1}},
-                                       {GL_FOG_START, {0}},          {GL_FOG_END, {1}},
-                                       {GL_FOG_MODE, {GL_EXP}},      {GL_FOG, {0}}};
+    const std::vector<Expected> fog = {{GL_FOG_COLOR, {0, 0, 0, 0}},
+                                       {GL_FOG_DENSITY, {1}},
+                                       {GL_FOG_START, {0}},
+                                       {GL_FOG_END, {1}},
+                                       {GL_FOG_MODE, {GL_EXP}},
+                                       {GL_FOG, {0}},
+                                       {GL_FOG_INDEX, {0}},
+                                       {GL_FOG_COORDINATE_SOURCE, {GL_FRAGMENT_DEPTH}},
+                                       {GL_CURRENT_FOG_COORDINATE, {0}},
+                                       {GL_FOG_COORDINATE_ARRAY, {0}},
+                                       {GL_FOG_COORDINATE_ARRAY_TYPE, {GL_FLOAT}},
+                                       {GL_FOG_COORDINATE_ARRAY_STRIDE, {0}}};
     std::vector<Expected> lighting = {
         {GL_LIGHTING, {0}},
         {GL_COLOR_MATERIAL, {0}},
@@ -176,6 +185,8 @@ std::vector<Expected> initial_state() {
             if ((SPANGLE_FEATURE_COLOR_INDEX || name != GL_INDEX_ARRAY_BUFFER_BINDING) &&
                 (SPANGLE_FEATURE_POLYGON_MODE || name != GL_EDGE_FLAG_ARRAY_BUFFER_BINDING))
                 table.push_back({name, {0}});
+    if (SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_FOG)
+        table.push_back({GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, {0}});
     if (SPANGLE_FEATURE_RASTER_POS)
         table.insert(table.end(), {{GL_CURRENT_RASTER_POSITION, {0, 0, 0, 1}},
                                    {GL_CURRENT_RASTER_POSITION_VALID, {1}},
@@ -303,7 +314,8 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
             const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
                               e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
                               e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN ||
-                              e.name == GL_FOG_END || e.name == GL_CURRENT_TEXTURE_COORDS ||
+                              e.name == GL_FOG_END || e.name == GL_FOG_INDEX ||
+                              e.name == GL_CURRENT_FOG_COORDINATE || e.name == GL_CURRENT_TEXTURE_COORDS ||
                               e.name == GL_CURRENT_INDEX || e.name == GL_CURRENT_RASTER_POSITION ||
                               e.name == GL_CURRENT_RASTER_DISTANCE || e.name == GL_CURRENT_RASTER_INDEX ||
                               e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
@@ -395,7 +407,8 @@ TEST_F(State, AbsentSystemsAreNamed) {
     static std::string said;
     on_message([](unsigned, const char* text) { said = text; });
     for (const auto& [array, present] : {std::pair{GLenum{GL_INDEX_ARRAY}, SPANGLE_FEATURE_COLOR_INDEX != 0},
-                                         {GLenum{GL_EDGE_FLAG_ARRAY}, SPANGLE_FEATURE_POLYGON_MODE != 0}}) {
+                                         {GLenum{GL_EDGE_FLAG_ARRAY}, SPANGLE_FEATURE_POLYGON_MODE != 0},
+                                         {GLenum{GL_FOG_COORDINATE_ARRAY}, SPANGLE_FEATURE_FOG != 0}}) {
         glEnableClientState(array);
         EXPECT_EQ(glGetError(), present ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION});
         EXPECT_EQ(glIsEnabled(array), present);

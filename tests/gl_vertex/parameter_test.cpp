@@ -199,7 +199,9 @@ TEST_F(Parameters, OfFog) {
     not_a_number(fog, GL_FOG_COLOR);
     for (const GLenum pname : {GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END})
         number(fog, pname);
+    number(fog, GL_FOG_INDEX);
     token(fog, GL_FOG_MODE, GL_LINEAR, GL_EXP2);
+    token(fog, GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE, GL_FRAGMENT_DEPTH);
 }
 
 TEST_F(Parameters, OfTextures) {

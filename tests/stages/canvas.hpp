@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "raster/primitive/draw.hpp"
@@ -49,10 +50,11 @@ struct Point {
 
 inline FixedVertex fixed_vertex(const Point& p) {
     FixedVertex v{};
-    const auto mantissa = [](double value, std::uint32_t& m, std::int16_t& e) {
+    const auto mantissa = []<class T>(double value, T& m, std::int16_t& e) {
+        constexpr int bits = std::numeric_limits<T>::digits;
         int exponent = 0;
-        m = static_cast<std::uint32_t>(std::frexp(value, &exponent) * 4294967296.0);
-        e = static_cast<std::int16_t>(exponent - 32);
+        m = static_cast<T>(std::ldexp(std::frexp(value, &exponent), bits));
+        e = static_cast<std::int16_t>(exponent - bits);
     };
     v.x = static_cast<std::int32_t>(std::lround(p.x * 256));
     v.y = static_cast<std::int32_t>(std::lround(p.y * 256));

@@ -38,6 +38,7 @@ void Normal(Context& context, Real x, Real y, Real z);
 void Color(Context& context, Real red, Real green, Real blue, Real alpha);
 void Index(Context& context, Real index);
 void EdgeFlag(Context& context, bool flag);
+void FogCoord(Context& context, Real coord);
 void RasterPos(Context& context, Real x, Real y, Real z, Real w);
 void WindowPos(Context& context, Real x, Real y, Real z);
 void Rect(Context& context, Real x1, Real y1, Real x2, Real y2);
@@ -47,6 +48,7 @@ void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, con
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer);
+void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 void ClientActiveTexture(Context& context, GLenum texture);
 void EnableClientState(Context& context, GLenum array);
 void DisableClientState(Context& context, GLenum array);
@@ -375,6 +377,13 @@ struct EdgeFlag {
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlag between glBegin and glEnd");
 };
+struct FogCoord {
+    static constexpr auto run = &cmd::FogCoord;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glFogCoord between glBegin and glEnd");
+};
 struct RasterPos {
     static constexpr auto run = &cmd::RasterPos;
     static constexpr auto encode = nullptr;
@@ -437,6 +446,13 @@ struct EdgeFlagPointer {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlagPointer between glBegin and glEnd");
+};
+struct FogCoordPointer {
+    static constexpr auto run = &cmd::FogCoordPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glFogCoordPointer between glBegin and glEnd");
 };
 struct ClientActiveTexture {
     static constexpr auto run = &cmd::ClientActiveTexture;

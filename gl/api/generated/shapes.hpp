@@ -95,6 +95,8 @@ inline Shape Material(GLenum pname) {
         return {Kind::color, 4};
     case GL_SHININESS:
         return {Kind::real, 1};
+    case GL_COLOR_INDEXES:
+        return {Kind::real, 3};
     default:
         return {};
     }
@@ -109,6 +111,8 @@ inline Shape GetMaterial(GLenum pname) {
         return {Kind::color, 4};
     case GL_SHININESS:
         return {Kind::real, 1};
+    case GL_COLOR_INDEXES:
+        return {Kind::real, 3};
     default:
         return {};
     }
@@ -165,10 +169,12 @@ inline Shape PixelTransfer(GLenum pname) {
 inline Shape Fog(GLenum pname) {
     switch (pname) {
     case GL_FOG_MODE:
+    case GL_FOG_COORDINATE_SOURCE:
         return {Kind::integer, 1};
     case GL_FOG_DENSITY:
     case GL_FOG_START:
     case GL_FOG_END:
+    case GL_FOG_INDEX:
         return {Kind::real, 1};
     case GL_FOG_COLOR:
         return {Kind::color, 4};

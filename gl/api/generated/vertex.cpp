@@ -946,6 +946,30 @@ void GLAPIENTRY glEdgeFlagv(const GLboolean* flag) {
 
 #endif
 
+#if SPANGLE_FEATURE_FOG
+
+void GLAPIENTRY glFogCoordf(GLfloat coord) {
+    issue<family::FogCoord>(convert::cast_f(coord));
+}
+
+void GLAPIENTRY glFogCoordfv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glFogCoordfv: null pointer"));
+    issue<family::FogCoord>(convert::cast_f(v[0]));
+}
+
+void GLAPIENTRY glFogCoordd(GLdouble coord) {
+    issue<family::FogCoord>(convert::cast_d(coord));
+}
+
+void GLAPIENTRY glFogCoorddv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glFogCoorddv: null pointer"));
+    issue<family::FogCoord>(convert::cast_d(v[0]));
+}
+
+#endif
+
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
@@ -1286,6 +1310,14 @@ void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer)
 
 void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) {
     issue<family::EdgeFlagPointer>(stride, pointer);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_FOG
+
+void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) {
+    issue<family::FogCoordPointer>(type, stride, pointer);
 }
 
 #endif
@@ -1646,6 +1678,30 @@ void GLAPIENTRY glRectxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
 
 void GLAPIENTRY glRectxvOES(const GLfixed*, const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glRectxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_FOG
+
+void GLAPIENTRY glFogCoordf(GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glFogCoordf: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogCoordfv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glFogCoordfv: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogCoordd(GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glFogCoordd: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogCoorddv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glFogCoorddv: this build has no SPANGLE_FEATURE_FOG"));
+}
+
+void GLAPIENTRY glFogCoordPointer(GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glFogCoordPointer: this build has no SPANGLE_FEATURE_FOG"));
 }
 
 #endif

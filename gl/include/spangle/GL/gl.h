@@ -203,6 +203,18 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_MAP_FLUSH_EXPLICIT_BIT 0x0010
 #define GL_MAP_UNSYNCHRONIZED_BIT 0x0020
 #define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
+#define GL_CURRENT_FOG_COORDINATE 0x8453
+#define GL_FOG_COORDINATE_ARRAY_TYPE 0x8454
+#define GL_FOG_COORDINATE_ARRAY_STRIDE 0x8455
+#define GL_FOG_COORDINATE_ARRAY_POINTER 0x8456
+#define GL_FOG_COORDINATE_ARRAY 0x8457
+#define GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING 0x889D
+#define GL_CURRENT_FOG_COORD 0x8453
+#define GL_FOG_COORD_ARRAY_TYPE 0x8454
+#define GL_FOG_COORD_ARRAY_STRIDE 0x8455
+#define GL_FOG_COORD_ARRAY_POINTER 0x8456
+#define GL_FOG_COORD_ARRAY 0x8457
+#define GL_FOG_COORD_ARRAY_BUFFER_BINDING 0x889D
 #define GL_CURRENT_RASTER_COLOR 0x0B04
 #define GL_CURRENT_RASTER_INDEX 0x0B05
 #define GL_CURRENT_RASTER_TEXTURE_COORDS 0x0B06
@@ -385,6 +397,10 @@ GLAPI void GLAPIENTRY glIndexxOES(GLfixed index);
 GLAPI void GLAPIENTRY glIndexxvOES(const GLfixed* v);
 GLAPI void GLAPIENTRY glEdgeFlag(GLboolean flag);
 GLAPI void GLAPIENTRY glEdgeFlagv(const GLboolean* flag);
+GLAPI void GLAPIENTRY glFogCoordf(GLfloat coord);
+GLAPI void GLAPIENTRY glFogCoordfv(const GLfloat* v);
+GLAPI void GLAPIENTRY glFogCoordd(GLdouble coord);
+GLAPI void GLAPIENTRY glFogCoorddv(const GLdouble* v);
 GLAPI void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y);
 GLAPI void GLAPIENTRY glRasterPos2sv(const GLshort* v);
 GLAPI void GLAPIENTRY glRasterPos2i(GLint x, GLint y);
@@ -447,6 +463,7 @@ GLAPI void GLAPIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, co
 GLAPI void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer);
+GLAPI void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glClientActiveTexture(GLenum texture);
 GLAPI void GLAPIENTRY glEnableClientState(GLenum array);
 GLAPI void GLAPIENTRY glDisableClientState(GLenum array);
@@ -602,6 +619,7 @@ GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 #define GL_EMISSION 0x1600
 #define GL_SHININESS 0x1601
 #define GL_AMBIENT_AND_DIFFUSE 0x1602
+#define GL_COLOR_INDEXES 0x1603
 #define GL_POLYGON_MODE 0x0B40
 #define GL_POINT 0x1B00
 #define GL_LINE 0x1B01
@@ -802,6 +820,12 @@ GLAPI void GLAPIENTRY glLineWidthxOES(GLfixed width);
 #define GL_FOG_END 0x0B64
 #define GL_FOG_MODE 0x0B65
 #define GL_FOG_COLOR 0x0B66
+#define GL_FOG_INDEX 0x0B61
+#define GL_FOG_COORDINATE_SOURCE 0x8450
+#define GL_FOG_COORDINATE 0x8451
+#define GL_FRAGMENT_DEPTH 0x8452
+#define GL_FOG_COORD_SRC 0x8450
+#define GL_FOG_COORD 0x8451
 #define GL_EXP 0x0800
 #define GL_EXP2 0x0801
 #define GL_PERSPECTIVE_CORRECTION_HINT 0x0C50

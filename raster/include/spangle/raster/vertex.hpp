@@ -18,8 +18,8 @@ struct FixedVertex {
     std::uint32_t z;   ///< 0 .. depth_one
     std::uint32_t w_mantissa; ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
     std::int16_t w_exponent;
-    std::int16_t fog_exponent; ///< eye distance |z_e| = fog_mantissa * 2^fog_exponent
-    std::uint32_t fog_mantissa;
+    std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
+    std::int32_t fog_mantissa;
     std::uint32_t color[4];     ///< RGBA, colour units, 0 .. color_one
     std::uint32_t secondary[3]; ///< RGB, colour units
     struct TexCoord {
