@@ -12,6 +12,8 @@
 namespace spangle::test {
 namespace {
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+
 class ColorIndex : public Canvas {
   protected:
     void SetUp() override {
@@ -289,6 +291,8 @@ TEST_F(ColorIndex, Feedback) {
     buffer.resize(static_cast<std::size_t>(glRenderMode(GL_RENDER)));
     EXPECT_EQ(buffer, (std::vector<GLfloat>{GL_POINT_TOKEN, 32, 32, 0.5f, 2.75f, 5, 6, 0, 1}));
 }
+#endif
+
 #endif
 
 } // namespace
