@@ -13,6 +13,16 @@ struct UsbSetup {
     std::uint16_t value = 0, index = 0, length = 0;
 };
 
+/// What becomes of a bulk transfer on its way to a device.
+enum class UsbFate {
+    normal,
+    cut,    ///< half of it arrives, and the controller calls that done
+    stall,  ///< the endpoint halts
+    silent, ///< never done: the host's timeout ends it
+    unplug, ///< the device goes, with the transfer under way
+    error,  ///< the controller reports a protocol error
+};
+
 class UsbFunction {
   public:
     virtual ~UsbFunction() = default;

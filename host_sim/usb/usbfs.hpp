@@ -21,15 +21,8 @@ class UsbfsDevice final : public Device {
     explicit UsbfsDevice(UsbFunction& function) : function_(function) {}
     void attach(Kernel& kernel, const std::string& path);
 
-    /// What becomes of a bulk transfer of `count` bytes.
-    enum class Fate {
-        normal,
-        cut,    ///< half of it arrives, and the controller calls that done
-        stall,  ///< the endpoint halts
-        silent, ///< never done: the host's timeout ends it
-        unplug, ///< the device goes, with the transfer under way
-        error,  ///< the controller reports a protocol error
-    };
+    using Fate = UsbFate;
+    /// Of a transfer of `count` bytes.
     std::function<Fate(std::size_t count)> fate;
     bool kernel_driver = false; ///< somebody has the interface, and is asked to let go
     bool claimed_elsewhere = false;

@@ -1,0 +1,73 @@
+#include "tests/hal_kernel/sim_chip.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/hal_kernel/files.hpp"
+
+namespace kernel_test {
+namespace {
+
+const std::string folder = "/sys/kernel/config/gpio-sim/chip";
+const std::string bank = folder + "/bank0";
+const std::string spi_driver = "/sys/bus/platform/drivers/spi_gpio/";
+const std::string spi_bus = "spi_gpio.0";
+
+} // namespace
+
+SimChip::SimChip(const std::string& label, unsigned lines) : label_(label) {
+    mkdir(folder.c_str(), 0755);
+    mkdir(bank.c_str(), 0755);
+    write_text(bank + "/num_lines", std::to_string(lines));
+    write_text(bank + "/label", label);
+    write_text(folder + "/live", "1");
+    const std::string name = read_text(bank + "/chip_name");
+    path_ = "/dev/" + name;
+    lines_folder_ = "/sys/devices/platform/" + read_text(folder + "/dev_name") + "/" + name + "/sim_gpio";
+    await("make the chip's device file", [&] { return exists(path_); });
+    if (!has_bus())
+        return;
+    // Whose probe waited for the chip comes by itself; whom an earlier test unbound does not.
+    if (!exists(spi_driver + spi_bus))
+        try {
+            write_text(spi_driver + "bind", spi_bus);
+        } catch (const std::runtime_error&) { // it came in between
+        }
+    await("make the SPI device", [] { return exists("/dev/spidev0.0"); });
+}
+
+SimChip::~SimChip() {
+    if (present_)
+        remove();
+    rmdir(bank.c_str());
+    rmdir(folder.c_str());
+}
+
+void SimChip::remove() {
+    present_ = false;
+    if (has_bus())
+        write_text(spi_driver + "unbind", spi_bus);
+    write_text(folder + "/live", "0");
+}
+
+unsigned SimChip::first_number() const {
+    for (const auto& chip : std::filesystem::directory_iterator("/sys/class/gpio")) {
+        const std::string label = chip.path().string() + "/label";
+        if (exists(label) && read_text(label) == label_)
+            return static_cast<unsigned>(std::stoul(read_text(chip.path().string() + "/base")));
+    }
+    throw std::runtime_error("no chip of that label in /sys/class/gpio");
+}
+
+bool SimChip::level(unsigned line) const {
+    return read_text(lines_folder_ + std::to_string(line) + "/value") == "1";
+}
+
+void SimChip::pull(unsigned line, bool high) {
+    write_text(lines_folder_ + std::to_string(line) + "/pull", high ? "pull-up" : "pull-down");
+}
+
+} // namespace kernel_test
