@@ -6,7 +6,10 @@ set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 cache=$1
 shift
-kernel=$(find "$cache" -path "*-$("$here/kernel/key.sh")/linux" 2>/dev/null | sort -V | tail -n 1)
+kernel=
+for built in "$cache"/*-"$("$here/kernel/key.sh")"/linux; do # the newest source's is the last
+    [ -x "$built" ] && kernel=$built
+done
 if [ -z "$kernel" ]; then
     echo "skipped: the kernel for these tests is not in $cache; './dev kernel' builds it there"
     exit 77
