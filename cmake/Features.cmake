@@ -16,6 +16,7 @@ spangle_feature(TEXTURE_COMBINE "Texture environments that combine (COMBINE, DOT
 spangle_feature(RASTER_POS "RasterPos and WindowPos")
 spangle_feature(PIXEL_TRANSFER "Pixel transfer and pixel maps")
 spangle_feature(BUFFERS "Buffer objects")
+spangle_feature(STENCIL_SIDES "Stencil tests of back faces of their own")
 spangle_feature(COLOR_INDEX "Colour indices as vertex attributes")
 spangle_feature(ATTRIB_STACKS "PushAttrib and PushClientAttrib")
 spangle_feature(SELECTION "Selection: name stack and hit records")

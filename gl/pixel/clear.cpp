@@ -21,7 +21,7 @@ void Clear(Context& context, GLbitfield mask) {
     request.dither = ops.dither;
     request.depth = (mask & GL_DEPTH_BUFFER_BIT) != 0 && ops.depth_mask;
     request.stencil_mask = (mask & GL_STENCIL_BUFFER_BIT) != 0
-                               ? static_cast<std::uint8_t>(ops.stencil_write_mask)
+                               ? static_cast<std::uint8_t>(ops.stencil[0].write_mask)
                                : std::uint8_t{0};
     for (int c = 0; c < 4; ++c)
         request.color[c] = color_units(ops.color_clear[c]);

@@ -1,25 +1,12 @@
-// Per-fragment state: scissor, tests, blending, masks, clear values, buffer selection (GL 1.3, 4.1, 4.2).
+// Per-fragment state: scissor, alpha and depth test, masks, clear values, buffer selection
+// (GL 1.3, 4.1, 4.2).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/pixel/compare.hpp"
 
 namespace spangle::gl::cmd {
 
 namespace {
-
-bool is_compare(GLenum func) {
-    return func >= GL_NEVER && func <= GL_ALWAYS;
-}
-
-bool is_stencil_op(GLenum op) {
-    return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR ||
-           op == GL_INVERT;
-}
-
-/// Factors both sides take (GL 1.3, tables 4.1 and 4.2).
-bool is_common_factor(GLenum factor) {
-    return factor == GL_ZERO || factor == GL_ONE ||
-           (factor >= GL_SRC_ALPHA && factor <= GL_ONE_MINUS_DST_ALPHA);
-}
 
 /// Which buffers a name asks for.
 enum : unsigned { front_buffer = 1, back_buffer = 2, missing_buffer = 4, unknown_buffer = 8 };
@@ -73,29 +60,6 @@ void AlphaFunc(Context& context, GLenum func, Real ref) {
     context.changed(dirty_fragment);
 }
 
-void StencilFunc(Context& context, GLenum func, GLint ref, GLuint mask) {
-    if (!is_compare(func))
-        return error(context, GL_INVALID_ENUM);
-    context.fragment_ops.stencil_func = func;
-    context.fragment_ops.stencil_ref = ref;
-    context.fragment_ops.stencil_value_mask = mask;
-    context.changed(dirty_fragment);
-}
-
-void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass) {
-    if (!is_stencil_op(fail) || !is_stencil_op(zfail) || !is_stencil_op(zpass))
-        return error(context, GL_INVALID_ENUM);
-    context.fragment_ops.stencil_fail = fail;
-    context.fragment_ops.stencil_pass_depth_fail = zfail;
-    context.fragment_ops.stencil_pass_depth_pass = zpass;
-    context.changed(dirty_fragment);
-}
-
-void StencilMask(Context& context, GLuint mask) {
-    context.fragment_ops.stencil_write_mask = mask;
-    context.changed(dirty_fragment);
-}
-
 void DepthFunc(Context& context, GLenum func) {
     if (!is_compare(func))
         return error(context, GL_INVALID_ENUM);
@@ -105,18 +69,6 @@ void DepthFunc(Context& context, GLenum func) {
 
 void DepthMask(Context& context, bool flag) {
     context.fragment_ops.depth_mask = flag;
-    context.changed(dirty_fragment);
-}
-
-void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor) {
-    const bool source = is_common_factor(sfactor) || sfactor == GL_DST_COLOR ||
-                        sfactor == GL_ONE_MINUS_DST_COLOR || sfactor == GL_SRC_ALPHA_SATURATE;
-    const bool destination =
-        is_common_factor(dfactor) || dfactor == GL_SRC_COLOR || dfactor == GL_ONE_MINUS_SRC_COLOR;
-    if (!source || !destination)
-        return error(context, GL_INVALID_ENUM);
-    context.fragment_ops.blend_src = sfactor;
-    context.fragment_ops.blend_dst = dfactor;
     context.changed(dirty_fragment);
 }
 

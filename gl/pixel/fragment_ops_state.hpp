@@ -5,6 +5,21 @@
 
 namespace spangle::gl {
 
+/// Of the faces of one side.
+struct StencilSide {
+    GLenum func = GL_ALWAYS;
+    GLint ref = 0;
+    GLuint value_mask = 0xFFFFFFFF;
+    GLenum fail = GL_KEEP, pass_depth_fail = GL_KEEP, pass_depth_pass = GL_KEEP;
+    GLuint write_mask = 0xFFFFFFFF;
+    friend constexpr bool operator==(const StencilSide&, const StencilSide&) = default;
+};
+
+/// Of red, green and blue, or of alpha.
+struct BlendPart {
+    GLenum src = GL_ONE, dst = GL_ZERO, equation = GL_FUNC_ADD;
+};
+
 struct FragmentOpsState {
     bool scissor_test = false;
     GLint scissor_box[4] = {0, 0, 0, 0};
@@ -12,18 +27,17 @@ struct FragmentOpsState {
     GLenum alpha_func = GL_ALWAYS;
     Real alpha_ref = numeric::zero;
     bool stencil_test = false;
-    GLenum stencil_func = GL_ALWAYS;
-    GLint stencil_ref = 0;
-    GLuint stencil_value_mask = 0xFFFFFFFF;
-    GLenum stencil_fail = GL_KEEP, stencil_pass_depth_fail = GL_KEEP, stencil_pass_depth_pass = GL_KEEP;
-    GLuint stencil_write_mask = 0xFFFFFFFF;
+    StencilSide stencil[2]; ///< front, back
     GLint stencil_clear = 0;
     bool depth_test = false;
     GLenum depth_func = GL_LESS;
     bool depth_mask = true;
     Real depth_clear = numeric::one;
     bool blend = false;
-    GLenum blend_src = GL_ONE, blend_dst = GL_ZERO;
+    BlendPart blend_rgb, blend_alpha;
+    Real blend_color[4] = {};
+    bool color_logic_op = false, index_logic_op = false;
+    GLenum logic_op = GL_COPY;
     bool dither = true;
     bool color_mask[4] = {true, true, true, true};
     Real color_clear[4] = {};

@@ -26,6 +26,10 @@ raster::StencilOp stencil_op_of(GLenum op) {
         return raster::StencilOp::decr;
     case GL_INVERT:
         return raster::StencilOp::invert;
+    case GL_INCR_WRAP:
+        return raster::StencilOp::incr_wrap;
+    case GL_DECR_WRAP:
+        return raster::StencilOp::decr_wrap;
     default:
         return raster::StencilOp::keep;
     }
@@ -34,7 +38,41 @@ raster::StencilOp stencil_op_of(GLenum op) {
 raster::BlendFactor factor_of(GLenum factor) {
     if (factor <= GL_ONE)
         return static_cast<raster::BlendFactor>(factor);
-    return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR + 2);
+    if (factor >= GL_CONSTANT_COLOR)
+        return static_cast<raster::BlendFactor>(factor - GL_CONSTANT_COLOR +
+                                                static_cast<GLenum>(raster::BlendFactor::constant_color));
+    return static_cast<raster::BlendFactor>(factor - GL_SRC_COLOR +
+                                            static_cast<GLenum>(raster::BlendFactor::src_color));
+}
+
+raster::BlendEquation equation_of(GLenum mode) {
+    switch (mode) {
+    case GL_FUNC_SUBTRACT:
+        return raster::BlendEquation::subtract;
+    case GL_FUNC_REVERSE_SUBTRACT:
+        return raster::BlendEquation::reverse_subtract;
+    case GL_MIN:
+        return raster::BlendEquation::min;
+    case GL_MAX:
+        return raster::BlendEquation::max;
+    default:
+        return raster::BlendEquation::add;
+    }
+}
+
+raster::Blending blending_of(const BlendPart& part) {
+    return {factor_of(part.src), factor_of(part.dst), equation_of(part.equation)};
+}
+
+raster::StencilState stencil_of(const StencilSide& side) {
+    const GLint ref = side.ref < 0 ? 0 : side.ref > 255 ? 255 : side.ref;
+    return {compare_of(side.func),
+            static_cast<std::uint8_t>(ref),
+            static_cast<std::uint8_t>(side.value_mask),
+            static_cast<std::uint8_t>(side.write_mask),
+            stencil_op_of(side.fail),
+            stencil_op_of(side.pass_depth_fail),
+            stencil_op_of(side.pass_depth_pass)};
 }
 
 void fill_fog(const Context& context, raster::FragmentState& out) {
@@ -64,14 +102,7 @@ void fill_tests(const Context& context, raster::FragmentState& out) {
     out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
     // Without a stencil or depth buffer the test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
     out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
-    const GLint ref = ops.stencil_ref < 0 ? 0 : ops.stencil_ref > 255 ? 255 : ops.stencil_ref;
-    out.stencil = {compare_of(ops.stencil_func),
-                   static_cast<std::uint8_t>(ref),
-                   static_cast<std::uint8_t>(ops.stencil_value_mask),
-                   static_cast<std::uint8_t>(ops.stencil_write_mask),
-                   stencil_op_of(ops.stencil_fail),
-                   stencil_op_of(ops.stencil_pass_depth_fail),
-                   stencil_op_of(ops.stencil_pass_depth_pass)};
+    out.stencil = stencil_of(ops.stencil[0]);
     out.depth_test = ops.depth_test && format != DepthFormat::none;
     out.depth_write = ops.depth_mask;
     out.depth_func = compare_of(ops.depth_func);
@@ -86,8 +117,12 @@ void fill(const Context& context, raster::FragmentState& out) {
     // Without lighting the secondary colour is zero (GL 1.3, 2.13.1).
     out.color_sum = context.lighting.lighting && context.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
     out.blend = ops.blend;
-    out.blend_src = factor_of(ops.blend_src);
-    out.blend_dst = factor_of(ops.blend_dst);
+    out.blend_rgb = blending_of(ops.blend_rgb);
+    out.blend_alpha = blending_of(ops.blend_alpha);
+    for (int c = 0; c < 4; ++c)
+        out.blend_color[c] = color_units(ops.blend_color[c]);
+    out.logic = ops.color_logic_op;
+    out.logic_op = static_cast<raster::LogicOp>(ops.logic_op - GL_CLEAR);
     out.dither = ops.dither;
     out.color_mask = written_channels(context);
     out.scissor = drawing_rect(context);
@@ -138,6 +173,23 @@ void observe(Context& context, raster::Counters* counters, bool count_passed) {
     context.changed(dirty_fragment);
 }
 
+bool stencil_sides([[maybe_unused]] const Context& context) {
+#if SPANGLE_FEATURE_STENCIL_SIDES
+    const FragmentOpsState& ops = context.fragment_ops;
+    return ops.stencil_test && ops.stencil[0] != ops.stencil[1];
+#else
+    return false;
+#endif
+}
+
+const raster::DrawState& draw_state_of(const Context& context, [[maybe_unused]] int side) {
+#if SPANGLE_FEATURE_STENCIL_SIDES
+    if (side != 0)
+        return context.fragments.back;
+#endif
+    return context.fragments.state;
+}
+
 const raster::DrawState& draw_state(Context& context) {
     FragmentCache& cache = context.fragments;
     const std::uint32_t texture_changes = context.share->texture_changes;
@@ -147,6 +199,13 @@ const raster::DrawState& draw_state(Context& context) {
         fill(context, fragment);
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = cache.counters;
+#if SPANGLE_FEATURE_STENCIL_SIDES
+        if (stencil_sides(context)) {
+            fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
+            context.engine->compile(fragment, context.drawable.surface, cache.back);
+            cache.back.counters = cache.counters;
+        }
+#endif
         context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_fragment);
     }
     return cache.state;

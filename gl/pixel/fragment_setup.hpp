@@ -9,6 +9,12 @@ namespace spangle::gl {
 /// What the next primitive is drawn with. Near-free while no state has changed.
 const raster::DrawState& draw_state(Context& context);
 
+/// Back faces have a stencil test of their own (GL 2.0, 4.1.5).
+bool stencil_sides(const Context& context);
+
+/// What polygons of side 0 (front) or 1 (back) are drawn with, while `draw_state` is good.
+const raster::DrawState& draw_state_of(const Context& context, int side);
+
 /// The scissor rectangle cut to the surface; the whole surface while SCISSOR_TEST is off. May be empty.
 Rect drawing_rect(const Context& context);
 

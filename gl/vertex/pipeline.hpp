@@ -117,6 +117,7 @@ template <class M, class L> class Pipeline {
     bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
     bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
     bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
+    bool stencil_sides_ = false;               ///< back faces have a DrawState of their own
     bool captures_ = false;                    ///< primitives are selected or fed back, not drawn
     bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
     GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
@@ -169,7 +170,8 @@ template <class M, class L> class Pipeline {
         outlines_ =
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed();
-        whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any();
+        stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
+        whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }

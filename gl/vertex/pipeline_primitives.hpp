@@ -163,6 +163,8 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
     const bool ccw = area > 0;
     if (ccw ? culls_ccw_ : culls_cw_)
         return;
+    if (SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides_)
+        state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
     if (ccw != front_is_ccw_ && two_sided_)
         return draw_back(corners, n, provoking, part);
     for (int i = 0; i < n && !flat_; ++i)

@@ -101,10 +101,10 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     using One = OneLane<N>;
     using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.blend)
-        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Format>>(
-            key.blend_src == BlendFactor::src_alpha && key.blend_dst == BlendFactor::one_minus_src_alpha);
-    if (key.masked)
-        chain.template add<StoreMasked<One, Format>>();
+        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Format>>(!key.blend_general &&
+                                                                             key.blending == blend_over);
+    if (key.masked || key.logic)
+        chain.template add<StoreMerged<One, Format>>();
     else
         chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither);
 }

@@ -36,8 +36,7 @@ struct Say {
     constexpr Say blend() const {
         Say s = *this;
         s.key.blend = true;
-        s.key.blend_src = BlendFactor::src_alpha;
-        s.key.blend_dst = BlendFactor::one_minus_src_alpha;
+        s.key.blending = blend_over;
         return s;
     }
     constexpr Say fog() const {

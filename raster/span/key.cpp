@@ -55,20 +55,32 @@ bool source_alpha(BlendFactor f) {
            f == BlendFactor::src_alpha_saturate;
 }
 
-bool blends(const FragmentState& state) {
-    return state.blend && !(state.blend_src == BlendFactor::one && state.blend_dst == BlendFactor::zero);
+bool has_alpha(PixelFormat format) {
+    return format_info(format).alpha_bits != 0;
+}
+
+void blend_key(Key& key, const FragmentState& state) {
+    const Blending& rgb = state.blend_rgb;
+    const bool same = !has_alpha(key.format) || rgb == state.blend_alpha;
+    key.blend = state.blend && !state.logic && !(same && rgb == Blending{});
+    if (!key.blend)
+        return;
+    const auto constant = [](BlendFactor f) { return f >= BlendFactor::constant_color; };
+    key.blend_general = !same || rgb.equation != BlendEquation::add || constant(rgb.src) || constant(rgb.dst);
+    if (!key.blend_general)
+        key.blending = rgb;
 }
 
 /// Something after the texture units looks at alpha.
-bool alpha_is_read(const Key& key) {
-    return key.alpha != Compare::always || key.format == PixelFormat::rgba8888 ||
-           (key.blend && (source_alpha(key.blend_src) || source_alpha(key.blend_dst)));
+bool alpha_is_read(const Key& key, const FragmentState& state) {
+    return key.alpha != Compare::always || has_alpha(key.format) ||
+           (key.blend && (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
 }
 
 /// The colour is 16 bits from its source to the surface.
 bool raw(const Key& key, const FragmentState& state) {
     if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
-        key.masked || key.stencil)
+        key.masked || key.logic || key.stencil)
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.unit[1].on)
@@ -104,18 +116,15 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     }
     if (key.stencil || key.depth != Compare::always || key.depth_write)
         key.depth_format = target.depth_format;
-    key.blend = blends(state);
-    if (key.blend) {
-        key.blend_src = state.blend_src;
-        key.blend_dst = state.blend_dst;
-    }
-    const std::uint8_t channels = format_info(target.format).alpha_bits != 0 ? 0xF : 0x7;
+    blend_key(key, state);
+    const std::uint8_t channels = has_alpha(target.format) ? 0xF : 0x7;
     key.masked = (state.color_mask & channels) != channels;
+    key.logic = state.logic && state.logic_op != LogicOp::copy;
     key.count = state.count;
     key.combine = combines(state);
     // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.
     key.color = key.combine || color_survives(state, false);
-    key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key));
+    key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
     key.color = key.color || key.color_alpha;
     if (raw(key, state)) {
         key.number = Number::raw565;

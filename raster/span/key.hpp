@@ -42,9 +42,11 @@ struct Key {
     bool depth_write = false;
     bool blend = false;
     bool cubic = false; ///< texture coordinates of the exact tier; said where the number does not say it
-    BlendFactor blend_src = BlendFactor::one, blend_dst = BlendFactor::zero;
+    bool blend_general = false; ///< read from the state while drawing; `blending` is its default then
+    Blending blending;
     bool dither = false;
     bool masked = false; ///< some colour channel is not written
+    bool logic = false;
     bool count = false;
     friend constexpr bool operator==(const Key&, const Key&) = default;
 };

@@ -165,7 +165,7 @@ template <class N> class Fragment {
             run<Fog>();
             colors(ShadowStage::fog);
         }
-        if (!state.fragment.blend)
+        if (!state.fragment.blend || state.fragment.logic)
             return;
         switch (state.format) {
         case PixelFormat::rgb565_be:
@@ -180,8 +180,7 @@ template <class N> class Fragment {
     }
     template <PixelFormat Format> void blend() {
         const FragmentState& state = fixed_.state->fragment;
-        const bool over =
-            state.blend_src == BlendFactor::src_alpha && state.blend_dst == BlendFactor::one_minus_src_alpha;
+        const bool over = state.blend_rgb == blend_over && state.blend_alpha == blend_over;
         if (over ? run<BlendAlpha<N, Format>, BlendAlpha<Reference, Format>>()
                  : run<Blend<N, Format>, Blend<Reference, Format>>())
             colors(ShadowStage::blend);

@@ -74,31 +74,48 @@ template <class N, PixelFormat Format> struct BlendPacked : StageBase {
     }
 };
 
-/// All factors, chosen at run time.
+/// All equations and factors, chosen at run time.
 template <class N, PixelFormat Format> struct Blend : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     using T = typename N::T;
-    BlendFactor src, dst;
-    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t)
-        : src(s.state->fragment.blend_src), dst(s.state->fragment.blend_dst) {}
+    using Color = typename N::Color;
+    const FragmentState& state;
+    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t) : state(s.state->fragment) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::Color s = p.color, d = load_color<N, Format>(p.color_plane, p.i);
-        p.color.r = combine(s, d, s.r, d.r, false);
-        p.color.g = combine(s, d, s.g, d.g, false);
-        p.color.b = combine(s, d, s.b, d.b, false);
-        p.color.a = combine(s, d, s.a, d.a, true);
+        const Color s = p.color, d = load_color<N, Format>(p.color_plane, p.i);
+        const std::uint32_t* const constant = state.blend_color;
+        const auto rgb = [&](T cs, T cd, int i) {
+            return combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
+        };
+        p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
+                   combine(of_alpha(state.blend_alpha), s, d, s.a, d.a, N::from_units(constant[3]))};
         return true;
     }
 
   private:
-    T combine(const typename N::Color& s, const typename N::Color& d, T cs, T cd, bool alpha) const {
-        return N::add(times(cs, src, s, d, cs, cd, alpha), times(cd, dst, s, d, cs, cd, alpha));
+    /// Of alpha the saturating factor is 1.
+    static Blending of_alpha(Blending b) {
+        if (b.src == BlendFactor::src_alpha_saturate)
+            b.src = BlendFactor::one;
+        return b;
+    }
+    /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
+    [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
+        if (by.equation == BlendEquation::min)
+            return cs < cd ? cs : cd;
+        if (by.equation == BlendEquation::max)
+            return cs < cd ? cd : cs;
+        const T source = times(cs, by.src, s, d, cs, cd, cc), stored = times(cd, by.dst, s, d, cs, cd, cc);
+        if (by.equation == BlendEquation::add)
+            return N::add(source, stored);
+        return by.equation == BlendEquation::subtract ? N::subtract(source, stored)
+                                                      : N::subtract(stored, source);
     }
     /// value * factor; 0 and 1 are exact (GL 1.3, 4.1.7).
-    [[gnu::noinline]] static T times(T value, BlendFactor factor, const typename N::Color& s,
-                                     const typename N::Color& d, T cs, T cd, bool alpha) {
+    [[gnu::noinline]] T times(T value, BlendFactor factor, const Color& s, const Color& d, T cs, T cd,
+                              T cc) const {
         const T one = N::from_units(color_one);
         switch (factor) {
         case BlendFactor::zero:
@@ -122,7 +139,15 @@ template <class N, PixelFormat Format> struct Blend : StageBase {
         case BlendFactor::one_minus_dst_color:
             return N::mul(value, one - cd);
         case BlendFactor::src_alpha_saturate:
-            return alpha ? value : N::mul(value, s.a < one - d.a ? s.a : one - d.a);
+            return N::mul(value, s.a < one - d.a ? s.a : one - d.a);
+        case BlendFactor::constant_color:
+            return N::mul(value, cc);
+        case BlendFactor::one_minus_constant_color:
+            return N::mul(value, one - cc);
+        case BlendFactor::constant_alpha:
+            return N::mul(value, N::from_units(state.blend_color[3]));
+        case BlendFactor::one_minus_constant_alpha:
+            return N::mul(value, one - N::from_units(state.blend_color[3]));
         }
         return value;
     }

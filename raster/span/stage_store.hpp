@@ -119,41 +119,56 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
-/// Some channels keep what is stored; dithers when the state says so (GL 1.3, 4.2.2).
-template <class N, PixelFormat Format> struct StoreMasked : StageBase {
+/// Bits come from the logical operation with what is stored, or stay, where a channel is masked; dithers when
+/// the state says so (GL 1.3, 4.1.9, 4.2.2).
+template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
     detail::DitherRow<L> dither;
     bool dithers;
-    std::uint8_t mask;
-    SPANGLE_INLINE StoreMasked(const Span<typename N::Policy>& s, std::int32_t x)
-        : dither(s.x + x, s.y), dithers(s.state->fragment.dither), mask(s.state->fragment.color_mask) {}
+    std::uint32_t open[4]; ///< all ones where a channel is written
+    std::uint32_t
+        truth[4]; ///< all ones where the operation gives 1: of both, the colour, the stored, neither
+    SPANGLE_INLINE StoreMerged(const Span<typename N::Policy>& s, std::int32_t x)
+        : dither(s.x + x, s.y), dithers(s.state->fragment.dither) {
+        const FragmentState& state = s.state->fragment;
+        const auto op = static_cast<unsigned>(state.logic ? state.logic_op : LogicOp::copy);
+        for (unsigned i = 0; i < 4; ++i) {
+            open[i] = 0u - (state.color_mask >> i & 1u);
+            truth[i] = 0u - (op >> i & 1u);
+        }
+    }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto& c = p.color;
         if constexpr (is_565(Format)) {
             std::uint8_t* const at = p.color_plane + 2 * p.i;
-            const std::uint32_t bits = ((mask & 1) != 0 ? 0xF800u : 0) | ((mask & 2) != 0 ? 0x07E0u : 0) |
-                                       ((mask & 4) != 0 ? 0x1Fu : 0);
+            const std::uint32_t bits = (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
             const std::uint32_t t = dither.threshold();
             const std::uint32_t word =
                 dithers ? pack565<N>(N::template dithered<5>(c.r, t), N::template dithered<6>(c.g, t),
                                      N::template dithered<5>(c.b, t))
                         : truncated565<N>(c);
-            Words565<L, Format>::store(at, (word & bits) | (Words565<L, Format>::load(at) & ~bits));
+            Words565<L, Format>::store(at, merged(word, Words565<L, Format>::load(at), bits));
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
             std::uint8_t* const at = p.color_plane + bytes * p.i;
             const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
             for (int i = 0; i < bytes; ++i)
-                if ((mask >> i & 1) != 0)
-                    at[i] = static_cast<std::uint8_t>(N::to8(channel[i]));
+                at[i] = static_cast<std::uint8_t>(merged(N::to8(channel[i]), at[i], open[i]));
         }
         return true;
     }
     SPANGLE_INLINE void step() { dither.step(); }
+
+  private:
+    std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
+        const std::uint32_t result =
+            (truth[0] & s & d) | (truth[1] & s & ~d) | (truth[2] & ~s & d) | (truth[3] & ~s & ~d);
+        return (result & bits) | (d & ~bits);
+    }
 };
 
 } // namespace spangle::raster

@@ -153,8 +153,7 @@ void S7_sprites(benchmark::State& run) {
     Frame f;
     f.use_texture(TexelFormat::rgba8888, BaseFormat::rgba, 32, Filter::nearest, TexEnv::replace);
     f.state.blend = true;
-    f.state.blend_src = BlendFactor::src_alpha;
-    f.state.blend_dst = BlendFactor::one_minus_src_alpha;
+    f.state.blend_rgb = f.state.blend_alpha = blend_over;
     const DrawState d = compile<FixedVertex>(f.state, f.surface);
     for (auto _ : run) {
         std::uint32_t s = 12345;

@@ -38,6 +38,13 @@ std::map<GLenum, GLbitfield> server_state() {
                                            {GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_BUFFER_BIT},
                                            {GL_STENCIL_PASS_DEPTH_PASS, GL_STENCIL_BUFFER_BIT},
                                            {GL_STENCIL_WRITEMASK, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_FUNC, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_VALUE_MASK, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_REF, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_FAIL, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_PASS_DEPTH_PASS, GL_STENCIL_BUFFER_BIT},
+                                           {GL_STENCIL_BACK_WRITEMASK, GL_STENCIL_BUFFER_BIT},
                                            {GL_STENCIL_CLEAR_VALUE, GL_STENCIL_BUFFER_BIT},
                                            {GL_VIEWPORT, GL_VIEWPORT_BIT},
                                            {GL_DEPTH_RANGE, GL_VIEWPORT_BIT},
@@ -50,6 +57,16 @@ std::map<GLenum, GLbitfield> server_state() {
                                            {GL_BLEND, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
                                            {GL_BLEND_SRC, GL_COLOR_BUFFER_BIT},
                                            {GL_BLEND_DST, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_SRC_RGB, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_DST_RGB, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_SRC_ALPHA, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_DST_ALPHA, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_EQUATION, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_EQUATION_ALPHA, GL_COLOR_BUFFER_BIT},
+                                           {GL_BLEND_COLOR, GL_COLOR_BUFFER_BIT},
+                                           {GL_COLOR_LOGIC_OP, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_INDEX_LOGIC_OP, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
+                                           {GL_LOGIC_OP_MODE, GL_COLOR_BUFFER_BIT},
                                            {GL_DITHER, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
                                            {GL_DRAW_BUFFER, GL_COLOR_BUFFER_BIT},
                                            {GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT},
@@ -241,6 +258,9 @@ class Attrib : public RecordingContext {
         glDepthRange(double(f(0.25f)), double(f(0.5f)));
         glAlphaFunc(either(GL_LESS, GL_GREATER), f(0.5f));
         k != 0 ? glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA) : glBlendFunc(GL_DST_COLOR, GL_ONE);
+        glLogicOp(either(GL_XOR, GL_NOR));
+        glBlendEquation(either(GL_MIN, GL_FUNC_SUBTRACT));
+        glBlendColor(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
         k != 0 ? glColorMask(1, 0, 1, 0) : glColorMask(0, 1, 0, 1);
         glClearColor(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
         for (GLenum hint : {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,

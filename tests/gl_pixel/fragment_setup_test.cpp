@@ -62,8 +62,9 @@ TEST_F(FragmentSetup, InitialState) {
     EXPECT_EQ(f.stencil.write_mask, 0xFF);
     EXPECT_EQ(f.color_mask, 0xF);
     EXPECT_EQ(f.scissor, (Rect{0, 0, 8, 6}));
-    EXPECT_EQ(f.blend_src, raster::BlendFactor::one);
-    EXPECT_EQ(f.blend_dst, raster::BlendFactor::zero);
+    EXPECT_EQ(f.blend_rgb, raster::Blending{});
+    EXPECT_EQ(f.blend_alpha, raster::Blending{});
+    EXPECT_FALSE(f.logic);
     EXPECT_EQ(f.unit[0].texture, nullptr);
 }
 
@@ -112,23 +113,24 @@ TEST_F(FragmentSetup, StencilOperations) {
     const struct {
         GLenum token;
         raster::StencilOp op;
-    } all[] = {{GL_KEEP, raster::StencilOp::keep},       {GL_ZERO, raster::StencilOp::zero},
-               {GL_REPLACE, raster::StencilOp::replace}, {GL_INCR, raster::StencilOp::incr},
-               {GL_DECR, raster::StencilOp::decr},       {GL_INVERT, raster::StencilOp::invert}};
-    for (std::size_t i = 0; i < 6; ++i) {
-        cmd::StencilOp(c, all[i].token, all[(i + 1) % 6].token, all[(i + 2) % 6].token);
+    } all[] = {{GL_KEEP, raster::StencilOp::keep},           {GL_ZERO, raster::StencilOp::zero},
+               {GL_REPLACE, raster::StencilOp::replace},     {GL_INCR, raster::StencilOp::incr},
+               {GL_DECR, raster::StencilOp::decr},           {GL_INVERT, raster::StencilOp::invert},
+               {GL_INCR_WRAP, raster::StencilOp::incr_wrap}, {GL_DECR_WRAP, raster::StencilOp::decr_wrap}};
+    for (std::size_t i = 0; i < 8; ++i) {
+        cmd::StencilOp(c, all[i].token, all[(i + 1) % 8].token, all[(i + 2) % 8].token);
         EXPECT_EQ(state().stencil.fail, all[i].op);
-        EXPECT_EQ(state().stencil.depth_fail, all[(i + 1) % 6].op);
-        EXPECT_EQ(state().stencil.pass, all[(i + 2) % 6].op);
+        EXPECT_EQ(state().stencil.depth_fail, all[(i + 1) % 8].op);
+        EXPECT_EQ(state().stencil.pass, all[(i + 2) % 8].op);
     }
-    const GLenum wrap = 0x8507; // INCR_WRAP is GL 1.4
-    cmd::StencilOp(c, wrap, GL_KEEP, GL_KEEP);
+    const GLenum wrong = GL_DECR_WRAP + 1;
+    cmd::StencilOp(c, wrong, GL_KEEP, GL_KEEP);
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
-    cmd::StencilOp(c, GL_KEEP, wrap, GL_KEEP);
+    cmd::StencilOp(c, GL_KEEP, wrong, GL_KEEP);
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
-    cmd::StencilOp(c, GL_KEEP, GL_KEEP, wrap);
+    cmd::StencilOp(c, GL_KEEP, GL_KEEP, wrong);
     EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
-    EXPECT_EQ(state().stencil.fail, raster::StencilOp::invert);
+    EXPECT_EQ(state().stencil.fail, raster::StencilOp::decr_wrap);
     cmd::StencilMask(c, 0x1A5);
     EXPECT_EQ(state().stencil.write_mask, 0xA5);
 }
@@ -138,18 +140,24 @@ TEST_F(FragmentSetup, BlendFactorsOfEachSide) {
     const struct {
         GLenum token;
         F factor;
-        bool source, destination; // tables 4.1 and 4.2
+        bool source, destination; // GL 1.4, tables 4.1 and 4.2
     } all[] = {{GL_ZERO, F::zero, true, true},
                {GL_ONE, F::one, true, true},
-               {GL_SRC_COLOR, F::src_color, false, true},
-               {GL_ONE_MINUS_SRC_COLOR, F::one_minus_src_color, false, true},
+               {GL_SRC_COLOR, F::src_color, true, true},
+               {GL_ONE_MINUS_SRC_COLOR, F::one_minus_src_color, true, true},
                {GL_SRC_ALPHA, F::src_alpha, true, true},
                {GL_ONE_MINUS_SRC_ALPHA, F::one_minus_src_alpha, true, true},
                {GL_DST_ALPHA, F::dst_alpha, true, true},
                {GL_ONE_MINUS_DST_ALPHA, F::one_minus_dst_alpha, true, true},
-               {GL_DST_COLOR, F::dst_color, true, false},
-               {GL_ONE_MINUS_DST_COLOR, F::one_minus_dst_color, true, false},
+               {GL_DST_COLOR, F::dst_color, true, true},
+               {GL_ONE_MINUS_DST_COLOR, F::one_minus_dst_color, true, true},
                {GL_SRC_ALPHA_SATURATE, F::src_alpha_saturate, true, false},
+               {GL_CONSTANT_COLOR, F::constant_color, true, true},
+               {GL_ONE_MINUS_CONSTANT_COLOR, F::one_minus_constant_color, true, true},
+               {GL_CONSTANT_ALPHA, F::constant_alpha, true, true},
+               {GL_ONE_MINUS_CONSTANT_ALPHA, F::one_minus_constant_alpha, true, true},
+               {GLenum{GL_CONSTANT_COLOR} - 1, F::zero, false, false},
+               {GLenum{GL_ONE_MINUS_CONSTANT_ALPHA} + 1, F::zero, false, false},
                {GLenum{GL_SRC_ALPHA_SATURATE} + 1, F::zero, false, false},
                {2, F::zero, false, false}};
     for (const auto& s : all)
@@ -159,9 +167,115 @@ TEST_F(FragmentSetup, BlendFactorsOfEachSide) {
             const bool legal = s.source && d.destination;
             EXPECT_EQ(b.take_error(), legal ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM})
                 << s.token << d.token;
-            EXPECT_EQ(state().blend_src, legal ? s.factor : F::one);
-            EXPECT_EQ(state().blend_dst, legal ? d.factor : F::one);
+            const raster::Blending both = {legal ? s.factor : F::one, legal ? d.factor : F::one};
+            EXPECT_EQ(state().blend_rgb, both);
+            EXPECT_EQ(state().blend_alpha, both);
+            cmd::BlendFunc(c, GL_ONE, GL_ONE);
+            cmd::BlendFuncSeparate(c, GL_ZERO, GL_SRC_COLOR, s.token, d.token);
+            EXPECT_EQ(b.take_error(), legal ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM});
+            const raster::Blending one = {F::one, F::one}, rgb = {F::zero, F::src_color};
+            EXPECT_EQ(state().blend_rgb, legal ? rgb : one);
+            EXPECT_EQ(state().blend_alpha, legal ? both : one);
+            cmd::BlendFunc(c, GL_ONE, GL_ONE);
+            cmd::BlendFuncSeparate(c, s.token, d.token, GL_ZERO, GL_SRC_COLOR);
+            EXPECT_EQ(b.take_error(), legal ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM});
+            EXPECT_EQ(state().blend_rgb, legal ? both : one);
+            EXPECT_EQ(state().blend_alpha, legal ? rgb : one);
         }
+}
+
+TEST_F(FragmentSetup, BlendEquationsOfBothParts) {
+    using E = raster::BlendEquation;
+    const struct {
+        GLenum token;
+        E equation;
+        bool legal = true;
+    } all[] = {{GL_FUNC_ADD, E::add},
+               {GL_FUNC_SUBTRACT, E::subtract},
+               {GL_FUNC_REVERSE_SUBTRACT, E::reverse_subtract},
+               {GL_MIN, E::min},
+               {GL_MAX, E::max},
+               {GLenum{GL_MAX} + 1, E::add, false},
+               {GLenum{GL_FUNC_REVERSE_SUBTRACT} + 1, E::add, false},
+               {GLenum{GL_FUNC_ADD} - 1, E::add, false}};
+    for (const auto& rgb : all)
+        for (const auto& alpha : all) {
+            cmd::BlendEquation(c, GL_MAX);
+            cmd::BlendEquationSeparate(c, rgb.token, alpha.token);
+            const bool legal = rgb.legal && alpha.legal;
+            EXPECT_EQ(b.take_error(), legal ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM});
+            EXPECT_EQ(state().blend_rgb.equation, legal ? rgb.equation : E::max);
+            EXPECT_EQ(state().blend_alpha.equation, legal ? alpha.equation : E::max);
+        }
+    cmd::BlendEquation(c, GL_FUNC_SUBTRACT);
+    EXPECT_EQ(state().blend_rgb.equation, E::subtract);
+    EXPECT_EQ(state().blend_alpha.equation, E::subtract);
+    cmd::BlendColor(c, real(0.5f), real(-1), real(2), real(0.25f));
+    const std::uint32_t units[4] = {raster::color_one / 2, 0, raster::color_one, raster::color_one / 4};
+    const Real kept[4] = {real(0.5f), real(0), real(1), real(0.25f)};
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(state().blend_color[i], units[i]);
+        EXPECT_EQ(c.fragment_ops.blend_color[i], kept[i]) << "clamped when it is given";
+    }
+}
+
+TEST_F(FragmentSetup, LogicalOperations) {
+    for (GLenum op = GL_CLEAR; op <= GL_SET; ++op) {
+        cmd::LogicOp(c, op);
+        EXPECT_EQ(static_cast<GLenum>(state().logic_op), op - GL_CLEAR);
+    }
+    for (const GLenum wrong : {GLenum{GL_CLEAR} - 1, GLenum{GL_SET} + 1, GLenum{GL_ZERO}}) {
+        cmd::LogicOp(c, wrong);
+        EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
+        EXPECT_EQ(state().logic_op, raster::LogicOp::set);
+    }
+    EXPECT_FALSE(state().logic);
+    cmd::Enable(c, GL_INDEX_LOGIC_OP);
+    EXPECT_FALSE(state().logic) << "of colours, not of indices";
+    cmd::Enable(c, GL_COLOR_LOGIC_OP);
+    EXPECT_TRUE(state().logic);
+}
+
+TEST_F(FragmentSetup, StencilOfEachSide) {
+    using O = raster::StencilOp;
+    cmd::Enable(c, GL_STENCIL_TEST);
+    cmd::StencilFunc(c, GL_EQUAL, 3, 0xF);
+    cmd::StencilOp(c, GL_INCR_WRAP, GL_DECR_WRAP, GL_INVERT);
+    EXPECT_FALSE(stencil_sides(c));
+    EXPECT_EQ(state().stencil.fail, O::incr_wrap);
+    EXPECT_EQ(state().stencil.depth_fail, O::decr_wrap);
+    cmd::StencilFuncSeparate(c, GL_BACK, GL_LESS, 300, 0x1F0);
+    cmd::StencilOpSeparate(c, GL_BACK, GL_REPLACE, GL_KEEP, GL_ZERO);
+    cmd::StencilMaskSeparate(c, GL_FRONT, 0x107);
+    EXPECT_TRUE(stencil_sides(c));
+    state();
+    const raster::StencilState front = draw_state_of(c, 0).fragment.stencil,
+                               back = draw_state_of(c, 1).fragment.stencil;
+    EXPECT_EQ(front.func, raster::Compare::equal);
+    EXPECT_EQ(front.ref, 3);
+    EXPECT_EQ(front.compare_mask, 0xF);
+    EXPECT_EQ(front.write_mask, 7);
+    EXPECT_EQ(front.pass, O::invert);
+    EXPECT_EQ(back.func, raster::Compare::less);
+    EXPECT_EQ(back.ref, 255);
+    EXPECT_EQ(back.compare_mask, 0xF0);
+    EXPECT_EQ(back.write_mask, 0xFF);
+    EXPECT_EQ(back.fail, O::replace);
+    EXPECT_EQ(back.depth_fail, O::keep);
+    EXPECT_EQ(back.pass, O::zero);
+    for (const GLenum face : {GLenum{GL_LEFT}, GLenum{GL_NONE}}) {
+        cmd::StencilFuncSeparate(c, face, GL_LESS, 1, 1);
+        EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
+        cmd::StencilOpSeparate(c, face, GL_KEEP, GL_KEEP, GL_KEEP);
+        EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
+        cmd::StencilMaskSeparate(c, face, 1);
+        EXPECT_EQ(b.take_error(), GLenum{GL_INVALID_ENUM});
+    }
+    state();
+    EXPECT_EQ(draw_state_of(c, 0).fragment.stencil.ref, 3);
+    EXPECT_EQ(draw_state_of(c, 1).fragment.stencil.write_mask, 0xFF);
+    cmd::Disable(c, GL_STENCIL_TEST);
+    EXPECT_FALSE(stencil_sides(c));
 }
 
 TEST_F(FragmentSetup, ScissorIsCutToTheSurface) {

@@ -87,8 +87,18 @@ FragmentState random_state(RandomVertices& random, const Texture* const (&textur
     state.depth_func = static_cast<Compare>(random.below(8));
     state.depth_write = often(3);
     state.blend = random.below(3) == 0;
-    state.blend_src = often(2) ? BlendFactor::src_alpha : static_cast<BlendFactor>(random.below(9));
-    state.blend_dst = often(2) ? BlendFactor::one_minus_src_alpha : static_cast<BlendFactor>(random.below(8));
+    const auto blending = [&] {
+        return Blending{often(2) ? BlendFactor::src_alpha : static_cast<BlendFactor>(random.below(15)),
+                        often(2) ? BlendFactor::one_minus_src_alpha
+                                 : static_cast<BlendFactor>(random.below(15)),
+                        often(2) ? BlendEquation::add : static_cast<BlendEquation>(random.below(5))};
+    };
+    state.blend_rgb = blending();
+    state.blend_alpha = often(2) ? state.blend_rgb : blending();
+    for (auto& c : state.blend_color)
+        c = random.below(color_one + 1);
+    state.logic = random.below(6) == 0;
+    state.logic_op = static_cast<LogicOp>(random.below(16));
     state.color_mask = often(4) ? 0xF : static_cast<std::uint8_t>(1 + random.below(15));
     return state;
 }

@@ -40,8 +40,7 @@ struct StateOfKey {
         state.depth_func = key.depth;
         state.depth_write = key.depth_write;
         state.blend = key.blend;
-        state.blend_src = key.blend_src;
-        state.blend_dst = key.blend_dst;
+        state.blend_rgb = state.blend_alpha = key.blending;
         state.color_mask = key.masked ? 5 : 0xF;
     }
 };

@@ -200,15 +200,16 @@ TEST(FixedAgainstDouble, Fog) {
 
 TEST(FixedAgainstDouble, Blending) {
     for (const PixelFormat format : formats)
-        for (int src = 0; src < 11; ++src)
-            for (int dst = 0; dst < 10; ++dst)
+        for (int src = 0; src < 15; ++src)
+            for (int dst = 0; dst < 15; ++dst)
                 for (const Tier tier : {Tier::exact, Tier::balanced}) {
                     Canvas c(format, 32, 32);
                     Background{}.paint(c);
                     FragmentState f = plain_state(c);
                     f.blend = true;
-                    f.blend_src = static_cast<BlendFactor>(src);
-                    f.blend_dst = static_cast<BlendFactor>(dst);
+                    f.blend_rgb =
+                        f.blend_alpha = {static_cast<BlendFactor>(src), static_cast<BlendFactor>(dst)};
+                    f.blend_color[0] = color_one / 3, f.blend_color[2] = f.blend_color[3] = color_one / 5;
                     f.tier = tier;
                     const std::string what = "format " + std::to_string(int(format)) + " src " +
                                              std::to_string(src) + " dst " + std::to_string(dst) + " tier " +

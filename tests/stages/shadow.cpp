@@ -30,8 +30,7 @@ struct Scene {
         state.fog_density = 0x3E99999A; // 0.3
         state.color_sum = true;
         state.blend = true;
-        state.blend_src = BlendFactor::src_alpha;
-        state.blend_dst = BlendFactor::one_minus_src_alpha;
+        state.blend_rgb = state.blend_alpha = blend_over;
         for (int i = 0; i < 4; ++i) {
             Point& p = corner[i];
             p.x = (i == 1 || i == 2) * 48;

@@ -267,63 +267,209 @@ TEST(Specification, FogFactors) {
             }
 }
 
-/// GL 1.3, table 4.1 and 4.2: every pair of factors over a lattice of colours.
+constexpr Rgba4 blend_constant = {0.25, 0.8, 0.1, 0.6};
+
+double blend_factor(BlendFactor f, const Rgba4& s, const Rgba4& d, std::size_t i) {
+    switch (f) {
+    case BlendFactor::zero:
+        return 0;
+    case BlendFactor::one:
+        return 1;
+    case BlendFactor::src_color:
+        return s[i];
+    case BlendFactor::one_minus_src_color:
+        return 1 - s[i];
+    case BlendFactor::src_alpha:
+        return s[3];
+    case BlendFactor::one_minus_src_alpha:
+        return 1 - s[3];
+    case BlendFactor::dst_alpha:
+        return d[3];
+    case BlendFactor::one_minus_dst_alpha:
+        return 1 - d[3];
+    case BlendFactor::dst_color:
+        return d[i];
+    case BlendFactor::one_minus_dst_color:
+        return 1 - d[i];
+    case BlendFactor::src_alpha_saturate:
+        return i == 3 ? 1 : std::fmin(s[3], 1 - d[3]);
+    case BlendFactor::constant_color:
+        return blend_constant[i];
+    case BlendFactor::one_minus_constant_color:
+        return 1 - blend_constant[i];
+    case BlendFactor::constant_alpha:
+        return blend_constant[3];
+    case BlendFactor::one_minus_constant_alpha:
+        return 1 - blend_constant[3];
+    }
+    return 0;
+}
+
+double blended(const Blending& by, const Rgba4& s, const Rgba4& d, std::size_t i) {
+    const double source = s[i] * blend_factor(by.src, s, d, i), stored = d[i] * blend_factor(by.dst, s, d, i);
+    switch (by.equation) {
+    case BlendEquation::add:
+        return std::fmin(1, source + stored);
+    case BlendEquation::subtract:
+        return std::fmax(0, source - stored);
+    case BlendEquation::reverse_subtract:
+        return std::fmax(0, stored - source);
+    case BlendEquation::min:
+        return std::fmin(s[i], d[i]);
+    case BlendEquation::max:
+        return std::fmax(s[i], d[i]);
+    }
+    return 0;
+}
+
+/// Colours of a lattice, as the fragment's and as what is stored.
+struct BlendSample {
+    Rgba4 s, d;
+    Point p;
+    std::uint32_t under = 0;
+    explicit BlendSample(int n) {
+        constexpr int level[] = {0, 1, 77, 128, 254, 255};
+        const int s8[4] = {level[n % 6], level[(n * 5 + 2) % 6], level[(n + 3) % 6], level[(n / 4) % 6]};
+        const int d8[4] = {level[(n * 7 + 1) % 6], level[n % 5], level[(n + 4) % 6], level[(n * 5 / 3) % 6]};
+        for (std::size_t i = 0; i < 4; ++i) {
+            s[i] = p.color[i] = s8[i] / 255.0;
+            d[i] = d8[i] / 255.0;
+            under |= static_cast<std::uint32_t>(d8[i]) << (8 * i);
+        }
+    }
+    void expect(const Blending& rgb, const Blending& alpha) const {
+        Rgba4 want;
+        for (std::size_t i = 0; i < 4; ++i)
+            want[i] = blended(i == 3 ? alpha : rgb, s, d, i);
+        Canvas c;
+        FragmentState f = plain_state(c);
+        f.scissor = {0, 0, 4, 4};
+        f.blend = true;
+        f.blend_rgb = rgb;
+        f.blend_alpha = alpha;
+        for (std::size_t i = 0; i < 4; ++i)
+            f.blend_color[i] = static_cast<std::uint32_t>(std::lround(blend_constant[i] * color_one));
+        expect_color(f, p, want, 0.51,
+                     "src " + std::to_string(int(rgb.src)) + " dst " + std::to_string(int(rgb.dst)) +
+                         " equation " + std::to_string(int(rgb.equation)),
+                     under);
+    }
+};
+
+/// GL 1.4, table 4.1 and 4.2: every pair of factors over a lattice of colours.
 TEST(Specification, BlendFactors) {
-    const auto factor = [](BlendFactor f, const Rgba4& s, const Rgba4& d, std::size_t i) -> double {
-        switch (f) {
-        case BlendFactor::zero:
+    for (int src = 0; src < 15; ++src)
+        for (int dst = 0; dst < 15; ++dst)
+            for (int n = 0; n < 24; ++n) {
+                const Blending both = {static_cast<BlendFactor>(src), static_cast<BlendFactor>(dst)};
+                if (both.dst == BlendFactor::src_alpha_saturate)
+                    continue; // a factor of the source only
+                BlendSample(n).expect(both, both);
+            }
+}
+
+/// GL 1.4, 4.1.7: every equation, alike for both parts and with every other one for alpha.
+TEST(Specification, BlendEquations) {
+    constexpr BlendFactor factors[] = {BlendFactor::one, BlendFactor::src_alpha,
+                                       BlendFactor::one_minus_constant_color, BlendFactor::dst_color};
+    for (int rgb = 0; rgb < 5; ++rgb)
+        for (int alpha = 0; alpha < 5; ++alpha)
+            for (int n = 0; n < 24; ++n)
+                for (const BlendFactor f : factors)
+                    BlendSample(n).expect({f, BlendFactor::one, static_cast<BlendEquation>(rgb)},
+                                          {BlendFactor::one, f, static_cast<BlendEquation>(alpha)});
+}
+
+/// What has a form of its own for both parts is told from the same for one part alone.
+TEST(Specification, BlendPartsApart) {
+    for (const Blending& common : {blend_over, Blending{}})
+        for (const Blending& other : {Blending{BlendFactor::one, BlendFactor::one},
+                                      Blending{BlendFactor::zero, BlendFactor::dst_alpha}})
+            for (int n = 0; n < 24; ++n) {
+                BlendSample(n).expect(common, other);
+                BlendSample(n).expect(other, common);
+            }
+}
+
+/// GL 1.3, table 4.3: every operation on every format's bits, under every mask; blending and its factors do
+/// not matter.
+TEST(Specification, LogicalOperations) {
+    const auto result = [](LogicOp op, unsigned s, unsigned d) -> unsigned {
+        switch (op) {
+        case LogicOp::clear:
             return 0;
-        case BlendFactor::one:
-            return 1;
-        case BlendFactor::src_color:
-            return s[i];
-        case BlendFactor::one_minus_src_color:
-            return 1 - s[i];
-        case BlendFactor::src_alpha:
-            return s[3];
-        case BlendFactor::one_minus_src_alpha:
-            return 1 - s[3];
-        case BlendFactor::dst_alpha:
-            return d[3];
-        case BlendFactor::one_minus_dst_alpha:
-            return 1 - d[3];
-        case BlendFactor::dst_color:
-            return d[i];
-        case BlendFactor::one_minus_dst_color:
-            return 1 - d[i];
-        case BlendFactor::src_alpha_saturate:
-            return i == 3 ? 1 : std::fmin(s[3], 1 - d[3]);
+        case LogicOp::logical_and:
+            return s & d;
+        case LogicOp::and_reverse:
+            return s & ~d;
+        case LogicOp::copy:
+            return s;
+        case LogicOp::and_inverted:
+            return ~s & d;
+        case LogicOp::noop:
+            return d;
+        case LogicOp::logical_xor:
+            return s ^ d;
+        case LogicOp::logical_or:
+            return s | d;
+        case LogicOp::nor:
+            return ~(s | d);
+        case LogicOp::equiv:
+            return ~(s ^ d);
+        case LogicOp::invert:
+            return ~d;
+        case LogicOp::or_reverse:
+            return s | ~d;
+        case LogicOp::copy_inverted:
+            return ~s;
+        case LogicOp::or_inverted:
+            return ~s | d;
+        case LogicOp::nand:
+            return ~(s & d);
+        case LogicOp::set:
+            return ~0u;
         }
         return 0;
     };
-    constexpr int level[] = {0, 1, 77, 128, 254, 255};
-    for (int src = 0; src < 11; ++src)
-        for (int dst = 0; dst < 10; ++dst)
-            for (int n = 0; n < 24; ++n) {
-                const int s8[4] = {level[n % 6], level[(n * 5 + 2) % 6], level[(n + 3) % 6],
-                                   level[(n / 4) % 6]};
-                const int d8[4] = {level[(n * 7 + 1) % 6], level[n % 5], level[(n + 4) % 6],
-                                   level[(n * 5 / 3) % 6]};
-                Rgba4 s, d, want;
-                Point p;
-                std::uint32_t under = 0;
-                for (std::size_t i = 0; i < 4; ++i) {
-                    s[i] = p.color[i] = s8[i] / 255.0;
-                    d[i] = d8[i] / 255.0;
-                    under |= static_cast<std::uint32_t>(d8[i]) << (8 * i);
+    constexpr unsigned source[4] = {0xA6, 0x5C, 0x93, 0x3A}, under[4] = {0x3C, 0xF1, 0x0F, 0xC5};
+    for (const PixelFormat format :
+         {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888, PixelFormat::rgba8888}) {
+        const FormatInfo info = format_info(format);
+        const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
+        for (unsigned op = 0; op < 16; ++op)
+            for (const unsigned mask : {15u, 5u, 10u})
+                for (const Tier tier : {Tier::exact, Tier::balanced}) {
+                    Canvas c(format, 4, 4);
+                    std::uint32_t stored[4];
+                    Point p;
+                    for (std::size_t i = 0; i < 4; ++i) {
+                        stored[i] = under[i] >> (8 - bits[i]);
+                        p.color[i] = source[i] / 255.0;
+                    }
+                    write_color(c.surface(), 1, 1, stored);
+                    FragmentState f = plain_state(c);
+                    f.scissor = {0, 0, 4, 4};
+                    f.tier = tier;
+                    f.logic = true;
+                    f.logic_op = static_cast<LogicOp>(op);
+                    f.color_mask = static_cast<std::uint8_t>(mask);
+                    f.blend = true;
+                    f.blend_rgb = f.blend_alpha = {BlendFactor::zero, BlendFactor::one};
+                    cover<FixedVertex>(f, c, p);
+                    const StoredColor got = c.at(1, 1);
+                    for (unsigned i = 0; i < 4; ++i) {
+                        if (bits[i] == 0)
+                            continue;
+                        const unsigned want =
+                            (mask >> i & 1u) == 0
+                                ? stored[i]
+                                : result(f.logic_op, source[i] >> (8 - bits[i]), stored[i]) &
+                                      ((1u << bits[i]) - 1);
+                        EXPECT_EQ(got.c[i].k, want)
+                            << int(format) << " op " << op << " mask " << mask << " component " << i;
+                    }
                 }
-                for (std::size_t i = 0; i < 4; ++i)
-                    want[i] = std::fmin(1, s[i] * factor(static_cast<BlendFactor>(src), s, d, i) +
-                                               d[i] * factor(static_cast<BlendFactor>(dst), s, d, i));
-                Canvas c;
-                FragmentState f = plain_state(c);
-                f.scissor = {0, 0, 4, 4};
-                f.blend = true;
-                f.blend_src = static_cast<BlendFactor>(src);
-                f.blend_dst = static_cast<BlendFactor>(dst);
-                expect_color(f, p, want, 0.51, "src " + std::to_string(src) + " dst " + std::to_string(dst),
-                             under);
-            }
+    }
 }
 
 /// 17.9 and 4.1.5: all functions, all operations, all three outcomes.

@@ -114,8 +114,16 @@ void Scissor(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
 void AlphaFunc(Context& context, GLenum func, Real ref);
 void StencilFunc(Context& context, GLenum func, GLint ref, GLuint mask);
 void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass);
+void StencilFuncSeparate(Context& context, GLenum face, GLenum func, GLint ref, GLuint mask);
+void StencilOpSeparate(Context& context, GLenum face, GLenum fail, GLenum zfail, GLenum zpass);
+void StencilMaskSeparate(Context& context, GLenum face, GLuint mask);
 void DepthFunc(Context& context, GLenum func);
 void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor);
+void BlendFuncSeparate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha);
+void BlendEquation(Context& context, GLenum mode);
+void BlendEquationSeparate(Context& context, GLenum rgb, GLenum alpha);
+void BlendColor(Context& context, Real red, Real green, Real blue, Real alpha);
+void LogicOp(Context& context, GLenum opcode);
 void DrawBuffer(Context& context, GLenum mode);
 void ReadBuffer(Context& context, GLenum mode);
 void ColorMask(Context& context, bool red, bool green, bool blue, bool alpha);
@@ -867,6 +875,27 @@ struct StencilOp {
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glStencilOp between glBegin and glEnd");
 };
+struct StencilFuncSeparate {
+    static constexpr auto run = &cmd::StencilFuncSeparate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilFuncSeparate between glBegin and glEnd");
+};
+struct StencilOpSeparate {
+    static constexpr auto run = &cmd::StencilOpSeparate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilOpSeparate between glBegin and glEnd");
+};
+struct StencilMaskSeparate {
+    static constexpr auto run = &cmd::StencilMaskSeparate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glStencilMaskSeparate between glBegin and glEnd");
+};
 struct DepthFunc {
     static constexpr auto run = &cmd::DepthFunc;
     static constexpr auto encode = nullptr;
@@ -880,6 +909,41 @@ struct BlendFunc {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glBlendFunc between glBegin and glEnd");
+};
+struct BlendFuncSeparate {
+    static constexpr auto run = &cmd::BlendFuncSeparate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBlendFuncSeparate between glBegin and glEnd");
+};
+struct BlendEquation {
+    static constexpr auto run = &cmd::BlendEquation;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBlendEquation between glBegin and glEnd");
+};
+struct BlendEquationSeparate {
+    static constexpr auto run = &cmd::BlendEquationSeparate;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBlendEquationSeparate between glBegin and glEnd");
+};
+struct BlendColor {
+    static constexpr auto run = &cmd::BlendColor;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBlendColor between glBegin and glEnd");
+};
+struct LogicOp {
+    static constexpr auto run = &cmd::LogicOp;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glLogicOp between glBegin and glEnd");
 };
 struct DrawBuffer {
     static constexpr auto run = &cmd::DrawBuffer;

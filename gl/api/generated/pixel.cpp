@@ -34,12 +34,56 @@ void GLAPIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass) {
     issue<family::StencilOp>(fail, zfail, zpass);
 }
 
+#if SPANGLE_FEATURE_STENCIL_SIDES
+
+void GLAPIENTRY glStencilFuncSeparate(GLenum face, GLenum func, GLint ref, GLuint mask) {
+    issue<family::StencilFuncSeparate>(face, func, ref, mask);
+}
+
+void GLAPIENTRY glStencilOpSeparate(GLenum face, GLenum fail, GLenum zfail, GLenum zpass) {
+    issue<family::StencilOpSeparate>(face, fail, zfail, zpass);
+}
+
+void GLAPIENTRY glStencilMaskSeparate(GLenum face, GLuint mask) {
+    issue<family::StencilMaskSeparate>(face, mask);
+}
+
+#endif
+
 void GLAPIENTRY glDepthFunc(GLenum func) {
     issue<family::DepthFunc>(func);
 }
 
 void GLAPIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor) {
     issue<family::BlendFunc>(sfactor, dfactor);
+}
+
+void GLAPIENTRY glBlendFuncSeparate(GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha) {
+    issue<family::BlendFuncSeparate>(src_rgb, dst_rgb, src_alpha, dst_alpha);
+}
+
+void GLAPIENTRY glBlendEquation(GLenum mode) {
+    issue<family::BlendEquation>(mode);
+}
+
+void GLAPIENTRY glBlendEquationSeparate(GLenum rgb, GLenum alpha) {
+    issue<family::BlendEquationSeparate>(rgb, alpha);
+}
+
+void GLAPIENTRY glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    issue<family::BlendColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+}
+
+#if SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glBlendColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha) {
+    issue<family::BlendColor>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+}
+
+#endif
+
+void GLAPIENTRY glLogicOp(GLenum opcode) {
+    issue<family::LogicOp>(opcode);
 }
 
 void GLAPIENTRY glDrawBuffer(GLenum mode) {
@@ -202,6 +246,10 @@ void GLAPIENTRY glAlphaFuncxOES(GLenum, GLclampx) {
     refuse_feature(SPANGLE_TEXT("glAlphaFuncxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
+void GLAPIENTRY glBlendColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {
+    refuse_feature(SPANGLE_TEXT("glBlendColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
 void GLAPIENTRY glClearColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {
     refuse_feature(SPANGLE_TEXT("glClearColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
@@ -288,6 +336,22 @@ void GLAPIENTRY glGetPixelMapuiv(GLenum, GLuint*) {
 
 void GLAPIENTRY glGetPixelMapusv(GLenum, GLushort*) {
     refuse_feature(SPANGLE_TEXT("glGetPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_STENCIL_SIDES
+
+void GLAPIENTRY glStencilFuncSeparate(GLenum, GLenum, GLint, GLuint) {
+    refuse_feature(SPANGLE_TEXT("glStencilFuncSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
+}
+
+void GLAPIENTRY glStencilOpSeparate(GLenum, GLenum, GLenum, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glStencilOpSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
+}
+
+void GLAPIENTRY glStencilMaskSeparate(GLenum, GLuint) {
+    refuse_feature(SPANGLE_TEXT("glStencilMaskSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
 }
 
 #endif

@@ -26,6 +26,30 @@ enum class BlendFactor : std::uint8_t {
     dst_color,
     one_minus_dst_color,
     src_alpha_saturate,
+    constant_color,
+    one_minus_constant_color,
+    constant_alpha,
+    one_minus_constant_alpha,
+};
+enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
+/// Bit 0: s and d, 1: s and not d, 2: not s and d, 3: neither; the order of GL's tokens.
+enum class LogicOp : std::uint8_t {
+    clear,
+    logical_and,
+    and_reverse,
+    copy,
+    and_inverted,
+    noop,
+    logical_xor,
+    logical_or,
+    nor,
+    equiv,
+    invert,
+    or_reverse,
+    copy_inverted,
+    or_inverted,
+    nand,
+    set,
 };
 enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, clamp_to_border };
 enum class Filter : std::uint8_t { nearest, linear };
@@ -106,6 +130,14 @@ struct StencilState {
     StencilOp fail = StencilOp::keep, depth_fail = StencilOp::keep, pass = StencilOp::keep;
 };
 
+/// How one part of a colour is blended: C = src Cs + dst Cd and the like.
+struct Blending {
+    BlendFactor src = BlendFactor::one, dst = BlendFactor::zero;
+    BlendEquation equation = BlendEquation::add;
+    friend constexpr bool operator==(const Blending&, const Blending&) = default;
+};
+inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
+
 struct FragmentState {
     TextureUnit unit[max_texture_units];
     bool flat = false;       ///< colour of the provoking vertex
@@ -123,7 +155,10 @@ struct FragmentState {
     bool depth_test = false, depth_write = true;
     Compare depth_func = Compare::less;
     bool blend = false;
-    BlendFactor blend_src = BlendFactor::one, blend_dst = BlendFactor::zero;
+    Blending blend_rgb, blend_alpha;
+    std::uint32_t blend_color[4] = {0, 0, 0, 0}; ///< Colour units
+    bool logic = false;                          ///< instead of blending
+    LogicOp logic_op = LogicOp::copy;
     bool dither = true;
     std::uint8_t color_mask = 0xF; ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 also when DrawBuffer is NONE
     Rect scissor;                  ///< already intersected with the surface; drawing never leaves it

@@ -1,0 +1,65 @@
+// What a fragment makes of the stored colour: blending and logical operations (GL 1.3, 4.1.7, 4.1.9; factors
+// and equations: GL 1.4, separate ones: GL 1.4, 2.0).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+
+namespace spangle::gl::cmd {
+
+namespace {
+
+bool is_factor(GLenum factor) {
+    return factor == GL_ZERO || factor == GL_ONE ||
+           (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR) ||
+           (factor >= GL_CONSTANT_COLOR && factor <= GL_ONE_MINUS_CONSTANT_ALPHA);
+}
+
+bool is_equation(GLenum mode) {
+    return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT ||
+           mode == GL_MIN || mode == GL_MAX;
+}
+
+} // namespace
+
+void BlendFuncSeparate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha) {
+    const auto is_source = [](GLenum f) { return is_factor(f) || f == GL_SRC_ALPHA_SATURATE; };
+    if (!is_source(src_rgb) || !is_source(src_alpha) || !is_factor(dst_rgb) || !is_factor(dst_alpha))
+        return error(context, GL_INVALID_ENUM);
+    FragmentOpsState& ops = context.fragment_ops;
+    ops.blend_rgb.src = src_rgb;
+    ops.blend_rgb.dst = dst_rgb;
+    ops.blend_alpha.src = src_alpha;
+    ops.blend_alpha.dst = dst_alpha;
+    context.changed(dirty_fragment);
+}
+
+void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor) {
+    BlendFuncSeparate(context, sfactor, dfactor, sfactor, dfactor);
+}
+
+void BlendEquationSeparate(Context& context, GLenum rgb, GLenum alpha) {
+    if (!is_equation(rgb) || !is_equation(alpha))
+        return error(context, GL_INVALID_ENUM);
+    context.fragment_ops.blend_rgb.equation = rgb;
+    context.fragment_ops.blend_alpha.equation = alpha;
+    context.changed(dirty_fragment);
+}
+
+void BlendEquation(Context& context, GLenum mode) {
+    BlendEquationSeparate(context, mode, mode);
+}
+
+void BlendColor(Context& context, Real red, Real green, Real blue, Real alpha) {
+    const Real given[4] = {red, green, blue, alpha};
+    for (int c = 0; c < 4; ++c)
+        context.fragment_ops.blend_color[c] = numeric::clamp01(given[c]);
+    context.changed(dirty_fragment);
+}
+
+void LogicOp(Context& context, GLenum opcode) {
+    if (opcode < GL_CLEAR || opcode > GL_SET)
+        return error(context, GL_INVALID_ENUM);
+    context.fragment_ops.logic_op = opcode;
+    context.changed(dirty_fragment);
+}
+
+} // namespace spangle::gl::cmd

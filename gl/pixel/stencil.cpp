@@ -1,0 +1,68 @@
+// The stencil test of front and back faces (GL 1.3, 4.1.5; two sides and wrapping: GL 2.0).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/pixel/compare.hpp"
+
+namespace spangle::gl::cmd {
+
+namespace {
+
+bool is_stencil_op(GLenum op) {
+    return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR ||
+           op == GL_INVERT || op == GL_INCR_WRAP || op == GL_DECR_WRAP;
+}
+
+bool is_face(GLenum face) {
+    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
+}
+
+/// Calls change(side) for each of the sides that `face` names.
+template <class Change> void change_sides(Context& context, GLenum face, Change change) {
+    if (face != GL_BACK)
+        change(context.fragment_ops.stencil[0]);
+    if (face != GL_FRONT)
+        change(context.fragment_ops.stencil[1]);
+    context.changed(dirty_fragment);
+}
+
+} // namespace
+
+void StencilFuncSeparate(Context& context, GLenum face, GLenum func, GLint ref, GLuint mask) {
+    if (!is_face(face) || !is_compare(func))
+        return error(context, GL_INVALID_ENUM);
+    change_sides(context, face, [=](StencilSide& side) {
+        side.func = func;
+        side.ref = ref;
+        side.value_mask = mask;
+    });
+}
+
+void StencilOpSeparate(Context& context, GLenum face, GLenum fail, GLenum zfail, GLenum zpass) {
+    if (!is_face(face) || !is_stencil_op(fail) || !is_stencil_op(zfail) || !is_stencil_op(zpass))
+        return error(context, GL_INVALID_ENUM);
+    change_sides(context, face, [=](StencilSide& side) {
+        side.fail = fail;
+        side.pass_depth_fail = zfail;
+        side.pass_depth_pass = zpass;
+    });
+}
+
+void StencilMaskSeparate(Context& context, GLenum face, GLuint mask) {
+    if (!is_face(face))
+        return error(context, GL_INVALID_ENUM);
+    change_sides(context, face, [=](StencilSide& side) { side.write_mask = mask; });
+}
+
+void StencilFunc(Context& context, GLenum func, GLint ref, GLuint mask) {
+    StencilFuncSeparate(context, GL_FRONT_AND_BACK, func, ref, mask);
+}
+
+void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass) {
+    StencilOpSeparate(context, GL_FRONT_AND_BACK, fail, zfail, zpass);
+}
+
+void StencilMask(Context& context, GLuint mask) {
+    StencilMaskSeparate(context, GL_FRONT_AND_BACK, mask);
+}
+
+} // namespace spangle::gl::cmd
