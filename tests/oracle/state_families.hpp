@@ -1,0 +1,17 @@
+// The chapters that have families of random states.
+#pragma once
+
+#ifdef SPANGLE_SCENES_ON_OTHER_GL
+#include <GL/gl.h>
+#include <GL/glext.h>
+#else
+#include <spangle/GL/gl.h>
+#endif
+
+#include "tests/oracle/states.hpp"
+
+namespace spangle::oracle {
+
+void add_fragment_families(std::vector<Family>& all);
+
+} // namespace spangle::oracle
