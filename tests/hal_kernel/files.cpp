@@ -50,9 +50,9 @@ bool exists(const std::string& path) {
     return access(path.c_str(), F_OK) == 0;
 }
 
-void await(const char* what, const std::function<bool()>& done) {
+void await(const char* what, const std::function<bool()>& done, std::chrono::seconds patience) {
     using Clock = std::chrono::steady_clock;
-    for (const auto end = Clock::now() + std::chrono::seconds(2); !done();) {
+    for (const auto end = Clock::now() + patience; !done();) {
         if (Clock::now() > end)
             throw std::runtime_error(std::string("the kernel does not ") + what);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

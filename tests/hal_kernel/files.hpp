@@ -12,7 +12,8 @@ void write_text(const std::string& path, const std::string& text);
 /// Without the newline at its end.
 std::string read_text(const std::string& path);
 bool exists(const std::string& path);
-/// Becomes true within two seconds: what the kernel does in a process of its own. Else throws, saying `what`.
-void await(const char* what, const std::function<bool()>& done);
+/// Waits for what the kernel does in its own time; throws, saying `what`, when it does not.
+void await(const char* what, const std::function<bool()>& done,
+           std::chrono::seconds patience = std::chrono::seconds(5));
 
 } // namespace kernel_test

@@ -1,0 +1,68 @@
+// A USB device at a port of the kernel's virtual host controller (vhci-hcd), over USB/IP through a pair of
+// sockets: the real usbcore, its drivers and usbfs reach a UsbFunction. From
+// Documentation/usb/usbip_protocol.rst.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "host_sim/usb/usb_function.hpp"
+
+namespace spangle::sim {
+
+class UsbipDevice {
+  public:
+    using Fate = UsbFate;
+
+    explicit UsbipDevice(UsbFunction& function, bool high_speed = true)
+        : function_(function), high_speed_(high_speed) {}
+    ~UsbipDevice() { unplug(); }
+    UsbipDevice(const UsbipDevice&) = delete;
+    UsbipDevice& operator=(const UsbipDevice&) = delete;
+
+    /// Into the first free port. False, and errno says why: there is no vhci-hcd, or no right to it.
+    bool plug();
+    /// As when the plug is pulled: transfers under way die.
+    void unplug();
+
+    /// Of a bulk transfer of `count` bytes to the device.
+    std::function<Fate(std::size_t count)> fate;
+    /// While it is locked the device does nothing: std::lock_guard lock(device).
+    void lock() { mutex_.lock(); }
+    void unlock() { mutex_.unlock(); }
+
+  private:
+    /// A transfer that the host submitted.
+    struct Transfer {
+        std::uint32_t sequence = 0, length = 0;
+        std::uint8_t endpoint = 0;
+        bool to_host = false;
+        UsbSetup setup;
+        std::vector<std::uint8_t> bytes; ///< of the host; then of the device
+    };
+    using Packet = std::array<std::uint8_t, 48>;
+
+    UsbFunction& function_;
+    bool high_speed_;
+    int socket_ = -1;
+    std::thread thread_;
+    std::mutex mutex_;             ///< guards the function and what follows
+    std::deque<Transfer> waiting_; ///< for the bulk pipe, which is worked off in order
+
+    bool attach(int socket);
+    void serve();
+    bool submitted(const Packet& packet);
+    bool unlinked(const Packet& packet);
+    bool run();
+    bool carry(Transfer& transfer, Fate fate);
+    int control(Transfer& transfer);
+    bool standard(const UsbSetup& setup, std::vector<std::uint8_t>& in, bool& answered);
+    bool finish(const Transfer& transfer, int status, std::size_t length);
+    bool receive(void* into, std::size_t count);
+    bool send(const void* from, std::size_t count);
+};
+
+} // namespace spangle::sim

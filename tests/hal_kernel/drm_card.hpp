@@ -1,0 +1,40 @@
+// A display through the kernel's DRM, as a compositor uses it: a dumb buffer, a mode, and what of it changed.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+
+namespace kernel_test {
+
+class DrmCard {
+  public:
+    /// The preferred mode of the first connector, on a black picture of 16 (RGB565) or 32 (XRGB8888) bits a
+    /// pixel. Throws with what the kernel refused.
+    DrmCard(const char* path, unsigned bits);
+    ~DrmCard();
+    DrmCard(const DrmCard&) = delete;
+    DrmCard& operator=(const DrmCard&) = delete;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// `word`: in the picture's format.
+    void put(int x, int y, std::uint32_t word);
+    std::uint32_t get(int x, int y) const;
+    /// Hands what changed to the driver, which may put it off.
+    void flush(spangle::Rect area);
+
+  private:
+    int file_;
+    unsigned bits_;
+    int width_ = 0, height_ = 0;
+    std::uint32_t handle_ = 0, pitch_ = 0, framebuffer_ = 0;
+    std::uint64_t size_ = 0;
+    std::uint8_t* pixels_ = nullptr;
+
+    void make_buffer();
+    void set_mode();
+    std::uint8_t* at(int x, int y) const;
+};
+
+} // namespace kernel_test
