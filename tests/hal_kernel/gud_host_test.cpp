@@ -67,7 +67,8 @@ TEST(KernelGudHost, TakesTheDeviceFromTheKernelsDriverAndGivesItBack) {
 }
 
 TEST(KernelGudHost, EveryFormat) {
-    for (const std::uint8_t format : {0x01, 0x08, 0x20, 0x30, 0x40, 0x50, 0x80}) {
+    for (const std::uint8_t format :
+         std::initializer_list<std::uint8_t>{0x01, 0x08, 0x20, 0x30, 0x40, 0x50, 0x80}) {
         SCOPED_TRACE(int{format});
         GudHost host;
         host.device.formats = {format};
