@@ -17,6 +17,7 @@ namespace spangle::gl {
 struct SavedAttributes {
     SavedAttributes* below;
     GLbitfield groups;
+    GLuint vertex_array; ///< with the client's arrays: whose they are
 };
 
 namespace {
@@ -59,6 +60,7 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
         return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for an attribute group"));
     entry->below = stack.top;
     entry->groups = groups;
+    entry->vertex_array = bound_vertex_array(context);
     auto* to = reinterpret_cast<unsigned char*>(entry + 1);
     const auto* const from = reinterpret_cast<const unsigned char*>(&context);
     for_each_kept(groups, [&to, from](std::uint32_t offset, std::uint32_t size) {
@@ -67,6 +69,8 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
     });
     if (textures)
         save_textures(context, to);
+    if ((groups & bit(Group::client_vertex_array)) != 0)
+        hold_arrays(context);
     stack.top = entry;
     ++stack.depth;
 }
@@ -77,6 +81,10 @@ void pop(Context& context, AttribStack& stack) {
         return error(context, GL_STACK_UNDERFLOW);
     stack.top = entry->below;
     --stack.depth;
+    if ((entry->groups & bit(Group::client_vertex_array)) != 0) {
+        bind_vertex_array(context, entry->vertex_array);
+        release_arrays(context);
+    }
     const auto* from = reinterpret_cast<const unsigned char*>(entry + 1);
     auto* const to = reinterpret_cast<unsigned char*>(&context);
     for_each_kept(entry->groups, [&from, to](std::uint32_t offset, std::uint32_t size) {
@@ -93,14 +101,6 @@ void pop(Context& context, AttribStack& stack) {
 #endif
 }
 
-void release(Context& context, AttribStack& stack) {
-    while (stack.top != nullptr) {
-        SavedAttributes* const entry = stack.top;
-        stack.top = entry->below;
-        context.arena->free(entry);
-    }
-}
-
 } // namespace
 
 GLint saved_attributes(const Context& context, bool client) {
@@ -108,8 +108,12 @@ GLint saved_attributes(const Context& context, bool client) {
 }
 
 void release_attributes(Context& context) {
-    release(context, context.attrib.server);
-    release(context, context.attrib.client);
+    while (context.attrib.client.top != nullptr) // buffers are let go of on the way
+        pop(context, context.attrib.client);
+    while (SavedAttributes* const entry = context.attrib.server.top) {
+        context.attrib.server.top = entry->below;
+        context.arena->free(entry);
+    }
 }
 
 namespace cmd {

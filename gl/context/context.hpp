@@ -58,11 +58,13 @@ struct Context {
     std::uint8_t gate = 0;          ///< Gate bits
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
+    GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
     CurrentState current;
     TransformState transform;
     LightingState lighting;
     ArraysState arrays;
+    ArrayBindings array_bindings;
     PolygonState polygon;
     FragmentOpsState fragment_ops;
     FogState fog;

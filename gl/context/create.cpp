@@ -87,6 +87,7 @@ void destroy_context(Context* context) {
     list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
 #endif
     release_attributes(*context);
+    release_vertex_arrays(*context);
     release_evaluators(*context);
     release_pixel_maps(*context);
     release_textures(*context);

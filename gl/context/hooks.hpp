@@ -39,8 +39,18 @@ GLint saved_attributes(const Context& context, bool client);
 /// Frees what is still on the attribute stacks.
 void release_attributes(Context& context);
 
+/// The name that GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BUFFER_BINDING... ask for.
+GLuint bound_buffer(const Context& context, GLenum pname);
+/// A copy of the client's arrays is there twice, or it is no more: so are its buffers.
+void hold_arrays(Context& context);
+void release_arrays(Context& context);
 /// Frees one object of ShareGroup::buffers.
 void destroy_buffer(Arena& arena, void* object);
+/// Name of the vertex array object that is bound; binding one again, or none where it was deleted.
+GLuint bound_vertex_array(const Context& context);
+void bind_vertex_array(Context& context, GLuint name);
+/// Frees the vertex array objects of a context.
+void release_vertex_arrays(Context& context);
 
 // gl/texture
 /// What the texture group saves beside rows of the state table: bindings, environments, and parameters of the

@@ -43,6 +43,12 @@ void saved_depth(const Context& context, GLenum name, Param* out) {
     out[0] = integer(saved_attributes(context, name == GL_CLIENT_ATTRIB_STACK_DEPTH));
 }
 
+#if SPANGLE_FEATURE_BUFFERS
+void buffer_binding(const Context& context, GLenum name, Param* out) {
+    out[0] = Param::from_integer(bound_buffer(context, name));
+}
+#endif
+
 void size_range(const Context&, GLenum name, Param* out) {
     const bool point = name == GL_POINT_SIZE_RANGE || name == GL_ALIASED_POINT_SIZE_RANGE;
     out[0] = integer(1);
@@ -54,8 +60,9 @@ void binding(const Context& context, GLenum, Param* out) {
 }
 
 void active_unit(const Context& context, GLenum name, Param* out) {
-    out[0] = Param::from_integer(
-        GL_TEXTURE0 + (name == GL_ACTIVE_TEXTURE ? context.texture.active : context.arrays.client_active));
+    out[0] =
+        Param::from_integer(GL_TEXTURE0 + (name == GL_ACTIVE_TEXTURE ? context.texture.active
+                                                                     : context.array_bindings.client_active));
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER

@@ -15,6 +15,7 @@ void depth_of_stack(const Context& context, GLenum name, Param* out);
 void viewport_limits(const Context& context, GLenum name, Param* out);
 void render_mode(const Context& context, GLenum name, Param* out);
 void saved_depth(const Context& context, GLenum name, Param* out);
+void buffer_binding(const Context& context, GLenum name, Param* out);
 void size_range(const Context& context, GLenum name, Param* out);
 void binding(const Context& context, GLenum name, Param* out);
 void active_unit(const Context& context, GLenum name, Param* out);

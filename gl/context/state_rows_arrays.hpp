@@ -3,6 +3,18 @@
 
 #include "gl/context/state_row.hpp"
 
+// Builds without a system may have no member for it.
+#if SPANGLE_FEATURE_BUFFERS
+#define BUFFER_BINDING(NAME) computed(NAME, Kind::integer, 1, computed_state::buffer_binding)
+#else
+#define BUFFER_BINDING(NAME) of_buffers(constant(NAME, 0))
+#endif
+#if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+#define VERTEX_ARRAY_ROW STORED(GL_VERTEX_ARRAY_BINDING, array_bindings.vertex_array)
+#else
+#define VERTEX_ARRAY_ROW of_vertex_array_objects(constant(GL_VERTEX_ARRAY_BINDING, 0))
+#endif
+
 namespace spangle::gl {
 
 inline constexpr auto arrays_rows = std::to_array<StateRow>({
@@ -37,16 +49,34 @@ inline constexpr auto arrays_rows = std::to_array<StateRow>({
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_TYPE, arrays.tex_coord[0].type)),
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_STRIDE, arrays.tex_coord[0].stride)),
     of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_POINTER, arrays.tex_coord[0].pointer)),
-    HELD(arrays.client_active),
-    of_buffers(STORED(GL_ARRAY_BUFFER_BINDING, arrays.array_buffer)),
-    of_buffers(STORED(GL_ELEMENT_ARRAY_BUFFER_BINDING, arrays.element_buffer)),
-    of_buffers(STORED(GL_VERTEX_ARRAY_BUFFER_BINDING, arrays.vertex.buffer)),
-    of_buffers(STORED(GL_NORMAL_ARRAY_BUFFER_BINDING, arrays.normal.buffer)),
-    of_buffers(STORED(GL_COLOR_ARRAY_BUFFER_BINDING, arrays.color.buffer)),
-    of_color_index(of_buffers(STORED(GL_INDEX_ARRAY_BUFFER_BINDING, arrays.index.buffer))),
-    of_fog(of_buffers(STORED(GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, arrays.fog_coord.buffer))),
-    of_polygon_mode(of_buffers(STORED(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, arrays.edge_flag.buffer))),
-    of_buffers(of_client_unit(STORED(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, arrays.tex_coord[0].buffer))),
+    HELD(array_bindings.client_active),
+    HELD(array_bindings.array_buffer),
+    HELD(arrays.element_buffer),
+    HELD(arrays.buffered),
+    HELD(arrays.vertex.buffer),
+    HELD(arrays.normal.buffer),
+    HELD(arrays.color.buffer),
+    HELD(arrays.index.buffer),
+    HELD(arrays.edge_flag.buffer),
+    HELD(arrays.fog_coord.buffer),
+    of_client_unit(HELD(arrays.tex_coord[0].buffer)),
+    of_primitive_restart(stored<bool>(GL_PRIMITIVE_RESTART, offsetof(Context, array_bindings.restart),
+                                      Switch::client_by_enable)),
+    of_primitive_restart(STORED(GL_PRIMITIVE_RESTART_INDEX, array_bindings.restart_index)),
+    in(Group::none),
+    BUFFER_BINDING(GL_ARRAY_BUFFER_BINDING),
+    BUFFER_BINDING(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+    BUFFER_BINDING(GL_VERTEX_ARRAY_BUFFER_BINDING),
+    BUFFER_BINDING(GL_NORMAL_ARRAY_BUFFER_BINDING),
+    BUFFER_BINDING(GL_COLOR_ARRAY_BUFFER_BINDING),
+    of_color_index(BUFFER_BINDING(GL_INDEX_ARRAY_BUFFER_BINDING)),
+    of_fog(BUFFER_BINDING(GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING)),
+    of_polygon_mode(BUFFER_BINDING(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING)),
+    BUFFER_BINDING(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING),
+    VERTEX_ARRAY_ROW,
 });
+
+#undef BUFFER_BINDING
+#undef VERTEX_ARRAY_ROW
 
 } // namespace spangle::gl

@@ -106,7 +106,7 @@ std::uint32_t units_of(const StateRow& row) {
 
 std::size_t offset_of(const Context& context, const StateRow& row) {
     const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active
-                             : row.per_unit == PerUnit::client ? context.arrays.client_active
+                             : row.per_unit == PerUnit::client ? context.array_bindings.client_active
                                                                : 0;
     return row.where + row.unit_step * unit;
 }

@@ -24,8 +24,9 @@ enum class Source : std::uint8_t {
 
 enum class Switch : std::uint8_t {
     none,
-    server, ///< Enable, Disable and IsEnabled
-    client, ///< IsEnabled only: EnableClientState sets it
+    server,           ///< Enable, Disable and IsEnabled
+    client,           ///< IsEnabled only: EnableClientState sets it
+    client_by_enable, ///< as server, but ENABLE_BIT does not save it
 };
 
 /// Attribute groups by the number of their bit (GL 1.3, table 6.4), those of the client behind the others.

@@ -10,6 +10,7 @@
 #include "gl/list/record.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
+#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
 
@@ -75,12 +76,11 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
         encode::Vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
-    const AddressedArrays addressed(context);
-    const ElementReader reader(context.arrays);
+void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLuint count,
+                 const Indices& indices) {
     Word* const begin = list::record(context, &play_begin_draw, 1 + list::address_words);
-    for (GLsizei i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
-        capture(context, reader, indices.at(static_cast<std::uint32_t>(i)));
+    for (GLuint i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
+        capture(context, reader, indices.at(i));
     // The record of End is never the first of a chunk without a link to it, so its address is where a skip
     // goes on.
     Word* const end = list::record(context, &play_end_draw, 0);
@@ -89,6 +89,21 @@ void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& i
     begin[0] = mode;
     const Word* const past = end;
     std::memcpy(begin + 1, &past, sizeof past);
+}
+
+void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
+    const AddressedArrays addressed(context);
+    const ElementReader reader(context.arrays);
+    for_each_run(context.array_bindings, static_cast<GLuint>(count), indices,
+                 [&](GLuint n, const Indices& run) { capture_run(context, reader, mode, n, run); });
+}
+
+[[maybe_unused]] const Word* play_restart(Context& context, const Word* words) {
+    if (context.inside_begin_end()) {
+        context.engine->end(context);
+        context.engine->begin(context, context.primitive);
+    }
+    return words;
 }
 
 bool is_index_type(GLenum type) {
@@ -102,6 +117,8 @@ namespace encode {
 void ArrayElement(Context& context, GLint i) {
     if (i < 0)
         return list::record_error(context, GL_INVALID_VALUE, true);
+    if (restarts(context.array_bindings, static_cast<GLuint>(i)))
+        return static_cast<void>(list::record(context, &play_restart, 0));
     if (!arrays_reach(context, static_cast<GLuint>(i)))
         return list::record_error(context, GL_INVALID_OPERATION, true);
     const AddressedArrays addressed(context);
@@ -113,15 +130,16 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (first < 0 || count < 0)
         return list::record_error(context, GL_INVALID_VALUE, false);
-    if (count > 0 && !arrays_reach(context, static_cast<GLuint>(first) + static_cast<GLuint>(count) - 1))
+    Indices found{.first = static_cast<GLuint>(first)};
+    if (!find_indices(context, static_cast<GLuint>(count), found))
         return list::record_error(context, GL_INVALID_OPERATION, false);
-    capture_draw(context, mode, count, {.first = static_cast<GLuint>(first)});
+    capture_draw(context, mode, count, found);
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
     if (mode > GL_POLYGON || !is_index_type(type))
         return list::record_error(context, GL_INVALID_ENUM, false);
-    if (count < 0 || (indices == nullptr && count > 0 && context.arrays.element_buffer == 0))
+    if (count < 0 || (indices == nullptr && count > 0 && context.arrays.element_buffer == nullptr))
         return list::record_error(context, GL_INVALID_VALUE, false);
     Indices found{.type = type, .data = indices};
     if (!find_indices(context, static_cast<GLuint>(count), found))

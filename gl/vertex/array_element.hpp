@@ -110,6 +110,16 @@ struct Indices {
         return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
     }
 
+    /// Those behind the first n.
+    Indices from(std::uint32_t n) const {
+        Indices rest = *this;
+        if (type == GL_NONE)
+            rest.first += n;
+        else if (n != 0)
+            rest.data = static_cast<const std::uint8_t*>(data) + std::size_t{n} * bytes_of(type);
+        return rest;
+    }
+
   private:
     template <class T> std::uint32_t read(std::uint32_t i) const {
         T value;

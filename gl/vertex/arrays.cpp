@@ -1,6 +1,8 @@
 // Vertex arrays: where they are, which are on, and how their elements become canonical values (GL 1.3, 2.8).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/vertex/buffer_object.hpp"
 #include "gl/vertex/current_element.hpp"
 
 namespace spangle::gl {
@@ -18,6 +20,13 @@ unsigned bytes_of(GLenum type) {
     default:
         return 4;
     }
+}
+
+void set_buffer([[maybe_unused]] Context& context, [[maybe_unused]] ClientArray& array) {
+#if SPANGLE_FEATURE_BUFFERS
+    bind_buffer(context, array.buffer, context.array_bindings.array_buffer);
+    context.arrays.buffered = context.arrays.buffered || array.buffer != nullptr;
+#endif
 }
 
 namespace {
@@ -59,11 +68,15 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     }
 }
 
-/// The buffer that is bound now is the array's from now on (GL 1.5, 2.9.6).
-void point(ArraysState& arrays, ClientArray& array, GLint size, GLenum type, GLsizei stride,
+/// The buffer that is bound now is the array's from now on (GL 1.5, 2.9.6). Arrays of objects with a name lie
+/// in buffers (GL 3.0, 2.8).
+void point(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride,
            const void* pointer) {
-    array.buffer = arrays.array_buffer;
-    arrays.buffered = arrays.buffered || array.buffer != 0;
+    BufferObject* const buffer = context.array_bindings.array_buffer;
+    if (bound_vertex_array(context) != 0 && buffer == nullptr && pointer != nullptr)
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("a vertex array object asks for arrays in buffers"));
+    set_buffer(context, array);
     array.size = size;
     array.type = type;
     array.stride = stride;
@@ -122,7 +135,7 @@ void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, co
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.vertex, size, type, stride, pointer);
+    point(context, context.arrays.vertex, size, type, stride, pointer);
 }
 
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
@@ -130,7 +143,7 @@ void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* po
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type) && type != GL_BYTE)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.normal, 3, type, stride, pointer);
+    point(context, context.arrays.normal, 3, type, stride, pointer);
 }
 
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -139,7 +152,7 @@ void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, con
     const bool integer = type >= GL_BYTE && type <= GL_UNSIGNED_INT;
     if (!integer && type != GL_FLOAT && type != GL_DOUBLE && type != GL_FIXED)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.color, size, type, stride, pointer);
+    point(context, context.arrays.color, size, type, stride, pointer);
 }
 
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -147,15 +160,21 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.tex_coord[context.arrays.client_active], size, type, stride,
+    point(context, context.arrays.tex_coord[context.array_bindings.client_active], size, type, stride,
           pointer);
 }
 
 void ClientActiveTexture(Context& context, GLenum texture) {
     if (unit_of(texture) >= texture_units)
         return error(context, GL_INVALID_ENUM);
-    context.arrays.client_active = unit_of(texture);
+    context.array_bindings.client_active = unit_of(texture);
 }
+
+#if SPANGLE_FEATURE_PRIMITIVE_RESTART
+void PrimitiveRestartIndex(Context& context, GLuint index) {
+    context.array_bindings.restart_index = index;
+}
+#endif
 
 #if SPANGLE_FEATURE_COLOR_INDEX
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
@@ -163,7 +182,7 @@ void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* poi
         return error(context, GL_INVALID_VALUE);
     if (!is_position_type(type) && type != GL_UNSIGNED_BYTE)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.index, 1, type, stride, pointer);
+    point(context, context.arrays.index, 1, type, stride, pointer);
 }
 #endif
 
@@ -173,7 +192,7 @@ void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* 
         return error(context, GL_INVALID_VALUE);
     if (type != GL_FLOAT && type != GL_DOUBLE)
         return error(context, GL_INVALID_ENUM);
-    point(context.arrays, context.arrays.fog_coord, 1, type, stride, pointer);
+    point(context, context.arrays.fog_coord, 1, type, stride, pointer);
 }
 #endif
 
@@ -181,7 +200,7 @@ void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* 
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
-    point(context.arrays, context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+    point(context, context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
 }
 #endif
 
@@ -206,7 +225,7 @@ void enable_array(Context& context, GLenum array, bool on) {
         context.arrays.color.enabled = on;
         break;
     case GL_TEXTURE_COORD_ARRAY:
-        context.arrays.tex_coord[context.arrays.client_active].enabled = on;
+        context.arrays.tex_coord[context.array_bindings.client_active].enabled = on;
         break;
     case GL_INDEX_ARRAY:
         return enable_optional(context, context.arrays.index, on, SPANGLE_FEATURE_COLOR_INDEX != 0,

@@ -1,28 +1,55 @@
 // Vertex arrays: where they are and which are on (GL 1.3, 2.8). Client state.
 #pragma once
 
+#include <initializer_list>
+
+#include "gl/context/name_table.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
+
+struct BufferObject;
 
 struct ClientArray {
     bool enabled = false;
     GLint size = 4;
     GLenum type = GL_FLOAT;
-    GLsizei stride = 0;            ///< as given; 0 = packed
-    const void* pointer = nullptr; ///< in a buffer: the offset
-    GLuint buffer = 0;             ///< its name, or 0: client memory
+    GLsizei stride = 0;             ///< as given; 0 = packed
+    const void* pointer = nullptr;  ///< in a buffer: the offset
+    BufferObject* buffer = nullptr; ///< null: client memory
 
     bool on() const { return enabled && pointer != nullptr; }
 };
 
+/// What a vertex array object holds (GL 3.0, 2.10).
 struct ArraysState {
     ClientArray vertex, normal, color;
     ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE}, fog_coord{.size = 1};
     ClientArray tex_coord[texture_units];
-    GLuint array_buffer = 0, element_buffer = 0; ///< names bound
-    bool buffered = false;                       ///< some array may lie in a buffer
-    GLuint client_active = 0;                    ///< the unit whose array commands and queries name
+    BufferObject* element_buffer = nullptr;
+    bool buffered = false; ///< some array may lie in a buffer
+};
+
+/// Calls f(array) for each.
+template <class Arrays, class F> void each_array(Arrays& arrays, F f) {
+    for (auto* array :
+         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag, &arrays.fog_coord})
+        f(*array);
+    for (auto& array : arrays.tex_coord)
+        f(array);
+}
+
+/// What holds for all of them.
+struct ArrayBindings {
+    BufferObject* array_buffer = nullptr;
+    GLuint client_active = 0; ///< the unit whose array commands and queries name
+    GLuint restart_index = 0;
+    bool restart = false; ///< PRIMITIVE_RESTART
+#if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+    GLuint vertex_array = 0; ///< its name: Context::arrays is what it holds now
+    NameTable vertex_arrays; ///< to ArraysState of those that are not bound
+    void* unnamed = nullptr; ///< the same of name 0
+#endif
 };
 
 } // namespace spangle::gl

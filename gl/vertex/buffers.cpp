@@ -1,24 +1,17 @@
 // Buffer objects: names, data, mapping (GL 1.5, 2.9; GL 3.0, 2.9.3).
-#include "gl/context/features.hpp"
+#include "gl/context/hooks.hpp"
 
 #if SPANGLE_FEATURE_BUFFERS
 
 #include <cstring>
-#include <initializer_list>
 #include <new>
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/vertex/buffer_object.hpp"
 
 namespace spangle::gl {
-
-BufferObject* find_buffer(const Context& context, GLuint name) {
-    void** const slot = context.share->buffers.find(name);
-    return slot != nullptr ? static_cast<BufferObject*>(*slot) : nullptr;
-}
 
 void destroy_buffer(Arena& arena, void* object) {
     if (object == nullptr)
@@ -29,20 +22,85 @@ void destroy_buffer(Arena& arena, void* object) {
     arena.free(buffer);
 }
 
+void bind_buffer(Context& context, BufferObject*& binding, BufferObject* object) {
+    BufferObject* const before = binding;
+    if (object != nullptr)
+        ++object->references;
+    binding = object;
+    if (before != nullptr && --before->references == 0 && before->deleted)
+        destroy_buffer(*context.arena, before);
+}
+
+void hold_buffers(ArraysState& arrays) {
+    const auto hold = [](BufferObject* buffer) {
+        if (buffer != nullptr)
+            ++buffer->references;
+    };
+    hold(arrays.element_buffer);
+    each_array(arrays, [&](ClientArray& array) { hold(array.buffer); });
+}
+
+void release_buffers(Context& context, ArraysState& arrays) {
+    bind_buffer(context, arrays.element_buffer, nullptr);
+    each_array(arrays, [&](ClientArray& array) { bind_buffer(context, array.buffer, nullptr); });
+}
+
+void hold_arrays(Context& context) {
+    hold_buffers(context.arrays);
+    if (context.array_bindings.array_buffer != nullptr)
+        ++context.array_bindings.array_buffer->references;
+}
+
+void release_arrays(Context& context) {
+    release_buffers(context, context.arrays);
+    bind_buffer(context, context.array_bindings.array_buffer, nullptr);
+}
+
+GLuint bound_buffer(const Context& context, GLenum pname) {
+    const ArraysState& arrays = context.arrays;
+    const auto name = [](const BufferObject* buffer) { return buffer != nullptr ? buffer->name : 0; };
+    switch (pname) {
+    case GL_ARRAY_BUFFER_BINDING:
+        return name(context.array_bindings.array_buffer);
+    case GL_ELEMENT_ARRAY_BUFFER_BINDING:
+        return name(arrays.element_buffer);
+    case GL_VERTEX_ARRAY_BUFFER_BINDING:
+        return name(arrays.vertex.buffer);
+    case GL_NORMAL_ARRAY_BUFFER_BINDING:
+        return name(arrays.normal.buffer);
+    case GL_COLOR_ARRAY_BUFFER_BINDING:
+        return name(arrays.color.buffer);
+    case GL_INDEX_ARRAY_BUFFER_BINDING:
+        return name(arrays.index.buffer);
+    case GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING:
+        return name(arrays.fog_coord.buffer);
+    case GL_EDGE_FLAG_ARRAY_BUFFER_BINDING:
+        return name(arrays.edge_flag.buffer);
+    default:
+        return name(arrays.tex_coord[context.array_bindings.client_active].buffer);
+    }
+}
+
 namespace {
 
-GLuint* binding_of(Context& context, GLenum target) {
+/// The object of a name, or null.
+BufferObject* find_buffer(const Context& context, GLuint name) {
+    void** const slot = context.share->buffers.find(name);
+    return slot != nullptr ? static_cast<BufferObject*>(*slot) : nullptr;
+}
+
+BufferObject** binding_of(Context& context, GLenum target) {
     if (target == GL_ARRAY_BUFFER)
-        return &context.arrays.array_buffer;
+        return &context.array_bindings.array_buffer;
     return target == GL_ELEMENT_ARRAY_BUFFER ? &context.arrays.element_buffer : nullptr;
 }
 
 /// The bound object; else the error is set and null comes back.
 BufferObject* bound(Context& context, GLenum target) {
-    const GLuint* const name = binding_of(context, target);
-    BufferObject* const buffer = name != nullptr ? find_buffer(context, *name) : nullptr;
+    BufferObject* const* const binding = binding_of(context, target);
+    BufferObject* const buffer = binding != nullptr ? *binding : nullptr;
     if (buffer == nullptr)
-        error(context, name == nullptr ? GL_INVALID_ENUM : GL_INVALID_OPERATION);
+        error(context, binding == nullptr ? GL_INVALID_ENUM : GL_INVALID_OPERATION);
     return buffer;
 }
 
@@ -68,18 +126,47 @@ void replace(Context& context, BufferObject& buffer, std::uint8_t* bytes, GLsize
     buffer.map_offset = buffer.map_length = 0;
 }
 
-/// A buffer that is gone leaves its bindings, also those of arrays.
-void forget(ArraysState& arrays, GLuint name) {
-    const auto drop = [name](GLuint& binding) { binding = binding == name ? 0 : binding; };
-    drop(arrays.array_buffer);
-    drop(arrays.element_buffer);
-    for (ClientArray* array :
-         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag, &arrays.fog_coord})
-        if (array->buffer == name)
-            array->buffer = 0, array->pointer = nullptr;
-    for (ClientArray& array : arrays.tex_coord)
-        if (array.buffer == name)
-            array.buffer = 0, array.pointer = nullptr;
+/// A buffer that is deleted leaves the bindings of this context, also those of arrays.
+void forget(Context& context, const BufferObject* buffer) {
+    const auto drop = [&](BufferObject*& binding) {
+        if (binding == buffer)
+            bind_buffer(context, binding, nullptr);
+    };
+    drop(context.array_bindings.array_buffer);
+    drop(context.arrays.element_buffer);
+    each_array(context.arrays, [&](ClientArray& array) {
+        if (array.buffer == buffer)
+            array.pointer = nullptr;
+        drop(array.buffer);
+    });
+}
+
+void delete_buffer(Context& context, GLuint name) {
+    BufferObject* buffer = nullptr;
+    bind_buffer(context, buffer, static_cast<BufferObject*>(context.share->buffers.remove(name)));
+    if (buffer == nullptr)
+        return;
+    buffer->deleted = true;
+    forget(context, buffer);
+    bind_buffer(context, buffer, nullptr);
+}
+
+/// The object of a name, made when the name has none yet; null without memory.
+BufferObject* object_of(Context& context, GLuint name) {
+    NameTable& names = context.share->buffers;
+    void** const slot = names.find(name);
+    if (slot != nullptr && *slot != nullptr)
+        return static_cast<BufferObject*>(*slot);
+    void* const memory = context.arena->allocate(sizeof(BufferObject));
+    if (memory == nullptr || (slot == nullptr && !names.insert(*context.arena, name, memory))) {
+        context.arena->free(memory);
+        return nullptr;
+    }
+    if (slot != nullptr)
+        *slot = memory;
+    auto* const object = new (memory) BufferObject;
+    object->name = name;
+    return object;
 }
 
 void* map(BufferObject& buffer, std::size_t offset, std::size_t length, GLbitfield flags, GLenum access) {
@@ -102,12 +189,9 @@ void GenBuffers(Context& context, GLsizei n, GLuint* buffers) {
 void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers) {
     if (n < 0 || (n > 0 && buffers == nullptr))
         return error(context, GL_INVALID_VALUE);
-    for (GLsizei i = 0; i < n; ++i) {
-        if (buffers[i] == 0)
-            continue;
-        destroy_buffer(*context.arena, context.share->buffers.remove(buffers[i]));
-        forget(context.arrays, buffers[i]);
-    }
+    for (GLsizei i = 0; i < n; ++i)
+        if (buffers[i] != 0)
+            delete_buffer(context, buffers[i]);
 }
 
 GLboolean IsBuffer(Context& context, GLuint buffer) {
@@ -115,22 +199,14 @@ GLboolean IsBuffer(Context& context, GLuint buffer) {
 }
 
 void BindBuffer(Context& context, GLenum target, GLuint buffer) {
-    GLuint* const binding = binding_of(context, target);
+    BufferObject** const binding = binding_of(context, target);
     if (binding == nullptr)
         return error(context, GL_INVALID_ENUM);
-    if (buffer != 0 && find_buffer(context, buffer) == nullptr) {
-        NameTable& names = context.share->buffers;
-        void* const memory = context.arena->allocate(sizeof(BufferObject));
-        void** const slot = names.find(buffer);
-        if (memory == nullptr || (slot == nullptr && !names.insert(*context.arena, buffer, memory))) {
-            context.arena->free(memory);
-            return error(context, GL_OUT_OF_MEMORY);
-        }
-        auto* const object = new (memory) BufferObject;
-        if (slot != nullptr)
-            *slot = object;
-    }
-    *binding = buffer;
+    BufferObject* const object = buffer != 0 ? object_of(context, buffer) : nullptr;
+    if (buffer != 0 && object == nullptr)
+        return error(context, GL_OUT_OF_MEMORY,
+                     SPANGLE_TEXT("glBindBuffer: no room in the arena for a new object"));
+    bind_buffer(context, *binding, object);
 }
 
 void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
@@ -305,6 +381,15 @@ void GetBufferPointerv(Context& context, GLenum target, GLenum pname, void** par
 }
 
 } // namespace cmd
+
+} // namespace spangle::gl
+
+#else
+
+namespace spangle::gl {
+
+void hold_arrays(Context&) {}
+void release_arrays(Context&) {}
 
 } // namespace spangle::gl
 

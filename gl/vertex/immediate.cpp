@@ -30,6 +30,10 @@ void set_tex_coord(Context& context, std::uint32_t unit, Real s, Real t, Real r,
 
 /// ArrayElement: sets the attributes whose arrays are on, then gives the vertex (GL 1.3, 2.8).
 void element(Context& context, std::uint32_t index) {
+    if (context.inside_begin_end() && restarts(context.array_bindings, index)) {
+        context.engine->end(context);
+        return context.engine->begin(context, context.primitive);
+    }
     if (!arrays_reach(context, index))
         return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an array element beyond its buffer"));
     const AddressedArrays addressed(context);
@@ -46,12 +50,15 @@ bool is_mode(GLenum mode) {
     return mode <= GL_POLYGON;
 }
 
-/// Draws `count` elements as one primitive.
+/// Draws `count` elements as one primitive, or as those between restarts.
 void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     const AddressedArrays addressed(context);
-    cmd::Begin(context, mode);
-    context.engine->elements(context, static_cast<std::uint32_t>(count), indices);
-    cmd::End(context);
+    for_each_run(context.array_bindings, static_cast<std::uint32_t>(count), indices,
+                 [&](std::uint32_t n, const Indices& run) {
+                     cmd::Begin(context, mode);
+                     context.engine->elements(context, n, run);
+                     cmd::End(context);
+                 });
 }
 
 } // namespace
@@ -62,6 +69,7 @@ void Begin(Context& context, GLenum mode) {
     if (!is_mode(mode))
         return error(context, GL_INVALID_ENUM);
     set_gate(context, true);
+    context.primitive = mode;
     context.engine->begin(context, mode);
 }
 
@@ -135,11 +143,11 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return error(context, GL_INVALID_ENUM);
     if (first < 0 || count < 0)
         return error(context, GL_INVALID_VALUE);
-    if (count > 0 &&
-        !arrays_reach(context, static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(count) - 1))
+    Indices found{.first = static_cast<std::uint32_t>(first)};
+    if (!find_indices(context, static_cast<std::uint32_t>(count), found))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glDrawArrays: an element beyond its buffer"));
-    draw(context, mode, count, {.first = static_cast<std::uint32_t>(first)});
+    draw(context, mode, count, found);
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
@@ -149,7 +157,7 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return error(context, GL_INVALID_ENUM);
-    if (indices == nullptr && count > 0 && context.arrays.element_buffer == 0)
+    if (indices == nullptr && count > 0 && context.arrays.element_buffer == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawElements: null pointer"));
     Indices found{.type = type, .data = indices};
     if (!find_indices(context, static_cast<std::uint32_t>(count), found))

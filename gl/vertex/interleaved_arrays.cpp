@@ -1,6 +1,8 @@
 // InterleavedArrays (GL 1.3, 2.8, table 2.5).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
+#include "gl/vertex/buffer_object.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -31,17 +33,16 @@ constexpr Format formats[] = {
     {4, 4, false, true, 4, 16, 32, 44, 60}, // T4F_C4F_N3F_V4F
 };
 
-void set(ArraysState& arrays, ClientArray& array, GLint size, GLenum type, GLsizei stride,
-         const void* pointer, unsigned at) {
+void set(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer,
+         unsigned at) {
     array.enabled = size != 0;
     if (size == 0)
         return; // a disabled array keeps its pointer
     array.size = size;
     array.type = type;
     array.stride = stride;
-    array.buffer = arrays.array_buffer;
-    arrays.buffered = arrays.buffered || array.buffer != 0;
-    array.pointer = pointer != nullptr || array.buffer != 0
+    set_buffer(context, array);
+    array.pointer = pointer != nullptr || array.buffer != nullptr
                         ? reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(pointer) + at)
                         : nullptr;
 }
@@ -53,15 +54,20 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
         return error(context, GL_INVALID_ENUM);
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
+    if (bound_vertex_array(context) != 0 && context.array_bindings.array_buffer == nullptr &&
+        pointer != nullptr)
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("a vertex array object asks for arrays in buffers"));
     const Format& f = formats[format - GL_V2F];
     const GLsizei step = stride != 0 ? stride : f.stride;
     ArraysState& arrays = context.arrays;
     arrays.index.enabled = arrays.edge_flag.enabled = arrays.fog_coord.enabled = false;
-    set(arrays, arrays.tex_coord[arrays.client_active], f.tex_size, GL_FLOAT, step, pointer, 0);
-    set(arrays, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
+    set(context, arrays.tex_coord[context.array_bindings.client_active], f.tex_size, GL_FLOAT, step, pointer,
+        0);
+    set(context, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
         f.color_at);
-    set(arrays, arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
-    set(arrays, arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);
+    set(context, arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
+    set(context, arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);
 }
 
 } // namespace spangle::gl::cmd

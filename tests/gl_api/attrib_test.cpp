@@ -166,6 +166,8 @@ std::map<GLenum, GLbitfield> client_state() {
           GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES,
           GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_ALIGNMENT})
         groups[name] = client_pixel_store;
+    if (SPANGLE_FEATURE_PRIMITIVE_RESTART)
+        groups[GL_PRIMITIVE_RESTART] = groups[GL_PRIMITIVE_RESTART_INDEX] = client_vertex_array;
     return groups;
 }
 
@@ -344,6 +346,10 @@ class Attrib : public RecordingContext {
 #if SPANGLE_FEATURE_BUFFERS
         glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(k) + 4);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(k) + 6);
+#endif
+#if SPANGLE_FEATURE_PRIMITIVE_RESTART
+        (k != 0 ? glEnable : glDisable)(GL_PRIMITIVE_RESTART);
+        glPrimitiveRestartIndex(static_cast<GLuint>(k) + 9);
 #endif
         glVertexPointer(k + 2, type, k + 8, memory_ + k);
         glNormalPointer(type, k + 8, memory_ + 2 + k);

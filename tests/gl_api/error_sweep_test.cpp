@@ -31,7 +31,8 @@ class ErrorSweep : public RecordingContext {
 #if SPANGLE_FEATURE_BUFFERS
         const std::string row = c.row; // what asks for a buffer has one that is not mapped
         const bool buffer = (row == "B21" || row == "B22") && gl::current_context() != nullptr;
-        context->arrays.array_buffer = context->arrays.element_buffer = 0;
+        for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
+            gl::cmd::BindBuffer(*context, target, 0);
         if (buffer && !context->inside_begin_end() && context->list.index == 0) {
             for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER}) {
                 glBindBuffer(target, 1);

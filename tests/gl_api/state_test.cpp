@@ -202,6 +202,10 @@ std::vector<Expected> initial_state() {
             if ((SPANGLE_FEATURE_COLOR_INDEX || name != GL_INDEX_ARRAY_BUFFER_BINDING) &&
                 (SPANGLE_FEATURE_POLYGON_MODE || name != GL_EDGE_FLAG_ARRAY_BUFFER_BINDING))
                 table.push_back({name, {0}});
+    if (SPANGLE_FEATURE_PRIMITIVE_RESTART)
+        table.insert(table.end(), {{GL_PRIMITIVE_RESTART, {0}}, {GL_PRIMITIVE_RESTART_INDEX, {0}}});
+    if (SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS)
+        table.push_back({GL_VERTEX_ARRAY_BINDING, {0}});
     if (SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_FOG)
         table.push_back({GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, {0}});
     if (SPANGLE_FEATURE_RASTER_POS)

@@ -58,6 +58,11 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+void PrimitiveRestartIndex(Context& context, GLuint index);
+void GenVertexArrays(Context& context, GLsizei n, GLuint* arrays);
+void DeleteVertexArrays(Context& context, GLsizei n, const GLuint* arrays);
+GLboolean IsVertexArray(Context& context, GLuint array);
+void BindVertexArray(Context& context, GLuint array);
 void GenBuffers(Context& context, GLsizei n, GLuint* buffers);
 void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers);
 GLboolean IsBuffer(Context& context, GLuint buffer);
@@ -524,6 +529,41 @@ struct MultiDrawElements {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glMultiDrawElements between glBegin and glEnd");
+};
+struct PrimitiveRestartIndex {
+    static constexpr auto run = &cmd::PrimitiveRestartIndex;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPrimitiveRestartIndex between glBegin and glEnd");
+};
+struct GenVertexArrays {
+    static constexpr auto run = &cmd::GenVertexArrays;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenVertexArrays between glBegin and glEnd");
+};
+struct DeleteVertexArrays {
+    static constexpr auto run = &cmd::DeleteVertexArrays;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glDeleteVertexArrays between glBegin and glEnd");
+};
+struct IsVertexArray {
+    static constexpr auto run = &cmd::IsVertexArray;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsVertexArray between glBegin and glEnd");
+};
+struct BindVertexArray {
+    static constexpr auto run = &cmd::BindVertexArray;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBindVertexArray between glBegin and glEnd");
 };
 struct GenBuffers {
     static constexpr auto run = &cmd::GenBuffers;

@@ -1358,6 +1358,34 @@ void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum ty
     issue<family::MultiDrawElements>(mode, count, type, indices, primcount);
 }
 
+#if SPANGLE_FEATURE_PRIMITIVE_RESTART
+
+void GLAPIENTRY glPrimitiveRestartIndex(GLuint index) {
+    issue<family::PrimitiveRestartIndex>(index);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+
+void GLAPIENTRY glGenVertexArrays(GLsizei n, GLuint* arrays) {
+    issue<family::GenVertexArrays>(n, arrays);
+}
+
+void GLAPIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays) {
+    issue<family::DeleteVertexArrays>(n, arrays);
+}
+
+GLboolean GLAPIENTRY glIsVertexArray(GLuint array) {
+    return ask<family::IsVertexArray>(array);
+}
+
+void GLAPIENTRY glBindVertexArray(GLuint array) {
+    issue<family::BindVertexArray>(array);
+}
+
+#endif
+
 #if SPANGLE_FEATURE_BUFFERS
 
 void GLAPIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
@@ -1722,6 +1750,14 @@ void GLAPIENTRY glEdgeFlagPointer(GLsizei, const void*) {
 
 #endif
 
+#if !SPANGLE_FEATURE_PRIMITIVE_RESTART
+
+void GLAPIENTRY glPrimitiveRestartIndex(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glPrimitiveRestartIndex: this build has no SPANGLE_FEATURE_PRIMITIVE_RESTART"));
+}
+
+#endif
+
 #if !SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos2s(GLshort, GLshort) {
@@ -1938,6 +1974,27 @@ void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
 
 void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+
+void GLAPIENTRY glGenVertexArrays(GLsizei, GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glGenVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
+}
+
+void GLAPIENTRY glDeleteVertexArrays(GLsizei, const GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glDeleteVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
+}
+
+GLboolean GLAPIENTRY glIsVertexArray(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glIsVertexArray: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
+    return 0;
+}
+
+void GLAPIENTRY glBindVertexArray(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glBindVertexArray: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
 }
 
 #endif

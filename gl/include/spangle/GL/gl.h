@@ -203,6 +203,9 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_MAP_FLUSH_EXPLICIT_BIT 0x0010
 #define GL_MAP_UNSYNCHRONIZED_BIT 0x0020
 #define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
+#define GL_PRIMITIVE_RESTART 0x8F9D
+#define GL_PRIMITIVE_RESTART_INDEX 0x8F9E
+#define GL_VERTEX_ARRAY_BINDING 0x85B5
 #define GL_CURRENT_FOG_COORDINATE 0x8453
 #define GL_FOG_COORDINATE_ARRAY_TYPE 0x8454
 #define GL_FOG_COORDINATE_ARRAY_STRIDE 0x8455
@@ -473,6 +476,11 @@ GLAPI void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, co
 GLAPI void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 GLAPI void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
 GLAPI void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+GLAPI void GLAPIENTRY glPrimitiveRestartIndex(GLuint index);
+GLAPI void GLAPIENTRY glGenVertexArrays(GLsizei n, GLuint* arrays);
+GLAPI void GLAPIENTRY glDeleteVertexArrays(GLsizei n, const GLuint* arrays);
+GLAPI GLboolean GLAPIENTRY glIsVertexArray(GLuint array);
+GLAPI void GLAPIENTRY glBindVertexArray(GLuint array);
 GLAPI void GLAPIENTRY glGenBuffers(GLsizei n, GLuint* buffers);
 GLAPI void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers);
 GLAPI GLboolean GLAPIENTRY glIsBuffer(GLuint buffer);

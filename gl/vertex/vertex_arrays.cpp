@@ -1,0 +1,119 @@
+// Vertex array objects: what VertexPointer and its like set, by name (GL 3.0, 2.10). They are not shared.
+#include "gl/context/hooks.hpp"
+
+#if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+
+#include <new>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/context.hpp"
+#include "gl/vertex/buffer_object.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+bool make(Context& context, void*& object) {
+    if (object != nullptr)
+        return true;
+    void* const memory = context.arena->allocate(sizeof(ArraysState));
+    if (memory != nullptr)
+        object = new (memory) ArraysState;
+    return memory != nullptr;
+}
+
+/// Where the arrays of a name lie while it is not bound: null as long as they were never needed.
+void** place_of(ArrayBindings& bindings, GLuint name) {
+    return name != 0 ? bindings.vertex_arrays.find(name) : &bindings.unnamed;
+}
+
+void destroy(Context& context, void* object) {
+    if (object != nullptr)
+        release_buffers(context, *static_cast<ArraysState*>(object));
+    context.arena->free(object);
+}
+
+} // namespace
+
+GLuint bound_vertex_array(const Context& context) {
+    return context.array_bindings.vertex_array;
+}
+
+void bind_vertex_array(Context& context, GLuint name) {
+    if (place_of(context.array_bindings, name) != nullptr)
+        cmd::BindVertexArray(context, name);
+    else
+        cmd::BindVertexArray(context, 0);
+}
+
+void release_vertex_arrays(Context& context) {
+    release_arrays(context);
+    ArrayBindings& bindings = context.array_bindings;
+    if (void** const bound = place_of(bindings, bindings.vertex_array); *bound != nullptr)
+        *static_cast<ArraysState*>(*bound) = ArraysState(); // its buffers were the context's
+    destroy(context, bindings.unnamed);
+    for (std::uint32_t i = 0; i < bindings.vertex_arrays.capacity(); ++i)
+        if (bindings.vertex_arrays.slot(i).name != 0)
+            destroy(context, bindings.vertex_arrays.slot(i).object);
+    bindings.vertex_arrays.clear(*context.arena);
+}
+
+namespace cmd {
+
+void GenVertexArrays(Context& context, GLsizei n, GLuint* arrays) {
+    gen_names(context, context.array_bindings.vertex_arrays, n, arrays);
+}
+
+void DeleteVertexArrays(Context& context, GLsizei n, const GLuint* arrays) {
+    if (n < 0 || (n > 0 && arrays == nullptr))
+        return error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < n; ++i) {
+        if (arrays[i] == 0)
+            continue;
+        if (arrays[i] == context.array_bindings.vertex_array)
+            BindVertexArray(context, 0);
+        destroy(context, context.array_bindings.vertex_arrays.remove(arrays[i]));
+    }
+}
+
+GLboolean IsVertexArray(Context& context, GLuint array) {
+    void** const slot = context.array_bindings.vertex_arrays.find(array);
+    return slot != nullptr && *slot != nullptr ? GL_TRUE : GL_FALSE;
+}
+
+/// What is bound is in the context, where draws find it; the others lie in the arena.
+void BindVertexArray(Context& context, GLuint array) {
+    ArrayBindings& bindings = context.array_bindings;
+    void **const from = place_of(bindings, bindings.vertex_array), **const to = place_of(bindings, array);
+    if (to == nullptr)
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glBindVertexArray: no name of glGenVertexArrays"));
+    if (from == to)
+        return;
+    if (!make(context, *from) || !make(context, *to))
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBindVertexArray: no room in the arena"));
+    *static_cast<ArraysState*>(*from) = context.arrays;
+    context.arrays = *static_cast<ArraysState*>(*to);
+    bindings.vertex_array = array;
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl
+
+#else
+
+namespace spangle::gl {
+
+GLuint bound_vertex_array(const Context&) {
+    return 0;
+}
+void bind_vertex_array(Context&, GLuint) {}
+void release_vertex_arrays(Context& context) {
+    release_arrays(context);
+}
+
+} // namespace spangle::gl
+
+#endif
