@@ -127,10 +127,7 @@ struct DoubleMath {
         return out;
     }
     static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
-        for (int c = 0; c < 4; ++c)
-            out.color[c] = mix(a.color[c], b.color[c], t);
-        for (int c = 0; c < 3; ++c)
-            out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
+        mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
             if ((units >> u & 1) == 0)
                 continue;
@@ -138,6 +135,13 @@ struct DoubleMath {
             out.tex[u].t = mix(a.tex[u].t, b.tex[u].t, t);
             out.tex[u].q = mix(a.tex[u].q, b.tex[u].q, t);
         }
+    }
+
+    template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = mix(a.color[c], b.color[c], t);
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = mix(a.secondary[c], b.secondary[c], t);
     }
 
     // --- numbers, for what is seldom asked of a vertex
@@ -207,7 +211,10 @@ struct DoubleMath {
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0.0;
     }
-    static void copy_color(const Window& from, Window& to) {
+    struct Colors {
+        double color[4], secondary[3];
+    };
+    template <class From, class To> static void copy_color(const From& from, To& to) {
         for (int c = 0; c < 4; ++c)
             to.color[c] = from.color[c];
         for (int c = 0; c < 3; ++c)

@@ -217,10 +217,7 @@ struct FixedMath {
 
     /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use.
     static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
-        for (int c = 0; c < 4; ++c)
-            out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
-        for (int c = 0; c < 3; ++c)
-            out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
+        mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
             if ((units >> u & 1) == 0)
                 continue;
@@ -233,6 +230,13 @@ struct FixedMath {
             set_texture(out, u, stq);
             out.tex[u].q_is_one = a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0 ? 1 : 0;
         }
+    }
+
+    template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
+        for (int c = 0; c < 4; ++c)
+            out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
     }
 
     // --- numbers of any size, for what is seldom asked of a vertex
@@ -340,7 +344,11 @@ struct FixedMath {
             out.secondary[c] = 0;
     }
 
-    static void copy_color(const Window& from, Window& to) {
+    /// Of a vertex, without the rest.
+    struct Colors {
+        std::uint32_t color[4], secondary[3];
+    };
+    template <class From, class To> static void copy_color(const From& from, To& to) {
         for (int c = 0; c < 4; ++c)
             to.color[c] = from.color[c];
         for (int c = 0; c < 3; ++c)

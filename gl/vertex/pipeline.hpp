@@ -30,8 +30,8 @@ template <class M, class L> class Pipeline {
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
-        if (outlined() && mode == GL_POLYGON)
-            full_ = 4; // the last triangle has an edge more than those before
+        if (mode == GL_POLYGON && (outlined() || captures()))
+            begin_polygon();
         state_ = &draw_state(context);
     }
 
@@ -58,8 +58,8 @@ template <class M, class L> class Pipeline {
     void end() {
         if (mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
-        if (outlined() && mode_ == GL_POLYGON && held_ == 3)
-            outlined_fan(true);
+        if (mode_ == GL_POLYGON && (outlined() || captures()))
+            end_polygon();
     }
 
     /// RasterPos: a vertex that is not drawn. Outside of the clip volume only `valid` changes.
@@ -78,7 +78,8 @@ template <class M, class L> class Pipeline {
                               is_cut = 1 << 16, ///< it is a Cut
         edge_flag = 1 << 17,                    ///< as the vertex was given
         boundary = 1 << 18,   ///< of the polygon at hand: the edge that starts here is drawn in outlines
-        is_pending = 1 << 19; ///< lines that it is an end of are still to be drawn
+        is_pending = 1 << 19, ///< lines that it is an end of are still to be drawn
+        back_known = 1 << 20; ///< the colour of its back was settled when its front's was
 
     struct Given {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one}, normal[3]{};
@@ -97,6 +98,9 @@ template <class M, class L> class Pipeline {
         typename L::Input light{};
 #if SPANGLE_FEATURE_FEEDBACK
         typename M::Eye texture{}; ///< while primitives are fed back
+#endif
+#if SPANGLE_FEATURE_LIGHTING
+        typename M::Colors back{}; ///< while back_known
 #endif
     };
     /// A quad gets a corner more at each plane of the volume and of the user; those a plane took away stay
@@ -136,10 +140,16 @@ template <class M, class L> class Pipeline {
     Real unlit_color_[4] = {}; ///< of which this was converted
     bool has_unlit_color_ = false;
     Vertex slot_[slot_count];
+#if SPANGLE_FEATURE_LIGHTING
+    typename M::Colors back_[slot_count]; ///< of slot_, while back_known
+#endif
     Vertex cache_[SPANGLE_VERTEX_CACHE]; ///< of elements, by their index
     Cut cut_[cut_count];
 #if SPANGLE_FEATURE_FEEDBACK
     typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
+    Cut* gathered_ = nullptr;             ///< corners of a polygon that is fed back, in the arena
+    int gathered_count_ = 0, gathered_room_ = 0;
+    bool gathering_lost_ = false; ///< the arena had no room for all of them
 #endif
 
     void derive(Context& context) {
@@ -251,6 +261,8 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] unsigned outside(const Vertex& v) const;
     void color(Vertex& v);
     [[gnu::noinline]] void light(Vertex& v);
+    void color_back(Vertex& v);
+    void back_of(const Vertex& v, Window& out);
     [[gnu::noinline]] bool project(Vertex& v);
 
     // pipeline_elements.hpp
@@ -285,6 +297,8 @@ template <class M, class L> class Pipeline {
     static int corners_of(GLenum mode);
     void swap(int i, int j);
     [[gnu::noinline]] void primitive();
+    [[gnu::noinline]] void begin_polygon();
+    [[gnu::noinline]] void end_polygon();
     [[gnu::noinline]] void outlined_fan(bool last);
     void flag_edges(Vertex* const* corners, int n);
     void strip();
@@ -320,17 +334,21 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void feed(const Corner& corner);
 #endif
     [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b);
+    bool gathers() const;
+    [[gnu::noinline]] void gather(Vertex& v);
+    [[gnu::noinline]] void feed_gathered();
+    void feed_polygon(Vertex* const* corners, int n);
 
     // pipeline_clip.hpp
     bool needs_eye() const;
-    [[gnu::noinline]] Cut& to_be_cut(Vertex& v, int i);
+    [[gnu::noinline]] Cut& to_be_cut(Vertex& v, Cut& out);
     [[gnu::noinline]] void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out);
     int band() const;
     bool keeps(int plane, const Cut& v) const;
     void cut(int plane, const Cut& inside, const Cut& outside, Cut& out);
     void cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside, Cut& out);
     bool clip_line(Vertex* (&ends)[2]);
-    int clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes);
+    int clip_polygon(Vertex** corners, Vertex** work, int room, int n, int used, unsigned planes);
 };
 
 } // namespace spangle::gl

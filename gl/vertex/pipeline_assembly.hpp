@@ -48,6 +48,8 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         swap(1, 2);
         return triangle(*c[0], *c[2], *c[1]);
     case GL_POLYGON: {
+        if (gathers())
+            return gather(*c[0]);
         if (outlined())
             return outlined_fan(false);
         held_ = 2;
@@ -64,6 +66,21 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         swap(1, 3);
         return quad(*c[2], *c[3], *c[1], *c[0], *c[1]);
     }
+}
+
+/// Polygons that are not filled fans.
+template <class M, class L> void Pipeline<M, L>::begin_polygon() {
+    if (gathers())
+        full_ = 1;
+    else if (outlined())
+        full_ = 4; // the last triangle has an edge more than those before
+}
+
+template <class M, class L> void Pipeline<M, L>::end_polygon() {
+    if (gathers())
+        feed_gathered();
+    else if (outlined() && held_ == 3)
+        outlined_fan(true);
 }
 
 /// The oldest triangle of a polygon that may be drawn as its outline: v0, vi, vi+1. Only the edges of the

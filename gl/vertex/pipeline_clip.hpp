@@ -10,9 +10,8 @@ template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
 }
 
 /// The vertex with all that clipping mixes; colours come first.
-template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, int i) {
+template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, Cut& out) {
     color(v);
-    Cut& out = cut_[i];
     static_cast<Vertex&>(out) = v;
     out.flags |= is_cut;
     out.clip = M::to_clip(transforms_, v.position);
@@ -24,6 +23,10 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
         out.texture = texture_[&v - slot_];
+#endif
+#if SPANGLE_FEATURE_LIGHTING
+    if ((v.flags & back_known) != 0)
+        out.back = back_[&v - slot_];
 #endif
     return out;
 }
@@ -48,6 +51,12 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
 #endif
     out.clip = M::mix(a.clip, b.clip, t);
     out.flags = flags_of(out.clip) | is_cut;
+#if SPANGLE_FEATURE_LIGHTING
+    if ((a.flags & b.flags & back_known) != 0) {
+        M::mix_color(a.back, b.back, t, out.back);
+        out.flags |= back_known;
+    }
+#endif
 }
 
 template <class M, class L> inline int Pipeline<M, L>::band() const {
@@ -84,7 +93,7 @@ inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cu
 
 template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
     int made = 2;
-    Cut* end[2] = {&to_be_cut(*ends[0], 0), &to_be_cut(*ends[1], 1)};
+    Cut* end[2] = {&to_be_cut(*ends[0], cut_[0]), &to_be_cut(*ends[1], cut_[1])};
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
         const bool first_in = keeps(plane, *end[0]), second_in = keeps(plane, *end[1]);
         if (!first_in && !second_in)
@@ -100,10 +109,11 @@ template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends
     return true;
 }
 
-/// Sutherland and Hodgman, plane by plane; the polygon ends up in work[0].
+/// Sutherland and Hodgman, plane by plane; what is left of the n corners, room at most, ends up in their
+/// place. The first `used` of cut_ are taken.
 template <class M, class L>
-inline int Pipeline<M, L>::clip_polygon(Vertex* (&work)[2][clip_vertices], int n, unsigned planes) {
-    int used = n;
+inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int room, int n, int used,
+                                        unsigned planes) {
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
         if ((planes >> plane & 1) == 0)
             continue;
@@ -111,13 +121,13 @@ inline int Pipeline<M, L>::clip_polygon(Vertex* (&work)[2][clip_vertices], int n
         for (int i = 0; i < n; ++i) {
             // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
             // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
-            if (used == cut_count || m + 2 > clip_vertices)
+            if (used == cut_count || m + 2 > room)
                 return 0;
-            Cut& here = static_cast<Cut&>(*work[0][i]);
-            Cut& next = static_cast<Cut&>(*work[0][i + 1 == n ? 0 : i + 1]);
+            Cut& here = static_cast<Cut&>(*corners[i]);
+            Cut& next = static_cast<Cut&>(*corners[i + 1 == n ? 0 : i + 1]);
             const bool here_in = keeps(plane, here), next_in = keeps(plane, next);
             if (here_in)
-                work[1][m++] = &here;
+                work[m++] = &here;
             if (here_in == next_in)
                 continue;
             Cut& fresh = cut_[used++];
@@ -125,11 +135,11 @@ inline int Pipeline<M, L>::clip_polygon(Vertex* (&work)[2][clip_vertices], int n
             // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
             // cut (GL 1.3, 2.11).
             fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
-            work[1][m++] = &fresh;
+            work[m++] = &fresh;
         }
         n = m;
         for (int i = 0; i < n; ++i)
-            work[0][i] = work[1][i];
+            corners[i] = work[i];
         if (n < 3)
             return 0;
     }

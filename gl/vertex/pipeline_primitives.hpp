@@ -140,10 +140,13 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     }
     if (planes == 0)
         return visible(corners, n, provoking);
+    if ((any & back_known) != 0)
+        for (int i = 0; i < n; ++i)
+            color_back(*corners[i]);
     Vertex* work[2][clip_vertices];
     for (int i = 0; i < n; ++i)
-        work[0][i] = &to_be_cut(*corners[i], i);
-    const int left = clip_polygon(work, n, planes);
+        work[0][i] = &to_be_cut(*corners[i], cut_[i]);
+    const int left = clip_polygon(work[0], work[1], clip_vertices, n, n, planes);
     if (left >= 3)
         visible(work[0], left, provoking);
 }
@@ -215,17 +218,17 @@ void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window&
 }
 
 /// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
-/// clipping made is lit from its mixed normal and position.
+/// clipping made is lit from its mixed normal and position, or has a mixed colour where materials changed.
 template <class M, class L>
 inline void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                       const std::int64_t* part) {
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {
         back[i] = corners[i]->window;
-        light(*corners[i], 1, back[i]);
+        back_of(*corners[i], back[i]);
     }
     Window flat = provoking.window;
-    light(provoking, 1, flat);
+    back_of(provoking, flat);
     draw([&back](int i) -> Window& { return back[i]; }, corners, n, flat, 1, part);
 }
 

@@ -49,8 +49,10 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
 }
 
 template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
-    for (int i = 0; i < held_; ++i)
+    for (int i = 0; i < held_; ++i) {
         color(*corner_[i]);
+        color_back(*corner_[i]);
+    }
     lighting_.materials_changed();
 }
 
@@ -164,8 +166,10 @@ template <class M, class L> void Pipeline<M, L>::given(const CurrentState& curre
     if (captures())
         texture_[&v - slot_] = texture_of(current, v, 0);
 #endif
-    if (lighting_.tracks_color())
+    if (lighting_.tracks_color()) {
         color(v);
+        color_back(v);
+    }
 }
 
 /// The user's planes that a vertex, as it was given, is outside of.
@@ -185,6 +189,27 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     else
         lighting_.light(*context_, L::input(v.normal), unseen, 0, v.window);
     v.flags &= ~uncolored;
+}
+
+/// The colour of the other side, too, while the material is that of now. The vertex is one of slot_.
+template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
+#if SPANGLE_FEATURE_LIGHTING
+    if (!two_sided_ || (v.flags & (back_known | is_cut)) != 0)
+        return;
+    Window lit;
+    light(v, 1, lit);
+    M::copy_color(lit, back_[&v - slot_]);
+    v.flags |= back_known;
+#endif
+}
+
+template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v, Window& out) {
+#if SPANGLE_FEATURE_LIGHTING
+    if ((v.flags & back_known) != 0)
+        return M::copy_color((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).back : back_[&v - slot_],
+                             out);
+#endif
+    light(v, 1, out);
 }
 
 /// False: not in front, never drawn.

@@ -90,6 +90,10 @@ struct ShadowMath {
         FixedMath::mix(a.fixed, b.fixed, t.fixed, units, out.fixed);
         DoubleMath::mix(a.twin, b.twin, t.twin, units, out.twin);
     }
+    template <class V> static void mix_color(const V& a, const V& b, const Parameter& t, V& out) {
+        FixedMath::mix_color(a.fixed, b.fixed, t.fixed, out.fixed);
+        DoubleMath::mix_color(a.twin, b.twin, t.twin, out.twin);
+    }
 
     struct Scalar {
         FixedMath::Scalar fixed;
@@ -160,7 +164,11 @@ struct ShadowMath {
         DoubleMath::set_color(out.twin, rgba);
         report_color(out);
     }
-    static void copy_color(const Window& from, Window& to) {
+    struct Colors {
+        FixedMath::Colors fixed;
+        DoubleMath::Colors twin;
+    };
+    template <class From, class To> static void copy_color(const From& from, To& to) {
         FixedMath::copy_color(from.fixed, to.fixed);
         DoubleMath::copy_color(from.twin, to.twin);
     }

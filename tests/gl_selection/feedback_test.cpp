@@ -1,4 +1,5 @@
 // Feedback: the grammar of its tokens for all five types of vertices (GL 1.3, 5.3).
+#include <cmath>
 #include <vector>
 
 #include "gl/context/features.hpp"
@@ -107,6 +108,101 @@ TEST_F(Feedback, PolygonsSayHowManyVerticesTheyHave) {
     }
 }
 
+/// A POLYGON is one token, whatever number of corners it has (GL 1.3, 5.3).
+TEST_F(Feedback, APolygonIsOnePolygon) {
+    for (const int n : {3, 4, 5, 9, 40}) {
+        Words expected = {GL_POLYGON_TOKEN, static_cast<GLfloat>(n)};
+        std::vector<GLfloat> at;
+        for (int i = 0; i < n; ++i) {
+            const double turn = 6.283185307 * i / n;
+            at.insert(at.end(), {static_cast<GLfloat>(0.5 * std::cos(turn)),
+                                 static_cast<GLfloat>(0.5 * std::sin(turn))});
+            expected.insert(expected.end(), {32 + 32 * at[at.size() - 2], 32 + 32 * at.back()});
+        }
+        const auto draw = [&] {
+            glBegin(GL_POLYGON);
+            for (int i = 0; i < n; ++i)
+                glVertex2fv(&at[2 * static_cast<std::size_t>(i)]);
+            glEnd();
+        };
+        EXPECT_THAT(feed(GL_2D, draw), testing::Pointwise(testing::FloatNear(1e-4f), expected));
+        glEnableClientState(GL_VERTEX_ARRAY);
+        glVertexPointer(2, GL_FLOAT, 0, at.data());
+        EXPECT_THAT(feed(GL_2D, [n] { glDrawArrays(GL_POLYGON, 0, n); }),
+                    testing::Pointwise(testing::FloatNear(1e-4f), expected));
+    }
+    EXPECT_EQ(feed(GL_2D, [] { glRectf(-0.5f, -0.5f, 0.5f, 0.5f); }),
+              (Words{GL_POLYGON_TOKEN, 4, 16, 16, 48, 16, 48, 48, 16, 48}));
+    EXPECT_TRUE(feed(GL_2D, [] {
+                    glBegin(GL_POLYGON);
+                    glVertex2f(0, 0);
+                    glVertex2f(1, 0);
+                    glEnd();
+                }).empty());
+}
+
+/// Cut as one, culled and coloured as one: flat colours are those of its first corner, also where that is cut
+/// away.
+TEST_F(Feedback, APolygonIsCutAsOne) {
+    const auto house = [](GLfloat shift) { // five corners; the first is the one on the left
+        return [shift] {
+            const GLfloat at[5][2] = {
+                {-0.5f, 0}, {-0.25f, -0.5f}, {0.25f, -0.5f}, {0.25f, 0.5f}, {-0.25f, 0.5f}};
+            glBegin(GL_POLYGON);
+            for (int i = 0; i < 5; ++i) {
+                glColor4f(static_cast<GLfloat>(i) / 4, 0, 0, 1);
+                glVertex2f(at[i][0] + shift, at[i][1]);
+            }
+            glEnd();
+        };
+    };
+    EXPECT_EQ(feed(GL_2D, house(-1)), // the window's left edge goes through (0, 16), (0, 48)
+              (Words{GL_POLYGON_TOKEN, 4, 0, 16, 8, 16, 8, 48, 0, 48}));
+    glShadeModel(GL_FLAT);
+    const Words flat = feed(GL_3D_COLOR, house(-1));
+    ASSERT_EQ(flat.size(), 2u + 4 * 7);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+        EXPECT_EQ(flat[2 + 7 * corner + 3], 0) << "red of corner " << corner;
+    EXPECT_TRUE(feed(GL_2D, house(-2)).empty()) << "out of sight";
+    glEnable(GL_CULL_FACE);
+    EXPECT_FALSE(feed(GL_2D, house(0)).empty());
+    glCullFace(GL_FRONT);
+    EXPECT_TRUE(feed(GL_2D, house(0)).empty());
+    glDisable(GL_CULL_FACE);
+#if SPANGLE_FEATURE_CLIP_PLANES
+    const GLdouble plane[4] = {0, -1, 0, -0.25};
+    glClipPlane(GL_CLIP_PLANE2, plane);
+    glEnable(GL_CLIP_PLANE2);
+    EXPECT_EQ(feed(GL_2D, house(0)), (Words{GL_POLYGON_TOKEN, 4, 20, 24, 24, 16, 40, 16, 40, 24}));
+    const GLdouble none[4] = {0, -1, 0, -1};
+    glClipPlane(GL_CLIP_PLANE2, none);
+    EXPECT_TRUE(feed(GL_2D, house(0)).empty());
+#endif
+}
+
+#if SPANGLE_FEATURE_POLYGON_MODE
+/// Edges of the polygon that are no boundaries are no lines; only the faces that have this mode are outlined.
+TEST_F(Feedback, OutlinesOfPolygons) {
+    const auto pentagon = [] {
+        const GLfloat at[5][2] = {{-0.5f, 0}, {0, -0.5f}, {0.5f, 0}, {0.25f, 0.5f}, {-0.25f, 0.5f}};
+        glBegin(GL_POLYGON);
+        for (int i = 0; i < 5; ++i) {
+            glEdgeFlag(i != 1 && i != 3);
+            glVertex2fv(at[i]);
+        }
+        glEnd();
+        glEdgeFlag(GL_TRUE);
+    };
+    const GLfloat reset = GL_LINE_RESET_TOKEN, on = GL_LINE_TOKEN, point = GL_POINT_TOKEN;
+    glPolygonMode(GL_FRONT, GL_LINE);
+    EXPECT_EQ(feed(GL_2D, pentagon), (Words{reset, 16, 32, 32, 16, on, 48, 32, 40, 48, on, 24, 48, 16, 32}));
+    glPolygonMode(GL_FRONT, GL_POINT);
+    EXPECT_EQ(feed(GL_2D, pentagon), (Words{point, 16, 32, point, 48, 32, point, 24, 48}));
+    glFrontFace(GL_CW); // its back is filled
+    EXPECT_EQ(feed(GL_2D, pentagon), (Words{GL_POLYGON_TOKEN, 5, 16, 32, 32, 16, 48, 32, 40, 48, 24, 48}));
+}
+#endif
+
 TEST_F(Feedback, WhatClippingMakesHasItsColorAndTexture) {
     const Words found = feed(GL_4D_COLOR_TEXTURE, [] {
         glBegin(GL_LINES);
@@ -147,6 +243,35 @@ TEST_F(Feedback, CulledPolygonsAreNotFedBack) {
 }
 
 #if SPANGLE_FEATURE_LIGHTING
+/// Each corner has the material of its time, on both sides.
+TEST_F(Feedback, PolygonsHaveTheMaterialsOfTheirCorners) {
+    glEnable(GL_LIGHTING);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+    const GLfloat none[4] = {0, 0, 0, 1};
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, none);
+    const auto polygon = [] {
+        const GLfloat at[5][2] = {{-0.5f, 0}, {0, -0.5f}, {0.5f, 0}, {0.25f, 0.5f}, {-0.25f, 0.5f}};
+        glBegin(GL_POLYGON);
+        for (int i = 0; i < 5; ++i) {
+            const GLfloat front[4] = {0.1f * static_cast<GLfloat>(i), 0, 0, 1},
+                          back[4] = {0, 0.2f * static_cast<GLfloat>(i), 0, 1};
+            glMaterialfv(GL_FRONT, GL_EMISSION, front);
+            glMaterialfv(GL_BACK, GL_EMISSION, back);
+            glVertex2fv(at[i]);
+        }
+        glEnd();
+    };
+    for (const bool back : {false, true}) {
+        glFrontFace(back ? GL_CW : GL_CCW);
+        const Words seen = feed(GL_3D_COLOR, polygon);
+        ASSERT_EQ(seen.size(), 2u + 5 * 7);
+        for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_NEAR(seen[2 + 7 * i + 3], back ? 0 : 0.1 * static_cast<double>(i), 1e-5) << i;
+            EXPECT_NEAR(seen[2 + 7 * i + 4], back ? 0.2 * static_cast<double>(i) : 0, 1e-5) << i;
+        }
+    }
+}
+
 TEST_F(Feedback, ColorsAreLitFromTheSideThatIsSeen) {
     glEnable(GL_LIGHTING);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);

@@ -235,6 +235,20 @@ TEST_F(IndexLighting, WhatDoesNotCount) {
     EXPECT_EQ(point(77), 77);
 }
 
+/// Nothing is brighter than the specular index, whichever order the three have.
+TEST_F(IndexLighting, TheSpecularIndexIsTheLast) {
+    const GLfloat indexes[3] = {3, 90, 50}, white[4] = {1, 1, 1, 1}, black[4] = {0, 0, 0, 1};
+    glMaterialfv(GL_FRONT, GL_COLOR_INDEXES, indexes);
+    glEnable(GL_LIGHT0);
+    glLightfv(GL_LIGHT0, GL_SPECULAR, black);
+    EXPECT_EQ(point(77), 50);
+    const GLfloat half[4] = {0.5f, 0.5f, 0.5f, 1};
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, half);
+    EXPECT_NEAR(point(77), 46.5, 1e-4);
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, white);
+    EXPECT_EQ(point(77), 50);
+}
+
 /// Each vertex has the indices of its time, also while its primitive waits.
 TEST_F(IndexLighting, MaterialsBetweenVertices) {
     WindowRecorder recorder;

@@ -672,6 +672,40 @@ TEST_F(Lighting, EachVertexHasTheMaterialOfItsTime) {
     }
 }
 
+/// The same of the back, also of corners that clipping makes: COLOR_MATERIAL of a face that is not known yet.
+TEST_F(Lighting, BothSidesHaveTheMaterialsOfTheirTime) {
+    const GLfloat black[4] = {0, 0, 0, 1};
+    glDisable(GL_LIGHT0);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, black);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    for (const bool by_color : {false, true})
+        for (const bool front : {false, true})
+            for (const bool cut : {false, true}) {
+                glColorMaterial(GL_FRONT_AND_BACK, GL_EMISSION);
+                (by_color ? glEnable : glDisable)(GL_COLOR_MATERIAL);
+                WindowRecorder recorder;
+                glBegin(GL_TRIANGLES);
+                for (int i = 0; i < 3; ++i) { // red is 0.2, 0.4, 0.6 from left to right
+                    const GLfloat at = static_cast<GLfloat>(i - 1) * (cut ? 2000.0f : 50.0f);
+                    const GLfloat shade[4] = {0.2f * static_cast<GLfloat>(i + 1), 0, 0, 1};
+                    if (by_color)
+                        glColor4fv(shade);
+                    else
+                        glMaterialfv(front ? GL_FRONT : GL_BACK, GL_EMISSION, shade);
+                    glVertex2f(at, i != 1 ? 50 : front ? -50 : 150);
+                }
+                glEnd();
+                glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, black);
+                ASSERT_GE(recorder.primitives.size(), 1u);
+                for (const Primitive& p : recorder.primitives)
+                    for (const raster::FixedVertex& v : p.corner) {
+                        const double x = v.x / 256.0 * 400 / size - 200, share = x / (cut ? 2000 : 50);
+                        EXPECT_NEAR(v.color[0] / units, 0.4 + 0.2 * share, 1e-4)
+                            << by_color << front << cut << " at " << x;
+                    }
+            }
+}
+
 TEST_F(Lighting, TwoSides) {
     LitVertex v;
     v.material[0].diffuse = {0.5, 0, 0, 0.25};
