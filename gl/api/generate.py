@@ -12,11 +12,13 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
   inside        legal between Begin and End
   list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
-  feature       optional system it belongs to; "A|B": it is there with either
+  feature       optional system it belongs to; "A|B": it is there with either; "and" is one more that it takes
   vector        of a plain family of reals: they come as an array, too
+  refuses       the error that all arguments raise, legal or not
   digits        of components: false where the name does not tell their number
   pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try, "@TOKEN" the
-                target it belongs to (else the first), "?FEATURE" the optional system
+                target it belongs to (else the first), "?FEATURE" the optional system, "!CODE" the error that it raises
+                as things are at first
 """
 import json
 import re
@@ -73,15 +75,16 @@ class Pname:
 
     def __init__(self, name, text):
         self.name = name
-        found = re.fullmatch(r"([cri])(\d+)(?:=(-?\w+))?(?:@(\w+))?(?:\?(\w+))?", text)
-        self.kind, self.count, good, target, self.feature = found.groups()
+        found = re.fullmatch(r"([cri])(\d+)(?:=(-?\w+))?(?:@(\w+))?(?:\?(\w+))?(?:!(\w+))?", text)
+        self.kind, self.count, good, target, self.feature, code = found.groups()
+        self.code = f"GL_{code or 'NO_ERROR'}"
         self.good = "0" if good is None else good if re.fullmatch(r"-?\d+", good) else f"GL_{good}"
         self.target = f"GL_{target}" if target else "0"
 
     @property
     def row(self):
         present = f"SPANGLE_FEATURE_{self.feature} != 0" if self.feature else "true"
-        return f"{{GL_{self.name}, {self.count}, '{self.kind}', {self.good}, {self.target}, {present}}}"
+        return f"{{GL_{self.name}, {self.count}, '{self.kind}', {self.good}, {self.target}, {present}, {self.code}}}"
 
 
 class Entry:
@@ -98,6 +101,7 @@ class Entry:
     def needs(self):
         """The optional systems this entry point takes, each a condition of the preprocessor."""
         features = [self.family.feature] if self.family.feature else []
+        features += [self.family.data["and"]] if "and" in self.family.data else []
         features += ["FIXED_POINT"] if re.search(r"xv?OES$", self.name) else []
         return tuple(" || ".join(f"SPANGLE_FEATURE_{word}" for word in feature.split("|")) for feature in features)
 
@@ -506,7 +510,8 @@ def test_table(chapters, tokens):
                                 f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
                 arg_list = array("Arg", args) if args else "{}"
                 rows.append(f"    {{\"{e.name}\", \"{f.name}\", \"{f.row}\", {str(f.inside).lower()}, "
-                            f"Listing::{f.listing}, {f'({both(e.needs)}) != 0' if e.needs else 'true'}, {arg_list}, {pname_list},\n"
+                            f"Listing::{f.listing}, {f'({both(e.needs)}) != 0' if e.needs else 'true'}, "
+                            f"GL_{f.data.get('refuses', 'NO_ERROR')}, {arg_list}, {pname_list},\n"
                             f"     [](const Value* {'a' if calls else ''}) {{ {e.name}({', '.join(calls)}); }}}},\n")
     out.append("\nconst Command table[] = {\n" + "".join(rows) + "};\n\n} // namespace\n")
     return "".join(out)

@@ -11,6 +11,7 @@ namespace spangle::gl {
 class Arena;
 class NameTable;
 struct Context;
+enum class TextureKind : std::uint8_t;
 
 // gl/context
 /// glGen...: n unused names become used, or an error is set.
@@ -58,8 +59,8 @@ void release_vertex_arrays(Context& context);
 std::size_t saved_texture_bytes();
 void save_textures(const Context& context, void* to);
 void restore_textures(Context& context, const void* from);
-/// Name bound to GL_TEXTURE_2D of the active unit.
-GLuint texture_binding_2d(const Context& context);
+/// Name bound to a target of the active unit.
+GLuint texture_binding(const Context& context, TextureKind kind);
 /// Undoes what this context keeps in the arena (the default textures).
 void release_textures(Context& context);
 /// Frees one object of ShareGroup::textures.

@@ -3,6 +3,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/texture/compressed_format.hpp"
 
 namespace spangle::gl::computed_state {
 
@@ -55,8 +56,18 @@ void size_range(const Context&, GLenum name, Param* out) {
     out[1] = integer(point ? max_point_size : max_line_width);
 }
 
-void binding(const Context& context, GLenum, Param* out) {
-    out[0] = Param::from_integer(texture_binding_2d(context));
+void binding(const Context& context, GLenum name, Param* out) {
+    const TextureKind kind = name == GL_TEXTURE_BINDING_1D   ? TextureKind::one
+                             : name == GL_TEXTURE_BINDING_2D ? TextureKind::two
+                             : name == GL_TEXTURE_BINDING_3D ? TextureKind::three
+                                                             : TextureKind::cube;
+    out[0] = Param::from_integer(texture_binding(context, kind));
+}
+
+void compressed_texture_formats(const Context&, GLenum, Param* out) {
+    for (unsigned i = 0; i < palette_formats; ++i)
+        out[i] = Param::from_integer(first_palette_format + i);
+    out[palette_formats] = Param::from_integer(GL_ETC1_RGB8_OES);
 }
 
 void active_unit(const Context& context, GLenum name, Param* out) {

@@ -18,6 +18,7 @@ void saved_depth(const Context& context, GLenum name, Param* out);
 void buffer_binding(const Context& context, GLenum name, Param* out);
 void size_range(const Context& context, GLenum name, Param* out);
 void binding(const Context& context, GLenum name, Param* out);
+void compressed_texture_formats(const Context& context, GLenum name, Param* out);
 void active_unit(const Context& context, GLenum name, Param* out);
 void size_of_pixel_map(const Context& context, GLenum name, Param* out);
 void index_mode(const Context& context, GLenum name, Param* out);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/state_row.hpp"
+#include "gl/texture/compressed_format.hpp"
 
 // Builds without a system may have no member for it.
 #if SPANGLE_FEATURE_SELECTION
@@ -46,6 +47,11 @@ inline constexpr auto limits_rows = std::to_array<StateRow>({
     constant(GL_SUBPIXEL_BITS, 8),
     constant(GL_MAX_TEXTURE_SIZE, max_texture_size),
     constant(GL_MAX_TEXTURE_LOD_BIAS, max_texture_lod_bias),
+    of_texture_3d(constant(GL_MAX_3D_TEXTURE_SIZE, max_3d_texture_size)),
+    of_cube_map(constant(GL_MAX_CUBE_MAP_TEXTURE_SIZE, max_texture_size)),
+    of_compressed(constant(GL_NUM_COMPRESSED_TEXTURE_FORMATS, compressed_formats)),
+    of_compressed(computed(GL_COMPRESSED_TEXTURE_FORMATS, Kind::integer, compressed_formats,
+                           computed_state::compressed_texture_formats)),
     computed(GL_MAX_VIEWPORT_DIMS, Kind::integer, 2, computed_state::viewport_limits),
     computed(GL_POINT_SIZE_RANGE, Kind::integer, 2, computed_state::size_range),
     computed(GL_ALIASED_POINT_SIZE_RANGE, Kind::integer, 2, computed_state::size_range),

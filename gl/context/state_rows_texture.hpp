@@ -3,6 +3,8 @@
 
 #include "gl/context/state_row.hpp"
 
+#define TARGET(NAME, I)                                                                                      \
+    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].enabled[I]))
 #define TEXGEN(NAME, I)                                                                                      \
     of_texgen(of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I])))
 
@@ -10,20 +12,27 @@ namespace spangle::gl {
 
 inline constexpr auto texture_rows = std::to_array<StateRow>({
     in(Group::texture),
-    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(GL_TEXTURE_2D, texture.unit[0].texture_2d)),
+    of_texture_1d(TARGET(GL_TEXTURE_1D, 0)),
+    TARGET(GL_TEXTURE_2D, 1),
+    of_texture_3d(TARGET(GL_TEXTURE_3D, 2)),
+    of_cube_map(TARGET(GL_TEXTURE_CUBE_MAP, 3)),
     TEXGEN(GL_TEXTURE_GEN_S, 0),
     TEXGEN(GL_TEXTURE_GEN_T, 1),
     TEXGEN(GL_TEXTURE_GEN_R, 2),
     TEXGEN(GL_TEXTURE_GEN_Q, 3),
     of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen)),
     HELD(texture.active),
+    of_texture_1d(computed(GL_TEXTURE_BINDING_1D, Kind::integer, 1, computed_state::binding)),
     computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, computed_state::binding),
+    of_texture_3d(computed(GL_TEXTURE_BINDING_3D, Kind::integer, 1, computed_state::binding)),
+    of_cube_map(computed(GL_TEXTURE_BINDING_CUBE_MAP, Kind::integer, 1, computed_state::binding)),
     in(Group::none),
     computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
     computed(GL_CLIENT_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
     constant(GL_MAX_TEXTURE_UNITS, texture_units),
 });
 
+#undef TARGET
 #undef TEXGEN
 
 } // namespace spangle::gl

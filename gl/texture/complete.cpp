@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "gl/texture/compressed_format.hpp"
 #include "gl/texture/internal_format.hpp"
 
 namespace spangle::gl {
@@ -12,49 +13,66 @@ bool has_mipmaps(GLenum min_filter) {
     return min_filter >= GL_NEAREST_MIPMAP_NEAREST;
 }
 
-std::uint32_t inner(std::uint32_t side, const LevelShape& shape) {
-    return side - 2u * shape.border;
+bool alike(const LevelShape& a, const LevelShape& b) {
+    return a.internal_format == b.internal_format && a.border == b.border && a.dimensions == b.dimensions;
 }
 
 bool follows(const LevelShape& shape, const LevelShape& base, int step) {
-    const auto side = [&](std::uint32_t base_side) {
-        const std::uint32_t halved = inner(base_side, base) >> step;
-        return halved > 1 ? halved : 1;
-    };
-    return shape.internal_format == base.internal_format && shape.border == base.border &&
-           inner(shape.width, shape) == side(base.width) && inner(shape.height, shape) == side(base.height);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::uint32_t halved = base.inner(axis) >> step;
+        if (shape.inner(axis) != (halved > 1 ? halved : 1))
+            return false;
+    }
+    return alike(shape, base);
 }
 
-/// Levels to sample, the base level first; 0: incomplete.
-int usable_levels(const TextureObject& texture) {
-    if (texture.parameters.base_level >= texture_levels ||
-        texture.level[texture.parameters.base_level] == nullptr)
+/// Levels of a face to sample, the base level first; 0: incomplete.
+int usable_levels(const TextureObject& texture, unsigned face) {
+    const GLint first = texture.parameters.base_level;
+    if (first >= texture_levels || texture.image(face, first) == nullptr)
         return 0;
-    const LevelShape& base = texture.level[texture.parameters.base_level]->shape;
-    if (base.width == 0 || base.height == 0)
+    const LevelShape& base = texture.image(face, first)->shape;
+    if (base.empty())
         return 0;
     if (!has_mipmaps(texture.parameters.min_filter))
         return 1;
-    if (texture.parameters.base_level > texture.parameters.max_level)
+    if (first > texture.parameters.max_level)
         return 0;
-    // p = max(n, m) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
+    // p = max(n, m, l) + base, q = min(p, max_level); a level's largest size keeps p below texture_levels.
     const int chain =
-        static_cast<int>(std::bit_width(inner(base.width, base) | inner(base.height, base))); // max(n, m) + 1
-    const int wanted = texture.parameters.max_level - texture.parameters.base_level;
+        static_cast<int>(std::bit_width(base.inner(0) | base.inner(1) | base.inner(2))); // max(n, m, l) + 1
+    const int wanted = texture.parameters.max_level - first;
     const int count = wanted < chain - 1 ? wanted + 1 : chain;
     for (int step = 1; step < count; ++step) {
-        const LevelImage* image = texture.level[texture.parameters.base_level + step];
+        const LevelImage* image = texture.image(face, first + step);
         if (image == nullptr || !follows(image->shape, base, step))
             return 0;
     }
     return count;
 }
 
+/// Of all faces.
+int usable_levels(const TextureObject& texture) {
+    if (texture.kind == TextureKind::cube && !is_cube_complete(texture))
+        return 0;
+    const int count = usable_levels(texture, 0);
+    for (unsigned face = 1; face < texture.faces(); ++face)
+        if (usable_levels(texture, face) != count)
+            return 0;
+    return count;
+}
+
+/// The first texel inside the border.
+const std::uint8_t* inner_texels(const LevelImage& image) {
+    const LevelShape& shape = image.shape;
+    return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
+           shape.border_along(0) * texel_bytes(shape.format);
+}
+
 raster::TextureLevel view_of(const LevelImage& image) {
     const LevelShape& shape = image.shape;
-    const std::uint32_t border_bytes = shape.border * (image.stride + texel_bytes(shape.format));
-    return {image.texels() + border_bytes, static_cast<std::uint16_t>(inner(shape.width, shape)),
-            static_cast<std::uint16_t>(inner(shape.height, shape)), image.stride};
+    return {inner_texels(image), static_cast<std::uint16_t>(shape.inner(0)),
+            static_cast<std::uint16_t>(shape.inner(1)), image.stride};
 }
 
 raster::Wrap wrap_of(GLenum mode) {
@@ -65,6 +83,8 @@ raster::Wrap wrap_of(GLenum mode) {
         return raster::Wrap::clamp_to_edge;
     case GL_CLAMP_TO_BORDER:
         return raster::Wrap::clamp_to_border;
+    case GL_MIRRORED_REPEAT:
+        return raster::Wrap::mirrored_repeat;
     default:
         return raster::Wrap::repeat;
     }
@@ -81,6 +101,75 @@ void set_filters(const TextureObject& texture, raster::Texture& view) {
                    : raster::MipFilter::linear;
 }
 
+raster::TextureShape shape_of(TextureKind kind) {
+    switch (kind) {
+    case TextureKind::one:
+        return raster::TextureShape::line;
+    case TextureKind::three:
+        return raster::TextureShape::volume;
+    case TextureKind::cube:
+        return raster::TextureShape::cube;
+    default:
+        return raster::TextureShape::plane;
+    }
+}
+
+void set_faces([[maybe_unused]] const TextureObject& texture, [[maybe_unused]] raster::Texture& view) {
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+    if (texture.kind != TextureKind::cube)
+        return;
+    raster::CubeFaces& faces = reinterpret_cast<const CubeTexture&>(texture).view_faces;
+    for (unsigned face = 0; face < cube_faces; ++face)
+        for (int l = 0; l < view.level_count; ++l)
+            faces.texels[face][l] = inner_texels(*texture.image(face, texture.parameters.base_level + l));
+    view.faces = &faces;
+#endif
+}
+
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+
+/// What a depth becomes (GL 1.4, 3.8.5 and 3.8.14).
+void set_depth(const TextureParameters& p, raster::Texture& view) {
+    view.base = p.depth_mode == GL_ALPHA       ? raster::BaseFormat::alpha
+                : p.depth_mode == GL_INTENSITY ? raster::BaseFormat::intensity
+                                               : raster::BaseFormat::luminance;
+    view.compares = p.compare_mode != GL_NONE;
+    view.compare = static_cast<raster::Compare>(p.compare_func - GL_NEVER);
+}
+
+#endif
+
+void set_format(const TextureObject& texture, const LevelImage& base, raster::Texture& view) {
+    const LevelShape& shape = base.shape;
+    view.format = shape.format;
+    view.base = base_format_of(shape.format, shape.internal_format);
+    view.palette = base.palette;
+    if (base.palette != nullptr)
+        view.palette_format = palette_format_of(shape.internal_format);
+    view.compares = false;
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+    if (is_depth(shape.format))
+        set_depth(texture.parameters, view);
+#endif
+    static_cast<void>(texture);
+}
+
+/// As a texel of the base format would have it (GL 1.3, 3.8.8, table 3.15).
+void set_border_color(const TextureParameters& parameters, raster::Texture& view) {
+    using raster::BaseFormat;
+    std::uint8_t* const c = view.border_color;
+    for (int i = 0; i < 4; ++i)
+        c[i] = static_cast<std::uint8_t>(numeric::to_unit(parameters.border_color[i], 8));
+    const bool grey = view.base == BaseFormat::luminance || view.base == BaseFormat::luminance_alpha ||
+                      view.base == BaseFormat::intensity;
+    if (grey)
+        c[1] = c[2] = c[0];
+    if (view.base == BaseFormat::luminance || view.base == BaseFormat::rgb)
+        c[3] = 255;
+    if (view.base == BaseFormat::intensity)
+        c[3] = c[0];
+}
+
 void build(const TextureObject& texture) {
     texture.view_valid = true;
     const int count = usable_levels(texture);
@@ -88,30 +177,59 @@ void build(const TextureObject& texture) {
     if (!texture.complete)
         return;
     raster::Texture& view = texture.view;
-    const LevelShape& base = texture.level[texture.parameters.base_level]->shape;
+    const TextureParameters& parameters = texture.parameters;
+    const LevelImage& base = *texture.level[parameters.base_level];
     view.level_count = static_cast<std::uint8_t>(count);
     for (int l = 0; l < count; ++l)
-        view.level[l] = view_of(*texture.level[texture.parameters.base_level + l]);
-    view.format = base.format;
-    view.base = base_format_of(base.format);
-    view.wrap_s = wrap_of(texture.parameters.wrap_s);
-    view.wrap_t = wrap_of(texture.parameters.wrap_t);
+        view.level[l] = view_of(*texture.level[parameters.base_level + l]);
+    view.shape = shape_of(texture.kind);
+    view.depth = static_cast<std::uint16_t>(base.shape.inner(2));
+    set_faces(texture, view);
+    set_format(texture, base, view);
+    view.wrap_s = wrap_of(parameters.wrap[0]);
+    // An axis that is not there repeats its one texel.
+    view.wrap_t = base.shape.dimensions > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
+    view.wrap_r = wrap_of(parameters.wrap[2]);
     set_filters(texture, view);
-    view.border_texels = base.border;
-    view.min_lod = numeric::to_fixed(texture.parameters.min_lod, 8);
-    view.max_lod = numeric::to_fixed(texture.parameters.max_lod, 8);
-    for (int c = 0; c < 4; ++c)
-        view.border_color[c] =
-            static_cast<std::uint8_t>(numeric::to_unit(texture.parameters.border_color[c], 8));
+    view.border_texels = base.shape.border;
+    view.min_lod = numeric::to_fixed(parameters.min_lod, 8);
+    view.max_lod = numeric::to_fixed(parameters.max_lod, 8);
+    set_border_color(parameters, view);
+}
+
+const TextureObject* enabled_texture(const Context& context, int unit) {
+    const TextureUnitState& state = context.texture.unit[unit];
+    for (int kind = texture_kinds - 1; kind >= 0; --kind) // CUBE_MAP, 3D, 2D, 1D (GL 1.3, 3.8.15)
+        if (state.enabled[kind])
+            return &context.texture.bound(static_cast<unsigned>(unit), static_cast<TextureKind>(kind));
+    return nullptr;
 }
 
 } // namespace
 
-const raster::Texture* complete_texture(const Context& context, int unit) {
-    const TextureObject& texture = context.texture.bound(static_cast<unsigned>(unit));
+bool is_cube_complete(const TextureObject& texture) {
+    const GLint level = texture.parameters.base_level;
+    if (level >= texture_levels)
+        return false;
+    const LevelImage* const first = texture.image(0, level);
+    for (unsigned face = 0; face < cube_faces; ++face) {
+        const LevelImage* const image = texture.image(face, level);
+        if (image == nullptr || image->shape.empty() || image->shape.size[0] != first->shape.size[0] ||
+            !alike(image->shape, first->shape))
+            return false;
+    }
+    return true;
+}
+
+const raster::Texture* complete_texture(const TextureObject& texture) {
     if (!texture.view_valid)
         build(texture);
     return texture.complete ? &texture.view : nullptr;
+}
+
+const TextureObject* sampled_texture(const Context& context, int unit) {
+    const TextureObject* const texture = enabled_texture(context, unit);
+    return texture != nullptr && complete_texture(*texture) != nullptr ? texture : nullptr;
 }
 
 } // namespace spangle::gl

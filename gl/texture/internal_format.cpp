@@ -1,11 +1,47 @@
 #include "gl/texture/internal_format.hpp"
 
+#include "gl/texture/compressed_format.hpp"
+#include "raster/span/texel.hpp"
+
 namespace spangle::gl {
 
 using raster::BaseFormat;
 using raster::TexelFormat;
 
-bool texel_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out) {
+namespace {
+
+/// Of formats without sizes.
+TexelFormat rgb_of(PixelFormat surface) {
+    return format_info(surface).bytes_per_pixel == 2 ? TexelFormat::rgb565 : TexelFormat::rgb888;
+}
+
+bool depth_format_of(GLint internal_format, TexelFormat& out) {
+    switch (internal_format) {
+    case GL_DEPTH_COMPONENT:
+    case GL_DEPTH_COMPONENT16:
+        out = TexelFormat::z16;
+        return SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
+    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH_COMPONENT32:
+        out = TexelFormat::z24;
+        return SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
+    default:
+        return false;
+    }
+}
+
+void take_base_format(GLint& internal_format) {
+    if (internal_format >= GL_COMPRESSED_ALPHA && internal_format <= GL_COMPRESSED_RGBA) {
+        constexpr std::uint16_t base[] = {GL_ALPHA,     GL_LUMINANCE, GL_LUMINANCE_ALPHA,
+                                          GL_INTENSITY, GL_RGB,       GL_RGBA};
+        internal_format = base[internal_format - GL_COMPRESSED_ALPHA];
+    }
+}
+
+} // namespace
+
+bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& out) {
+    take_base_format(internal_format);
     switch (internal_format) {
     case GL_ALPHA:
     case GL_ALPHA4:
@@ -41,10 +77,14 @@ bool texel_format_of(GLint internal_format, PixelFormat surface, TexelFormat& ou
         return true;
     case 3:
     case GL_RGB:
+        out = rgb_of(surface);
+        return true;
     case GL_R3_G3_B2:
+        out = TexelFormat::rgb332;
+        return true;
     case GL_RGB4:
     case GL_RGB5:
-        out = format_info(surface).bytes_per_pixel == 2 ? TexelFormat::rgb565 : TexelFormat::rgb888;
+        out = TexelFormat::rgb565;
         return true;
     case GL_RGB8:
     case GL_RGB10:
@@ -52,11 +92,15 @@ bool texel_format_of(GLint internal_format, PixelFormat surface, TexelFormat& ou
     case GL_RGB16:
         out = TexelFormat::rgb888;
         return true;
-    case 4:
-    case GL_RGBA:
     case GL_RGBA2:
     case GL_RGBA4:
+        out = TexelFormat::rgba4444;
+        return true;
     case GL_RGB5_A1:
+        out = TexelFormat::rgba5551;
+        return true;
+    case 4:
+    case GL_RGBA:
     case GL_RGBA8:
     case GL_RGB10_A2:
     case GL_RGBA12:
@@ -64,34 +108,59 @@ bool texel_format_of(GLint internal_format, PixelFormat surface, TexelFormat& ou
         out = TexelFormat::rgba8888;
         return true;
     default:
-        return false;
+        return depth_format_of(internal_format, out);
     }
 }
 
-BaseFormat base_format_of(TexelFormat format) {
+BaseFormat base_format_of(TexelFormat format, GLenum internal_format) {
     switch (format) {
     case TexelFormat::a8:
         return BaseFormat::alpha;
-    case TexelFormat::l8:
-        return BaseFormat::luminance;
     case TexelFormat::i8:
         return BaseFormat::intensity;
     case TexelFormat::la88:
         return BaseFormat::luminance_alpha;
+    case TexelFormat::l8:
+    case TexelFormat::z16:
+    case TexelFormat::z24:
+        return BaseFormat::luminance;
     case TexelFormat::rgba8888:
+    case TexelFormat::rgba4444:
+    case TexelFormat::rgba5551:
         return BaseFormat::rgba;
+    case TexelFormat::p4:
+    case TexelFormat::p8:
+        return base_format_of(palette_format_of(internal_format), internal_format);
     default:
         return BaseFormat::rgb;
     }
 }
 
+bool is_depth(TexelFormat format) {
+    return format == TexelFormat::z16 || format == TexelFormat::z24;
+}
+
 unsigned texel_bytes(TexelFormat format) {
-    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4};
-    return bytes[static_cast<unsigned>(format)];
+    return static_cast<unsigned>(raster::texel_bytes(format));
 }
 
 ColorBits texel_bits(TexelFormat format) {
-    return format == TexelFormat::rgb565 ? ColorBits{{5, 6, 5, 8}} : ColorBits{};
+    switch (format) {
+    case TexelFormat::rgb565:
+        return {{5, 6, 5, 8}};
+    case TexelFormat::rgba5551:
+        return {{5, 5, 5, 1}};
+    case TexelFormat::rgba4444:
+        return {{4, 4, 4, 4}};
+    case TexelFormat::rgb332:
+        return {{3, 3, 2, 8}};
+    case TexelFormat::z16:
+        return {{16, 8, 8, 8}};
+    case TexelFormat::z24:
+        return {{24, 8, 8, 8}};
+    default:
+        return {};
+    }
 }
 
 } // namespace spangle::gl

@@ -8,15 +8,20 @@
 
 namespace spangle::gl {
 
-/// False: not an internal format. Colours of 16-bit surfaces are kept in 16 bits unless 8 bits or more are
-/// asked for; "closely" is all GL wants of a resolution, and a board's memory is small.
-bool texel_format_of(GLint internal_format, PixelFormat surface, raster::TexelFormat& out);
+/// False: not an internal format of TexImage. Resolutions that are asked for are kept where the board has
+/// such texels; where none is, colours of 16-bit surfaces are kept in 16 bits: "closely" is all GL wants, and
+/// a board's memory is small. Of generic compressed formats `internal_format` becomes the base format, which
+/// is what stands in for them (GL 1.3, 3.8.1).
+bool texel_format_of(GLint& internal_format, PixelFormat surface, raster::TexelFormat& out);
 
-raster::BaseFormat base_format_of(raster::TexelFormat format);
+/// Of the table above and of CompressedTexImage.
+raster::BaseFormat base_format_of(raster::TexelFormat format, GLenum internal_format);
+
+bool is_depth(raster::TexelFormat format);
 
 unsigned texel_bytes(raster::TexelFormat format);
 
-/// Bits of R, G, B, A as a texel keeps them. Luminance and intensity come from R (table 3.15).
+/// Bits of R, G, B, A as a texel keeps them. Luminance and intensity come from R, as does depth (table 3.15).
 ColorBits texel_bits(raster::TexelFormat format);
 
 } // namespace spangle::gl

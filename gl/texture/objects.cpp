@@ -1,46 +1,56 @@
 // Texture objects: names, bindings, lifetime (GL 1.3, 3.8.11).
 #include <new>
 
+#include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/texture/texture_target.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
 void free_images(Arena& arena, TextureObject& texture) {
-    for (LevelImage*& image : texture.level) {
-        arena.free(image);
-        image = nullptr;
-    }
+    for (unsigned face = 0; face < texture.faces(); ++face)
+        for (GLint l = 0; l < texture_levels; ++l) {
+            arena.free(texture.image(face, l));
+            texture.image(face, l) = nullptr;
+        }
     texture.view_valid = false;
 }
 
 /// The unit goes back to the default texture. A deleted object goes with its last binding.
-void unbind(Arena& arena, TextureUnitState& unit) {
-    TextureObject* texture = unit.bound_2d;
-    unit.bound_2d = nullptr;
+void unbind(Arena& arena, TextureObject*& bound) {
+    TextureObject* const texture = bound;
+    bound = nullptr;
     if (texture != nullptr && --texture->bindings == 0 && texture->deleted)
         destroy_texture(arena, texture);
 }
 
+TextureObject* make_object(Arena& arena, TextureKind kind) {
+    const bool cube = kind == TextureKind::cube;
+    void* const memory = arena.allocate(cube ? sizeof(CubeTexture) : sizeof(TextureObject));
+    if (memory == nullptr)
+        return nullptr;
+    return cube ? &(new (memory) CubeTexture)->object : new (memory) TextureObject(kind);
+}
+
 /// The object of a name, made when the name has none yet; null without memory.
-TextureObject* object_of(ShareGroup& share, GLuint name) {
+TextureObject* object_of(ShareGroup& share, GLuint name, TextureKind kind) {
     void** slot = share.textures.find(name);
     if (slot != nullptr && *slot != nullptr)
         return static_cast<TextureObject*>(*slot);
-    void* memory = share.arena.allocate(sizeof(TextureObject));
-    if (memory == nullptr)
+    TextureObject* const texture = make_object(share.arena, kind);
+    if (texture == nullptr)
         return nullptr;
-    if (slot == nullptr && !share.textures.insert(share.arena, name, memory)) {
-        share.arena.free(memory);
+    if (slot == nullptr && !share.textures.insert(share.arena, name, texture)) {
+        share.arena.free(texture);
         return nullptr;
     }
     if (slot != nullptr)
-        *slot = memory;
-    auto* texture = new (memory) TextureObject;
+        *slot = texture;
     texture->name = name;
     return texture;
 }
@@ -52,22 +62,24 @@ void delete_name(Context& context, GLuint name) {
     texture->deleted = true;
     ++texture->bindings; // ours, so that the loop's last unbind does not free what it still compares
     for (TextureUnitState& unit : context.texture.unit)
-        if (unit.bound_2d == texture)
-            unbind(context.share->arena, unit);
+        if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
+            unbind(context.share->arena, bound);
     if (--texture->bindings == 0)
         destroy_texture(context.share->arena, texture);
 }
 
 } // namespace
 
-GLuint texture_binding_2d(const Context& context) {
-    return context.texture.bound(context.texture.active).name;
+GLuint texture_binding(const Context& context, TextureKind kind) {
+    return context.texture.bound(context.texture.active, kind).name;
 }
 
 void release_textures(Context& context) {
     for (TextureUnitState& unit : context.texture.unit)
-        unbind(context.share->arena, unit);
-    free_images(context.share->arena, context.texture.default_2d);
+        for (TextureObject*& bound : unit.bound)
+            unbind(context.share->arena, bound);
+    for (std::size_t kind = 0; kind < texture_kinds; ++kind)
+        free_images(context.share->arena, context.texture.default_texture(static_cast<TextureKind>(kind)));
 }
 
 void destroy_texture(Arena& arena, void* object) {
@@ -93,25 +105,51 @@ void DeleteTextures(Context& context, GLsizei n, const GLuint* textures) {
 }
 
 void BindTexture(Context& context, GLenum target, GLuint texture) {
-    if (target != GL_TEXTURE_2D)
-        return error(context, GL_INVALID_ENUM);
-    TextureUnitState& unit = context.texture.unit[context.texture.active];
-    TextureObject* object = texture == 0 ? nullptr : object_of(*context.share, texture);
+    TextureKind kind;
+    if (!find_texture_target(context, target, kind))
+        return;
+    TextureObject*& bound = context.texture.unit[context.texture.active].bound[index_of(kind)];
+    TextureObject* object = texture == 0 ? nullptr : object_of(*context.share, texture, kind);
     if (texture != 0 && object == nullptr)
         return error(context, GL_OUT_OF_MEMORY,
                      SPANGLE_TEXT("glBindTexture: no room in the arena for a new object"));
-    if (object == unit.bound_2d)
+    if (object != nullptr && object->kind != kind)
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glBindTexture: the texture was bound to another target before"));
+    if (object == bound)
         return;
     if (object != nullptr)
         ++object->bindings;
-    unbind(context.share->arena, unit);
-    unit.bound_2d = object;
+    unbind(context.share->arena, bound);
+    bound = object;
     context.changed(dirty_fragment);
 }
 
 GLboolean IsTexture(Context& context, GLuint texture) {
     void** slot = texture == 0 ? nullptr : context.share->textures.find(texture);
     return slot != nullptr && *slot != nullptr ? GL_TRUE : GL_FALSE;
+}
+
+GLboolean AreTexturesResident(Context& context, GLsizei n, const GLuint* textures, GLboolean* residences) {
+    if (n < 0 || (n > 0 && (textures == nullptr || residences == nullptr))) {
+        error(context, GL_INVALID_VALUE);
+        return GL_FALSE;
+    }
+    for (GLsizei i = 0; i < n; ++i)
+        if (IsTexture(context, textures[i]) == GL_FALSE) {
+            error(context, GL_INVALID_VALUE);
+            return GL_FALSE;
+        }
+    return GL_TRUE; // there is one kind of memory; then the array stays as it is (GL 1.3, 3.8.12)
+}
+
+void PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures, const GLclampf* priorities) {
+    if (n < 0 || (n > 0 && (textures == nullptr || priorities == nullptr)))
+        return error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < n; ++i)
+        if (IsTexture(context, textures[i]) != GL_FALSE) // others are ignored, 0 too
+            static_cast<TextureObject*>(*context.share->textures.find(textures[i]))->parameters.priority =
+                numeric::clamp01(convert::array_value({priorities, GL_FLOAT}, static_cast<std::size_t>(i)));
 }
 
 } // namespace cmd

@@ -1,8 +1,9 @@
-// TexParameter and the texture queries (GL 1.3, 3.8.4, 6.1.3).
+// TexParameter and its queries (GL 1.3, 3.8.4, 6.1.3).
+#include <type_traits>
+
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
-#include "gl/context/share_group.hpp"
-#include "gl/texture/internal_format.hpp"
+#include "gl/texture/texture_target.hpp"
 
 namespace spangle::gl {
 
@@ -16,14 +17,18 @@ bool is_mag_filter(GLenum v) {
     return v == GL_NEAREST || v == GL_LINEAR;
 }
 bool is_wrap(GLenum v) {
-    return v == GL_REPEAT || v == GL_CLAMP || v == GL_CLAMP_TO_EDGE || v == GL_CLAMP_TO_BORDER;
+    return v == GL_REPEAT || v == GL_CLAMP || v == GL_CLAMP_TO_EDGE || v == GL_CLAMP_TO_BORDER ||
+           v == GL_MIRRORED_REPEAT;
 }
 
-GLenum set_token(GLenum& where, GLenum value, bool (*legal)(GLenum)) {
-    if (!legal(value))
-        return GL_INVALID_ENUM;
-    where = value;
-    return GL_NO_ERROR;
+bool is_compare_mode(GLenum v) {
+    return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
+}
+bool is_compare_func(GLenum v) {
+    return v - GL_NEVER < 8;
+}
+bool is_depth_mode(GLenum v) {
+    return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
 }
 
 GLenum set_level(GLint& where, GLint value) {
@@ -33,74 +38,136 @@ GLenum set_level(GLint& where, GLint value) {
     return GL_NO_ERROR;
 }
 
-/// Table 3.19. The error, and then nothing is changed.
-GLenum set_parameter(TextureObject& texture, GLenum pname, const Params& params) {
-    const Param value = params.v[0];
+/// A parameter that is a token: where it is kept, and what it may be.
+template <class Token> struct TokenParameter {
+    Token* where;
+    bool (*legal)(GLenum);
+};
+
+/// Null: not one of these.
+template <class Parameters> auto token_parameter(Parameters& p, GLenum pname) {
+    using Token = std::remove_reference_t<decltype((p.min_filter))>;
     switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
-        return set_token(texture.parameters.min_filter, value.token(), is_min_filter);
+        return TokenParameter<Token>{&p.min_filter, is_min_filter};
     case GL_TEXTURE_MAG_FILTER:
-        return set_token(texture.parameters.mag_filter, value.token(), is_mag_filter);
+        return TokenParameter<Token>{&p.mag_filter, is_mag_filter};
     case GL_TEXTURE_WRAP_S:
-        return set_token(texture.parameters.wrap_s, value.token(), is_wrap);
+        return TokenParameter<Token>{&p.wrap[0], is_wrap};
     case GL_TEXTURE_WRAP_T:
-        return set_token(texture.parameters.wrap_t, value.token(), is_wrap);
-    case GL_TEXTURE_BASE_LEVEL:
-        return set_level(texture.parameters.base_level, value.integer());
-    case GL_TEXTURE_MAX_LEVEL:
-        return set_level(texture.parameters.max_level, value.integer());
+        return TokenParameter<Token>{&p.wrap[1], is_wrap};
+    case GL_TEXTURE_WRAP_R:
+        return TokenParameter<Token>{&p.wrap[2], is_wrap};
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+    case GL_DEPTH_TEXTURE_MODE:
+        return TokenParameter<Token>{&p.depth_mode, is_depth_mode};
+    case GL_TEXTURE_COMPARE_MODE:
+        return TokenParameter<Token>{&p.compare_mode, is_compare_mode};
+    case GL_TEXTURE_COMPARE_FUNC:
+        return TokenParameter<Token>{&p.compare_func, is_compare_func};
+#endif
+    default:
+        return TokenParameter<Token>{nullptr, nullptr};
+    }
+}
+
+template <class Parameters> auto* real_parameter(Parameters& p, GLenum pname) {
+    switch (pname) {
     case GL_TEXTURE_MIN_LOD:
-        texture.parameters.min_lod = value.real();
-        return GL_NO_ERROR;
+        return &p.min_lod;
     case GL_TEXTURE_MAX_LOD:
-        texture.parameters.max_lod = value.real();
-        return GL_NO_ERROR;
+        return &p.max_lod;
     case GL_TEXTURE_LOD_BIAS:
-        texture.parameters.lod_bias = value.real();
-        return GL_NO_ERROR;
+        return &p.lod_bias;
     case GL_TEXTURE_PRIORITY:
-        texture.parameters.priority = numeric::clamp01(value.real());
+        return &p.priority;
+    default:
+        return static_cast<std::remove_reference_t<decltype((p.min_lod))>*>(nullptr);
+    }
+}
+
+/// Table 3.19. The error, and then nothing is changed.
+GLenum set_parameter(TextureParameters& p, GLenum pname, const Params& params) {
+    const Param value = params.v[0];
+    if (const auto token = token_parameter(p, pname); token.where != nullptr) {
+        if (!token.legal(value.token()))
+            return GL_INVALID_ENUM;
+        *token.where = value.token();
+        return GL_NO_ERROR;
+    }
+    if (Real* const real = real_parameter(p, pname); real != nullptr) {
+        *real = pname == GL_TEXTURE_PRIORITY ? numeric::clamp01(value.real()) : value.real();
+        return GL_NO_ERROR;
+    }
+    switch (pname) {
+    case GL_TEXTURE_BASE_LEVEL:
+        return set_level(p.base_level, value.integer());
+    case GL_TEXTURE_MAX_LEVEL:
+        return set_level(p.max_level, value.integer());
+    case GL_GENERATE_MIPMAP:
+        p.generate_mipmap = value.integer() != 0;
         return GL_NO_ERROR;
     case GL_TEXTURE_BORDER_COLOR:
         for (int c = 0; c < 4; ++c)
-            texture.parameters.border_color[c] = numeric::clamp01(params.v[c].real());
+            p.border_color[c] = numeric::clamp01(params.v[c].real());
         return GL_NO_ERROR;
     default:
         return GL_INVALID_ENUM;
     }
 }
 
-void answer(Params& params, Param value) {
-    params.v[0] = value;
+/// False: not a parameter.
+bool get_parameter(const TextureParameters& p, GLenum pname, Params& params) {
     params.count = 1;
-}
-void answer(Params& params, GLint value) {
-    answer(params, Param::from_integer(static_cast<std::uint32_t>(value)));
-}
-void answer(Params& params, GLuint value) {
-    answer(params, Param::from_integer(value));
+    if (const auto token = token_parameter(p, pname); token.where != nullptr) {
+        params.v[0] = Param::from_integer(*token.where);
+        return true;
+    }
+    if (const Real* const real = real_parameter(p, pname); real != nullptr) {
+        params.v[0] = Param::from(*real);
+        return true;
+    }
+    switch (pname) {
+    case GL_TEXTURE_BASE_LEVEL:
+        params.v[0] = Param::from_integer(static_cast<std::uint32_t>(p.base_level));
+        return true;
+    case GL_TEXTURE_MAX_LEVEL:
+        params.v[0] = Param::from_integer(static_cast<std::uint32_t>(p.max_level));
+        return true;
+    case GL_GENERATE_MIPMAP:
+        params.v[0] = Param::from_integer(p.generate_mipmap ? 1 : 0);
+        return true;
+    case GL_TEXTURE_RESIDENT: // there is one kind of memory
+        params.v[0] = Param::from_integer(GL_TRUE);
+        return true;
+    case GL_TEXTURE_BORDER_COLOR:
+        for (int c = 0; c < 4; ++c)
+            params.v[c] = Param::from(p.border_color[c]);
+        params.count = 4;
+        return true;
+    default:
+        params.count = 0;
+        return false;
+    }
 }
 
-/// Bits a texel keeps of what a ..._SIZE token asks (GL 1.3, 6.1.3: the resolution that is there).
-unsigned size_of(raster::TexelFormat format, GLenum pname) {
-    using raster::BaseFormat;
-    const BaseFormat base = base_format_of(format);
-    const ColorBits bits = texel_bits(format);
-    const bool color = base == BaseFormat::rgb || base == BaseFormat::rgba;
-    switch (pname) {
-    case GL_TEXTURE_RED_SIZE:
-    case GL_TEXTURE_GREEN_SIZE:
-    case GL_TEXTURE_BLUE_SIZE:
-        return color ? bits.of[pname - GL_TEXTURE_RED_SIZE] : 0;
-    case GL_TEXTURE_ALPHA_SIZE:
-        return base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::rgba
-                   ? 8
-                   : 0;
-    case GL_TEXTURE_LUMINANCE_SIZE:
-        return base == BaseFormat::luminance || base == BaseFormat::luminance_alpha ? 8 : 0;
-    default: // INTENSITY_SIZE
-        return base == BaseFormat::intensity ? 8 : 0;
+/// A parameter of a system that this build has left out: says so.
+bool left_out(Context& context, GLenum pname) {
+    const char* missing = nullptr;
+    bool absent = false;
+    if (!SPANGLE_FEATURE_DEPTH_TEXTURES &&
+        (pname == GL_DEPTH_TEXTURE_MODE || pname == GL_TEXTURE_COMPARE_MODE ||
+         pname == GL_TEXTURE_COMPARE_FUNC)) {
+        absent = true;
+        missing = SPANGLE_TEXT("glTexParameter: this build has no SPANGLE_FEATURE_DEPTH_TEXTURES");
     }
+    if (!SPANGLE_FEATURE_MIPMAP_GENERATION && pname == GL_GENERATE_MIPMAP) {
+        absent = true;
+        missing = SPANGLE_TEXT("glTexParameter: this build has no SPANGLE_FEATURE_MIPMAP_GENERATION");
+    }
+    if (absent)
+        error(context, GL_INVALID_OPERATION, missing);
+    return absent;
 }
 
 } // namespace
@@ -108,86 +175,25 @@ unsigned size_of(raster::TexelFormat format, GLenum pname) {
 namespace cmd {
 
 void TexParameter(Context& context, GLenum target, GLenum pname, const Params& params) {
-    if (target != GL_TEXTURE_2D || params.count == 0)
+    TextureKind kind;
+    if (params.count == 0)
         return error(context, GL_INVALID_ENUM);
-    TextureObject& texture = context.texture.bound(context.texture.active);
-    const GLenum refused = set_parameter(texture, pname, params);
+    if (!find_texture_target(context, target, kind) || left_out(context, pname))
+        return;
+    TextureObject& texture = bound_texture(context, kind);
+    const GLenum refused = set_parameter(texture.parameters, pname, params);
     if (refused != GL_NO_ERROR)
         return error(context, refused);
-    texture.view_valid = false;
-    ++context.share->texture_changes;
-    context.changed(dirty_fragment);
+    texture_changed(context, texture);
 }
 
 void GetTexParameter(Context& context, GLenum target, GLenum pname, Params& params) {
+    TextureKind kind;
     params.count = 0;
-    if (target != GL_TEXTURE_2D)
-        return error(context, GL_INVALID_ENUM);
-    const TextureObject& texture = context.texture.bound(context.texture.active);
-    switch (pname) {
-    case GL_TEXTURE_MIN_FILTER:
-        return answer(params, texture.parameters.min_filter);
-    case GL_TEXTURE_MAG_FILTER:
-        return answer(params, texture.parameters.mag_filter);
-    case GL_TEXTURE_WRAP_S:
-        return answer(params, texture.parameters.wrap_s);
-    case GL_TEXTURE_WRAP_T:
-        return answer(params, texture.parameters.wrap_t);
-    case GL_TEXTURE_BASE_LEVEL:
-        return answer(params, texture.parameters.base_level);
-    case GL_TEXTURE_MAX_LEVEL:
-        return answer(params, texture.parameters.max_level);
-    case GL_TEXTURE_MIN_LOD:
-        return answer(params, Param::from(texture.parameters.min_lod));
-    case GL_TEXTURE_MAX_LOD:
-        return answer(params, Param::from(texture.parameters.max_lod));
-    case GL_TEXTURE_LOD_BIAS:
-        return answer(params, Param::from(texture.parameters.lod_bias));
-    case GL_TEXTURE_PRIORITY:
-        return answer(params, Param::from(texture.parameters.priority));
-    case GL_TEXTURE_RESIDENT: // there is one kind of memory
-        return answer(params, GLuint{GL_TRUE});
-    case GL_TEXTURE_BORDER_COLOR:
-        for (int c = 0; c < 4; ++c)
-            params.v[c] = Param::from(texture.parameters.border_color[c]);
-        params.count = 4;
+    if (!find_texture_target(context, target, kind) || left_out(context, pname))
         return;
-    default:
-        return error(context, GL_INVALID_ENUM);
-    }
-}
-
-void GetTexLevelParameter(Context& context, GLenum target, GLint level, GLenum pname, Params& params) {
-    params.count = 0;
-    if (target != GL_TEXTURE_2D && target != GL_PROXY_TEXTURE_2D)
-        return error(context, GL_INVALID_ENUM);
-    if (level < 0 || level >= texture_levels)
-        return error(context, GL_INVALID_VALUE);
-    LevelShape shape;
-    const LevelImage* image = context.texture.bound(context.texture.active).level[level];
-    if (target == GL_PROXY_TEXTURE_2D)
-        shape = context.texture.proxy_2d[level];
-    else if (image != nullptr)
-        shape = image->shape;
-    switch (pname) {
-    case GL_TEXTURE_WIDTH:
-        return answer(params, GLuint{shape.width});
-    case GL_TEXTURE_HEIGHT:
-        return answer(params, GLuint{shape.height});
-    case GL_TEXTURE_BORDER:
-        return answer(params, GLuint{shape.border});
-    case GL_TEXTURE_INTERNAL_FORMAT:
-        return answer(params, GLuint{shape.internal_format});
-    case GL_TEXTURE_RED_SIZE:
-    case GL_TEXTURE_GREEN_SIZE:
-    case GL_TEXTURE_BLUE_SIZE:
-    case GL_TEXTURE_ALPHA_SIZE:
-    case GL_TEXTURE_LUMINANCE_SIZE:
-    case GL_TEXTURE_INTENSITY_SIZE: // a level without texels keeps no bits
-        return answer(params, shape.width == 0 ? 0u : size_of(shape.format, pname));
-    default:
-        return error(context, GL_INVALID_ENUM);
-    }
+    if (!get_parameter(bound_texture(context, kind).parameters, pname, params))
+        error(context, GL_INVALID_ENUM);
 }
 
 } // namespace cmd

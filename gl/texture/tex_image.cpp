@@ -1,68 +1,80 @@
-// TexImage2D and TexSubImage2D (GL 1.3, 3.8.1, 3.8.2).
-#include <cstring>
-
+// TexImage and TexSubImage (GL 1.3, 3.8.1, 3.8.2).
 #include "gl/api/generated/commands.hpp"
-#include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
-#include "gl/texture/internal_format.hpp"
-#include "gl/texture/store_texels.hpp"
+#include "gl/texture/image_shape.hpp"
+#include "gl/texture/level_image.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
-/// Format and type of a client image of colours.
-GLenum color_layout(GLenum format, GLenum type, PixelLayout& layout) {
-    if (format == GL_DEPTH_COMPONENT || format == GL_STENCIL_INDEX)
-        return GL_INVALID_ENUM;
-    return pixel_layout(format, type, layout);
+struct ClientImage {
+    GLenum format, type;
+    const void* pixels;
+};
+
+/// Format and type of a client image; false: the error is set.
+bool find_layout(Context& context, const ClientImage& client, PixelLayout& layout) {
+    const bool index = client.format == GL_STENCIL_INDEX ||
+                       (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES);
+    const GLenum refused = index ? GLenum{GL_INVALID_ENUM} : pixel_layout(client.format, client.type, layout);
+    if (refused != GL_NO_ERROR)
+        error(context, refused, SPANGLE_TEXT("glTexImage: format and type do not go together"));
+    return refused == GL_NO_ERROR;
 }
 
-/// 2^n + 2b, not above the largest size of the level; or 0, the null texture.
-bool legal_side(GLsizei side, GLint border, GLint level) {
-    if (side == 0)
-        return border == 0;
-    const GLsizei inner = side - 2 * border;
-    return inner > 0 && (inner & (inner - 1)) == 0 && inner <= max_texture_size >> level;
+/// Depths come as depths (GL 1.4, 3.8.1).
+bool goes_into(Context& context, const PixelLayout& layout, raster::TexelFormat format) {
+    if ((layout.channel[0] == Channel::depth) == is_depth(format))
+        return true;
+    error(context, GL_INVALID_OPERATION,
+          SPANGLE_TEXT("glTexImage: GL_DEPTH_COMPONENT and depth textures go together only"));
+    return false;
 }
 
-/// Levels of one texture and one internal format are kept alike, whichever surface was current.
-raster::TexelFormat format_beside(const TextureObject& texture, GLint level, LevelShape shape) {
-    for (int l = 0; l < texture_levels; ++l)
-        if (l != level && texture.level[l] != nullptr &&
-            texture.level[l]->shape.internal_format == shape.internal_format)
-            return texture.level[l]->shape.format;
-    return shape.format;
-}
-
-LevelImage* new_image(Arena& arena, const LevelShape& shape) {
-    const std::uint32_t stride = shape.width * texel_bytes(shape.format);
-    const std::size_t texels = std::size_t{stride} * shape.height;
-    auto* image = static_cast<LevelImage*>(arena.allocate(sizeof(LevelImage) + texels));
-    if (image != nullptr)
-        *image = {shape, stride};
-    return image;
-}
-
-void replace_level(Context& context, GLint level, LevelShape shape, const PixelLayout& layout,
-                   const void* pixels) {
-    TextureObject& texture = context.texture.bound(context.texture.active);
-    Arena& arena = context.share->arena;
-    shape.format = format_beside(texture, level, shape);
-    LevelImage* image = new_image(arena, shape);
+void make_image(Context& context, const ImageRequest& request, LevelShape shape, const PixelLayout& layout,
+                const void* pixels) {
+    TextureObject& texture = bound_texture(context, request.target.kind);
+    shape.format = format_beside(texture, request.level, shape);
+    LevelImage* const image = new_image(context.share->arena, shape);
     if (image == nullptr)
         return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glTexImage2D: no room in the arena for this level"));
+                     SPANGLE_TEXT("glTexImage: no room in the arena for this level"));
     if (pixels != nullptr)
-        store_texels(context, *image, {0, 0, shape.width, shape.height}, layout, pixels);
-    else // GL leaves them undefined; here no earlier texels shine through
-        std::memset(image->texels(), 0, std::size_t{image->stride} * shape.height);
-    arena.free(texture.level[level]);
-    texture.level[level] = image;
-    texture.view_valid = false;
-    ++context.share->texture_changes; // another context's compiled state may point at the old texels
-    context.changed(dirty_fragment);
+        store_texels(context, *image, whole_box(shape), layout, pixels);
+    else
+        clear_texels(*image);
+    put_image(context, texture, request.target.face, request.level, image);
+}
+
+void tex_image(Context& context, const ImageRequest& request, const ClientImage& client) {
+    PixelLayout layout;
+    LevelShape shape;
+    if (!find_layout(context, client, layout) || !shape_of(context, request, shape) ||
+        !goes_into(context, layout, shape.format))
+        return;
+    if (request.target.proxy)
+        context.texture.proxy[index_of(request.target.kind)][request.level] = shape;
+    else
+        make_image(context, request, shape, layout, client.pixels);
+}
+
+void tex_sub_image(Context& context, const SubImage& sub, const ClientImage& client) {
+    PixelLayout layout;
+    TexelBox box;
+    if (sub.target.proxy)
+        return error(context, GL_INVALID_ENUM);
+    if (!find_layout(context, client, layout))
+        return;
+    LevelImage* const image = find_box(context, sub, box);
+    if (image == nullptr || !goes_into(context, layout, image->shape.format) || box.size[0] == 0 ||
+        box.size[1] == 0 || box.size[2] == 0)
+        return;
+    if (client.pixels == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage: null pointer"));
+    store_texels(context, *image, box, layout, client.pixels);
+    image_written(context, bound_texture(context, sub.target.kind), sub.target.face, sub.level);
 }
 
 } // namespace
@@ -71,64 +83,56 @@ namespace cmd {
 
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
                 GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
-    if (target != GL_TEXTURE_2D && target != GL_PROXY_TEXTURE_2D)
-        return error(context, GL_INVALID_ENUM);
-    PixelLayout layout;
-    const GLenum refused = color_layout(format, type, layout);
-    if (refused != GL_NO_ERROR)
-        return error(context, refused, SPANGLE_TEXT("glTexImage2D: format and type do not go together"));
-    LevelShape shape;
-    if (!texel_format_of(internalformat, context.drawable.surface.format, shape.format))
-        return error(context, GL_INVALID_VALUE,
-                     SPANGLE_TEXT("glTexImage2D: not an internal format of GL 1.3"));
-    if (level < 0 || level >= texture_levels || border < 0 || border > 1 || width < 0 || height < 0)
-        return error(context, GL_INVALID_VALUE);
-    const bool legal = legal_side(width, border, level) && legal_side(height, border, level);
-    if (legal) {
-        shape.width = static_cast<std::uint16_t>(width);
-        shape.height = static_cast<std::uint16_t>(height);
-        shape.internal_format = static_cast<std::uint16_t>(internalformat);
-        shape.border = static_cast<std::uint8_t>(border);
-    }
-    if (target ==
-        GL_PROXY_TEXTURE_2D) { // too large is an answer, all zero, and not an error (GL 1.3, 3.8.10)
-        context.texture.proxy_2d[level] = shape;
-        return;
-    }
-    if (!legal)
-        return error(context, GL_INVALID_VALUE,
-                     SPANGLE_TEXT("glTexImage2D: sides are 2^n + 2 border, up to 2048"));
-    replace_level(context, level, shape, layout, pixels);
+    ImageTarget of;
+    if (find_image_target(context, target, 2, of))
+        tex_image(context, {of, level, internalformat, {width, height, 1}, border}, {format, type, pixels});
 }
 
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
                    GLsizei height, GLenum format, GLenum type, const void* pixels) {
-    if (target != GL_TEXTURE_2D)
-        return error(context, GL_INVALID_ENUM);
-    PixelLayout layout;
-    const GLenum refused = color_layout(format, type, layout);
-    if (refused != GL_NO_ERROR)
-        return error(context, refused, SPANGLE_TEXT("glTexSubImage2D: format and type do not go together"));
-    if (level < 0 || level >= texture_levels || width < 0 || height < 0)
-        return error(context, GL_INVALID_VALUE);
-    LevelImage* image = context.texture.bound(context.texture.active).level[level];
-    if (image == nullptr)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glTexSubImage2D: the level has no image yet"));
-    const LevelShape& shape = image->shape;
-    // From the array's first texel, which is -border.
-    const std::int64_t x = std::int64_t{xoffset} + shape.border, y = std::int64_t{yoffset} + shape.border;
-    if (x < 0 || y < 0 || x + width > shape.width || y + height > shape.height)
-        return error(context, GL_INVALID_VALUE,
-                     SPANGLE_TEXT("glTexSubImage2D: the rectangle leaves the image"));
-    if (width == 0 || height == 0)
-        return;
-    if (pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage2D: null pointer"));
-    const TexelRect rect{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                         static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-    store_texels(context, *image, rect, layout, pixels);
+    ImageTarget of;
+    if (find_image_target(context, target, 2, of))
+        tex_sub_image(context, {of, level, {xoffset, yoffset, 0}, {width, height, 1}},
+                      {format, type, pixels});
 }
+
+#if SPANGLE_FEATURE_TEXTURE_1D
+
+void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLint border, GLenum format, GLenum type, const void* pixels) {
+    ImageTarget of;
+    if (find_image_target(context, target, 1, of))
+        tex_image(context, {of, level, internalformat, {width, 1, 1}, border}, {format, type, pixels});
+}
+
+void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
+                   GLenum type, const void* pixels) {
+    ImageTarget of;
+    if (find_image_target(context, target, 1, of))
+        tex_sub_image(context, {of, level, {xoffset, 0, 0}, {width, 1, 1}}, {format, type, pixels});
+}
+
+#endif
+#if SPANGLE_FEATURE_TEXTURE_3D
+
+void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+    ImageTarget of;
+    if (find_image_target(context, target, 3, of))
+        tex_image(context, {of, level, internalformat, {width, height, depth}, border},
+                  {format, type, pixels});
+}
+
+void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
+                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                   const void* pixels) {
+    ImageTarget of;
+    if (find_image_target(context, target, 3, of))
+        tex_sub_image(context, {of, level, {xoffset, yoffset, zoffset}, {width, height, depth}},
+                      {format, type, pixels});
+}
+
+#endif
 
 } // namespace cmd
 

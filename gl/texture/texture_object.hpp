@@ -9,47 +9,92 @@ namespace spangle::gl {
 /// Level l has at most 2^(11 - l) texels a side, without border.
 inline constexpr int texture_levels = raster::max_texture_levels;
 inline constexpr GLsizei max_texture_size = 1 << (texture_levels - 1);
-
+inline constexpr GLsizei max_3d_texture_size = 256;
 inline constexpr std::int32_t max_texture_lod_bias = 12; ///< past either end of every chain
+
+/// What an object is from its first binding on. A unit takes the last one that is enabled (GL 1.3, 3.8.15).
+enum class TextureKind : std::uint8_t { one, two, three, cube };
+inline constexpr int texture_kinds = 4;
+inline constexpr unsigned cube_faces = 6;
+
+constexpr std::size_t index_of(TextureKind kind) {
+    return static_cast<std::size_t>(kind);
+}
+/// How many of width, height and depth an image has; the others are 1, without border.
+constexpr unsigned dimensions_of(TextureKind kind) {
+    return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
+}
 
 /// Border included; all zero is GL's initial texture array.
 struct LevelShape {
-    std::uint16_t width = 0, height = 0;
-    std::uint16_t internal_format = 1; ///< as asked for; every token of GL 1.3 has 16 bits
+    std::uint16_t size[3] = {};        ///< width, height, depth
+    std::uint16_t internal_format = 1; ///< as asked for; every token has 16 bits
     std::uint8_t border = 0;
+    std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;
+
+    std::uint32_t border_along(unsigned axis) const { return axis < dimensions ? border : 0u; }
+    std::uint32_t inner(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
+    bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };
 
-/// Texels follow their header in one block of the share group's arena.
+/// The image of a level: a block of the share group's arena, its texels behind it, unless they are the
+/// program's constant memory.
 struct LevelImage {
     LevelShape shape;
-    std::uint32_t stride = 0; ///< bytes from row to row
+    std::uint32_t stride = 0;              ///< bytes from row to row; 0 for formats without rows
+    std::uint32_t bytes = 0;               ///< of the texels
+    const std::uint8_t* texels = nullptr;  ///< the border's first, or the first block of a compressed image
+    const std::uint8_t* palette = nullptr; ///< of formats that have one
 
-    std::uint8_t* texels() { return reinterpret_cast<std::uint8_t*>(this + 1); }
-    const std::uint8_t* texels() const { return reinterpret_cast<const std::uint8_t*>(this + 1); }
+    std::uint8_t* own_texels() { return reinterpret_cast<std::uint8_t*>(this + 1); }
+    std::uint32_t slice() const { return stride * shape.size[1]; }
 };
 
 /// What TexParameter sets.
 struct TextureParameters {
     GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
-    GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT;
+    GLenum wrap[3] = {GL_REPEAT, GL_REPEAT, GL_REPEAT}; ///< of S, T, R
     Real border_color[4] = {};
     Real priority = numeric::one;
     Real min_lod{0xC47A0000}, max_lod{0x447A0000}; ///< -1000, 1000
     Real lod_bias = {};
     GLint base_level = 0, max_level = 1000;
+    bool generate_mipmap = false;
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+    GLenum depth_mode = GL_LUMINANCE, compare_mode = GL_NONE, compare_func = GL_LEQUAL;
+#endif
 };
 
 struct TextureObject {
     GLuint name = 0;
     std::uint32_t bindings = 0; ///< units, of all contexts of the share group, that hold it
-    bool deleted = false;       ///< its name is free again; the last binding keeps it
-    LevelImage* level[texture_levels] = {};
+    TextureKind kind = TextureKind::two;
+    bool deleted = false;                   ///< its name is free again; the last binding keeps it
+    LevelImage* level[texture_levels] = {}; ///< of a cube map: POSITIVE_X
     TextureParameters parameters;
 
     // Derived from the above by complete_texture when a primitive needs it.
     mutable bool view_valid = false, complete = false;
     mutable raster::Texture view;
+
+    explicit TextureObject(TextureKind k = TextureKind::two) : kind(k) {}
+    LevelImage*& image(unsigned face, GLint l);
+    const LevelImage* image(unsigned face, GLint l) const {
+        return const_cast<TextureObject*>(this)->image(face, l);
+    }
+    unsigned faces() const { return kind == TextureKind::cube ? cube_faces : 1; }
 };
+
+/// The object of a cube map: its first member, so that a pointer to one is a pointer to the other.
+struct CubeTexture {
+    TextureObject object{TextureKind::cube};
+    LevelImage* other[cube_faces - 1][texture_levels] = {}; ///< in the order of their tokens, from NEGATIVE_X
+    mutable raster::CubeFaces view_faces;
+};
+
+inline LevelImage*& TextureObject::image(unsigned face, GLint l) {
+    return face == 0 ? level[l] : reinterpret_cast<CubeTexture*>(this)->other[face - 1][l];
+}
 
 } // namespace spangle::gl

@@ -107,18 +107,20 @@ std::int32_t lod_bias(Real texture, Real unit) {
 } // namespace
 
 void fill_textures(const Context& context, raster::FragmentState& out) {
-    for (int i = 0; i < texture_units; ++i)
-        out.unit[i].texture = context.texture.unit[i].texture_2d ? complete_texture(context, i) : nullptr;
+    const TextureObject* textures[texture_units];
     for (int i = 0; i < texture_units; ++i) {
-        raster::TextureUnit& unit = out.unit[i];
-        if (unit.texture == nullptr)
+        textures[i] = sampled_texture(context, i);
+        out.unit[i].texture = textures[i] != nullptr ? &textures[i]->view : nullptr;
+    }
+    for (int i = 0; i < texture_units; ++i) {
+        if (textures[i] == nullptr)
             continue;
+        raster::TextureUnit& unit = out.unit[i];
         const TexEnvState& env = context.texture.unit[i].env;
         unit.env = env_of(env.mode);
         for (int c = 0; c < 4; ++c)
             unit.env_color[c] = color_units(env.color[c]);
-        unit.lod_bias =
-            lod_bias(context.texture.bound(static_cast<unsigned>(i)).parameters.lod_bias, env.lod_bias);
+        unit.lod_bias = lod_bias(textures[i]->parameters.lod_bias, env.lod_bias);
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
         if (env.mode == GL_COMBINE)
             fill_combiners(env, out, unit);

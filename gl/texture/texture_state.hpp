@@ -32,22 +32,56 @@ struct TextureUnitState {
             gen[c].object_plane[c] = gen[c].eye_plane[c] = numeric::one;
     }
 
-    bool texture_2d = false;
-    TextureObject* bound_2d = nullptr; ///< null: the default texture (name 0)
+    bool enabled[texture_kinds] = {};
+    TextureObject* bound[texture_kinds] = {}; ///< null: the default texture (name 0)
+    bool on() const { return (enabled[0] | enabled[1] | enabled[2] | enabled[3]) != 0; }
     TexEnvState env;
     bool gen_on[4] = {}; ///< of S, T, R, Q
     TexGenState gen[4];
 };
 
+/// Bindings, environments and what a program has enabled.
 struct TextureState {
     TextureUnitState unit[texture_units];
     unsigned active = 0;
-    TextureObject default_2d;              ///< name 0, shared by all units
-    LevelShape proxy_2d[texture_levels]{}; ///< what PROXY_TEXTURE_2D was last asked
 
-    TextureObject& bound(unsigned u) { return unit[u].bound_2d != nullptr ? *unit[u].bound_2d : default_2d; }
-    const TextureObject& bound(unsigned u) const {
-        return unit[u].bound_2d != nullptr ? *unit[u].bound_2d : default_2d;
+    // Name 0 of each target, shared by all units.
+    TextureObject default_2d{TextureKind::two};
+#if SPANGLE_FEATURE_TEXTURE_1D
+    TextureObject default_1d{TextureKind::one};
+#endif
+#if SPANGLE_FEATURE_TEXTURE_3D
+    TextureObject default_3d{TextureKind::three};
+#endif
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+    CubeTexture default_cube;
+#endif
+    LevelShape proxy[texture_kinds][texture_levels]{}; ///< what PROXY_TEXTURE_... was last asked
+
+    TextureObject& default_texture(TextureKind kind) {
+        switch (kind) {
+#if SPANGLE_FEATURE_TEXTURE_1D
+        case TextureKind::one:
+            return default_1d;
+#endif
+#if SPANGLE_FEATURE_TEXTURE_3D
+        case TextureKind::three:
+            return default_3d;
+#endif
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+        case TextureKind::cube:
+            return default_cube.object;
+#endif
+        default:
+            return default_2d;
+        }
+    }
+    TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) {
+        TextureObject* const object = unit[u].bound[index_of(kind)];
+        return object != nullptr ? *object : default_texture(kind);
+    }
+    const TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) const {
+        return const_cast<TextureState*>(this)->bound(u, kind);
     }
 };
 

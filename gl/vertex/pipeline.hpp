@@ -168,7 +168,7 @@ template <class M, class L> class Pipeline {
         two_sided_ = lighting_.two_sided();
         units_ = 0;
         for (int u = 0; u < texture_units; ++u)
-            units_ |= context.texture.unit[u].texture_2d ? 1u << u : 0u;
+            units_ |= context.texture.unit[u].on() ? 1u << u : 0u;
         const PolygonState& polygon = context.polygon;
         flat_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;

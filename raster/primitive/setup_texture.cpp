@@ -38,10 +38,11 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
         return;
     }
     std::int64_t s[3], t[3];
+    const auto halves = state_.halves[unit];
     for (int i = 0; i < 3; ++i) {
         const auto& c = v_[i]->tex[unit];
-        s[i] = to_fixed(c.s, c.exponent, 32);
-        t[i] = to_fixed(c.t, c.exponent, 32);
+        s[i] = to_fixed(c.s, c.exponent - halves.s, 32);
+        t[i] = to_fixed(c.t, c.exponent - halves.t, 32);
     }
     // Whole repeats come off first: they would take bits from the fraction.
     constexpr std::int64_t repeat = std::int64_t{1} << 32;
@@ -67,14 +68,15 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
 void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     std::int64_t s[3], t[3], q[3];
+    const auto halves = state_.halves[unit];
     int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
     const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
     for (int i = 0; i < 3; ++i) {
         const auto& c = v_[i]->tex[unit];
         const std::int64_t w = v_[i]->w_mantissa >> 1;
         const bool is_one = c.q_is_one != 0;
-        s[i] = c.s * w;
-        t[i] = c.t * w;
+        s[i] = c.s * w >> halves.s;
+        t[i] = c.t * w >> halves.t;
         q[i] = (is_one ? 1 << 30 : c.q) * w;
         exponent[i] = v_[i]->w_exponent + c.exponent;
         exponent_q[i] = v_[i]->w_exponent + (is_one ? -30 : c.exponent);

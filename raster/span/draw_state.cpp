@@ -133,9 +133,13 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
         if (!key.unit[i].on)
             continue;
         const Texture& texture = *state.unit[i].texture;
-        draw.wraps[i] = {texture.wrap_s == Wrap::repeat, texture.wrap_t == Wrap::repeat};
-        draw.log2_width[i] = log2_of(texture.level[0].width);
-        draw.log2_height[i] = log2_of(texture.level[0].height);
+        const auto wraps = [](Wrap wrap) { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; };
+        draw.wraps[i] = {wraps(texture.wrap_s), wraps(texture.wrap_t)};
+        draw.halves[i] = {texture.wrap_s == Wrap::mirrored_repeat, texture.wrap_t == Wrap::mirrored_repeat};
+        draw.log2_width[i] =
+            static_cast<std::uint8_t>(ceil_log2_of(texture.level[0].width) + draw.halves[i].s);
+        draw.log2_height[i] =
+            static_cast<std::uint8_t>(ceil_log2_of(texture.level[0].height) + draw.halves[i].t);
     }
 }
 

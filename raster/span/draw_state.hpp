@@ -97,6 +97,11 @@ struct DrawState {
     struct Wraps {
         bool s = true, t = true;
     } wraps[max_texture_units]; ///< REPEAT; decides the form of texture coordinates (number.hpp, TexCoords)
+    /// MIRRORED_REPEAT: set-up counts in two repeats, so that the word wraps as the texture does.
+    struct Halves {
+        std::uint8_t s = 0, t = 0;
+    } halves[max_texture_units];
+    /// Of what a coordinate wraps around: two images where it is halved; rounded up.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
     Variant variant[kind_count];

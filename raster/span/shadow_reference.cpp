@@ -101,7 +101,9 @@ template <class N> class Fragment {
             run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
         else
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();
-        const auto axis = [&](std::uint32_t fixed, double exact, bool wraps, int log2_size) {
+        const auto axis = [&](std::uint32_t fixed, double coordinate, bool wraps, int log2_size,
+                              bool halved) {
+            const double exact = halved ? coordinate / 2 : coordinate;
             const double size = 1 << log2_size;
             const double repeats = wraps ? fixed * 0x1p-32 : static_cast<std::int32_t>(fixed) * 0x1p-28;
             double difference = repeats - exact;
@@ -110,8 +112,10 @@ template <class N> class Fragment {
                 difference -= std::floor(difference + 0.5);
             report_[stage].add_difference(difference * size, exact * size);
         };
-        axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s, state.log2_width[Unit]);
-        axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t, state.log2_height[Unit]);
+        axis(f_.coord[Unit].s[0], d_.coord[Unit].s[0], state.wraps[Unit].s, state.log2_width[Unit],
+             state.halves[Unit].s != 0);
+        axis(f_.coord[Unit].t[0], d_.coord[Unit].t[0], state.wraps[Unit].t, state.log2_height[Unit],
+             state.halves[Unit].t != 0);
     }
 
     template <int Unit> void place(const DrawState& state, ShadowStage coord_stage, ShadowStage lod) {

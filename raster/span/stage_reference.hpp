@@ -152,7 +152,8 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
             base.width * std::fmax(slope(s, unit.s.dx, unit.q.dx), slope(s, unit.s_dy, unit.q_dy));
         const double dv =
             base.height * std::fmax(slope(t, unit.t.dx, unit.q.dx), slope(t, unit.t_dy, unit.q_dy));
-        const double rho = std::fmin(std::fmax(std::fmax(du, dv), 0x1p-60), 0x1p60);
+        const bool line = span.state->fragment.unit[Unit].texture->shape == TextureShape::line;
+        const double rho = std::fmin(std::fmax(line ? du : std::fmax(du, dv), 0x1p-60), 0x1p60);
         p.lod[Unit][0] = static_cast<std::int32_t>(std::floor(256 * std::log2(rho) + 0.5));
         return true;
     }
@@ -191,11 +192,14 @@ struct ReferenceSampler {
     }
 
   private:
+    /// MIRRORED_REPEAT counts two repeats, of which the second runs backwards.
     static double wrapped(Wrap wrap, double s, double n) {
         const auto between = [&](double low, double high) { return s < low ? low : s > high ? high : s; };
         switch (wrap) {
         case Wrap::repeat:
             return s - std::floor(s);
+        case Wrap::mirrored_repeat:
+            return s - 2 * std::floor(s / 2);
         case Wrap::clamp:
             return between(0, 1);
         case Wrap::clamp_to_edge:
@@ -205,6 +209,22 @@ struct ReferenceSampler {
         }
         return 0;
     }
+    /// The texel that stands for i (GL 2.0, 3.8.8). CLAMP_TO_EDGE samples edge texels only: what lies behind
+    /// them has the weight 0.
+    static int equivalent(Wrap wrap, int i, int n) {
+        switch (wrap) {
+        case Wrap::repeat:
+            return ((i % n) + n) % n;
+        case Wrap::mirrored_repeat: {
+            const int k = ((i % (2 * n)) + 2 * n) % (2 * n);
+            return k < n ? k : 2 * n - 1 - k;
+        }
+        case Wrap::clamp_to_edge:
+            return i >= n ? n - 1 : i;
+        default:
+            return i;
+        }
+    }
 
     Color level(int d, Filter filter, double s, double t) const {
         const TextureLevel& image = texture.level[d];
@@ -213,7 +233,8 @@ struct ReferenceSampler {
         if (filter == Filter::nearest) {
             const auto index = [](Wrap wrap, double at, int n) {
                 const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
-                return wrap != Wrap::repeat && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
+                const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
+                return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
             };
             return texel(image, index(texture.wrap_s, u, image.width),
                          index(texture.wrap_t, v, image.height));
@@ -226,20 +247,15 @@ struct ReferenceSampler {
     }
 
     Color texel(const TextureLevel& image, int i, int j) const {
-        if (texture.wrap_s == Wrap::repeat)
-            i &= image.width - 1;
-        if (texture.wrap_t == Wrap::repeat)
-            j &= image.height - 1;
-        // CLAMP_TO_EDGE samples edge texels only: what lies behind them has the weight 0.
-        if (texture.wrap_s == Wrap::clamp_to_edge && i >= image.width)
-            i = image.width - 1;
-        if (texture.wrap_t == Wrap::clamp_to_edge && j >= image.height)
-            j = image.height - 1;
+        i = equivalent(texture.wrap_s, i, image.width);
+        j = equivalent(texture.wrap_t, j, image.height);
         const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
         if (outside && texture.border_texels == 0) {
             const std::uint8_t* const c = texture.border_color;
             return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0, c[3] / 255.0};
         }
+        if (is_indirect(texture.format))
+            return read_indirect<Reference>(texture, image, i, j);
         return read_texel<Reference>(texture.format, image.texels +
                                                          static_cast<std::ptrdiff_t>(j) *
                                                              static_cast<std::ptrdiff_t>(image.stride) +

@@ -5,6 +5,7 @@
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/texel_color.hpp"
+#include "raster/span/texel_other.hpp"
 #include "raster/span/texture_env.hpp"
 
 namespace spangle::raster {
@@ -86,8 +87,8 @@ template <class N> struct TextureFunction {
         if (filter == Filter::nearest)
             return texel(image, wrapped_nearest(texture.wrap_s, s, w, image.width),
                          wrapped_nearest(texture.wrap_t, t, h, image.height));
-        const TexelIndex i = wrapped_linear(texture.wrap_s, s, w), j = wrapped_linear(texture.wrap_t, t, h);
-        return filtered(image, i, j);
+        return filtered(image, wrapped_linear(texture.wrap_s, s, w, image.width),
+                        wrapped_linear(texture.wrap_t, t, h, image.height));
     }
 
     Color filtered(const TextureLevel& image, const TexelIndex& i, const TexelIndex& j) const {
@@ -95,10 +96,12 @@ template <class N> struct TextureFunction {
                            i1 = wrap_texel(texture.wrap_s, i.i + 1, image.width),
                            j0 = wrap_texel(texture.wrap_t, j.i, image.height),
                            j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
+        const TexelWords words = words_of(texture);
         if constexpr (is_balanced<N>) {
-            if (texture.format == TexelFormat::rgb565 && stored(image, i0, j0) && stored(image, i1, j1)) {
+            if (words == TexelWords::rgb565 && stored(image, i0, j0) && stored(image, i1, j1)) {
                 const auto word = [&](std::int32_t x, std::int32_t y) {
-                    return Lanes<1>::load(address(image, x, y));
+                    return Lanes<1>::load(is_indirect(texture.format) ? palette_entry(texture, image, x, y)
+                                                                      : address(image, x, y));
                 };
                 return Filter565<1>(j.weight)(word(i0, j0), word(i1, j0), word(i0, j1), word(i1, j1),
                                               i.weight);
@@ -107,7 +110,7 @@ template <class N> struct TextureFunction {
         const Color c00 = texel(image, i0, j0), c10 = texel(image, i1, j0), c01 = texel(image, i0, j1),
                     c11 = texel(image, i1, j1);
         if constexpr (is_balanced<N>) {
-            if (texture.format != TexelFormat::rgb565) {
+            if (words == TexelWords::bytes) {
                 const Filter8<1> filter(j.weight);
                 const auto mix = [&](auto c) {
                     return filter.component(c00.*c >> 8, c10.*c >> 8, c01.*c >> 8, c11.*c >> 8, i.weight);
@@ -127,7 +130,12 @@ template <class N> struct TextureFunction {
     }
     /// A texel of the image, of its border, or the border colour.
     Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
-        return stored(image, i, j) ? read_texel<N>(texture.format, address(image, i, j)) : border;
+        if (!stored(image, i, j))
+            return border;
+        if constexpr (has_compressed_textures)
+            if (is_indirect(texture.format))
+                return read_indirect<N>(texture, image, i, j);
+        return read_texel<N>(texture.format, address(image, i, j));
     }
 };
 

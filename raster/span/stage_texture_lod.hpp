@@ -20,7 +20,7 @@ class LevelOfDetail {
         const auto& unit = span_.unit[unit_];
         const std::uint64_t ds = steps(unit.s.dx, unit.s_dy, span_.state->wraps[unit_].s);
         const std::uint64_t dt = steps(unit.t.dx, unit.t_dy, span_.state->wraps[unit_].t);
-        return log2_fraction8(in_texels(ds, dt)) + ((span_.state->log2_width[unit_] - 32) << 8);
+        return in_texels(ds, dt) - (32 << 8);
     }
 
     /// d(S/Q) = (dS Q - S dQ) / Q^2, of which only the logarithm is wanted.
@@ -35,8 +35,8 @@ class LevelOfDetail {
         };
         const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
         const std::uint64_t dt = largest(numerator(unit.t.dx, at_t, q.dx), numerator(unit.t_dy, at_t, q_dy));
-        return log2_fraction8(in_texels(ds, dt)) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
-               ((unit.exponent + span_.state->log2_width[unit_]) << 8);
+        return in_texels(ds, dt) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
+               (unit.exponent << 8);
     }
 
   private:
@@ -45,10 +45,22 @@ class LevelOfDetail {
 
     static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
 
-    /// The largest of the four, v scaled to the texels of u.
-    std::uint64_t in_texels(std::uint64_t ds, std::uint64_t dt) const {
-        const int up = span_.state->log2_height[unit_] - span_.state->log2_width[unit_];
-        return largest(ds, up >= 0 ? dt << up : dt >> -up);
+    /// The logarithm of the largest of the four in texels.
+    std::int32_t in_texels(std::uint64_t ds, std::uint64_t dt) const {
+        const Texture& texture = *span_.state->fragment.unit[unit_].texture;
+        const TextureLevel& base = texture.level[0];
+        const int width = span_.state->log2_width[unit_], height = span_.state->log2_height[unit_];
+        if (texture.shape != TextureShape::line && is_power_of_two(base.width) &&
+            is_power_of_two(base.height)) {
+            const int up = height - width;
+            return log2_fraction8(largest(ds, up >= 0 ? dt << up : dt >> -up)) + (width << 8);
+        }
+        const auto& halves = span_.state->halves[unit_];
+        const auto along = [](std::uint64_t d, std::uint32_t size, int halved) {
+            return log2_fraction8(d) + log2_fraction8(size) + (halved << 8);
+        };
+        const std::int32_t u = along(ds, base.width, halves.s), v = along(dt, base.height, halves.t);
+        return texture.shape == TextureShape::line || u > v ? u : v;
     }
 
     static std::int64_t positive(std::uint64_t q) {

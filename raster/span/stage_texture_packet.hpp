@@ -98,34 +98,37 @@ template <class N> class PacketTexture {
 
     [[gnu::noinline]] bool filtered(int level, Filter filter, Color* to) const {
         const TextureLevel& image = texture_.level[level];
+        const TexelWords words = words_of(texture_);
+        if (words == TexelWords::none)
+            return false;
         const auto& coord = k_.coord[which_][0];
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
+        const bool indirect = is_indirect(texture_.format); // found by texel and row, not by bytes
+        const std::int32_t bytes = indirect ? 1 : texel_bytes(texture_.format),
+                           stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
-        const bool stored =
-            find_texels<lanes>(s, linear,
-                               {texture_.wrap_s, image.width, texel_bytes(texture_.format), border}, coord.s,
-                               group, n_) &&
-            find_texels<lanes>(
-                t, linear, {texture_.wrap_t, image.height, static_cast<std::int32_t>(image.stride), border},
-                coord.t, group, n_);
+        const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},
+                                               coord.s, group, n_) &&
+                            find_texels<lanes>(t, linear, {texture_.wrap_t, image.height, stride, border},
+                                               coord.t, group, n_);
         if (!stored)
             return false;
-        if (texture_.format == TexelFormat::rgb565)
-            combine<std::uint16_t>(image.texels, linear, s, t, to);
+        if (words == TexelWords::rgb565)
+            combine<std::uint16_t>(image, linear, s, t, to);
         else
-            combine<std::uint32_t>(image.texels, linear, s, t, to);
+            combine<std::uint32_t>(image, linear, s, t, to);
         return true;
     }
 
     /// Word: of a texel in lanes.
     template <class Word>
-    void combine(const std::uint8_t* from, bool linear, const TexelOffsets& s, const TexelOffsets& t,
+    void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
                  Color* to) const {
         using Texels = TexelColors<N, sizeof(Word) == 2, true>;
         Word texel[4][packet_length];
         const auto fetch = [&](const std::int32_t* across, const std::int32_t* up, Word* words) {
-            fetch_texels(texture_.format, from, across, up, n_, words);
+            fetch_texels(texture_, image, across, up, n_, words);
         };
         fetch(s.at, t.at, texel[0]);
         if (!linear) {

@@ -9,8 +9,13 @@
 namespace spangle::raster {
 
 constexpr int texel_bytes(TexelFormat format) {
-    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4};
+    constexpr std::uint8_t bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4, 0, 0, 0}; // 0: no place of its own
     return bytes[static_cast<unsigned>(format)];
+}
+
+/// Formats whose loops are made for them; the others go through stage_texture_sampler.hpp.
+constexpr bool is_common(TexelFormat format) {
+    return format <= TexelFormat::rgba8888;
 }
 
 /// The components of one texel; what a format lacks is 1 (alpha) or luminance in all three.
@@ -34,7 +39,40 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
     } else if constexpr (Format == TexelFormat::rgb888) {
         return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]), one};
     } else {
+        static_assert(Format == TexelFormat::rgba8888);
         return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]), N::from8(at[3])};
+    }
+}
+
+/// k / (2^bits - 1) to the nearest unit. Bits of 1, 2 and 4 are whole 255ths.
+template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
+    if constexpr (255 % Most == 0)
+        return N::from8(static_cast<typename N::L::U16>(k * (255 / Most)));
+    else
+        return N::from_units(static_cast<std::uint32_t>((std::uint64_t{k} * color_one + Most / 2) / Most));
+}
+
+/// The rest of the formats whose texels have places of their own. A depth is what it is in all components.
+template <class N>
+[[gnu::noinline]] typename N::Color read_other_texel(TexelFormat format, const std::uint8_t* at) {
+    const typename N::T one = N::from_units(color_one);
+    const auto grey = [](typename N::T v) { return typename N::Color{v, v, v, v}; };
+    std::uint32_t word = format == TexelFormat::rgb332 ? at[0] : Lanes<1>::load(at);
+    switch (format) {
+    case TexelFormat::rgba4444:
+        return {from_steps<N, 15>(word >> 12), from_steps<N, 15>(word >> 8 & 15),
+                from_steps<N, 15>(word >> 4 & 15), from_steps<N, 15>(word & 15)};
+    case TexelFormat::rgba5551:
+        return {N::from5(word >> 11), N::from5(word >> 6 & 31), N::from5(word >> 1 & 31),
+                from_steps<N, 1>(word & 1)};
+    case TexelFormat::rgb332:
+        return {from_steps<N, 7>(word >> 5), from_steps<N, 7>(word >> 2 & 7), from_steps<N, 3>(word & 3),
+                one};
+    case TexelFormat::z16:
+        return grey(from_steps<N, 65535>(word));
+    default:
+        __builtin_memcpy(&word, at, 4);
+        return grey(from_steps<N, 0xFFFFFF>(word));
     }
 }
 
@@ -56,8 +94,9 @@ template <class N>
         return read_texel<N, TexelFormat::rgb888>(at);
     case TexelFormat::rgba8888:
         return read_texel<N, TexelFormat::rgba8888>(at);
+    default:
+        return read_other_texel<N>(format, at);
     }
-    return {};
 }
 
 /// Position along one axis: texel index and 8-bit weight of the next one.
@@ -101,29 +140,76 @@ SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_siz
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
-/// The equivalent texel of a wrap mode: REPEAT i mod size; CLAMP_TO_EDGE 0 .. size - 1; the others -1 ..
-/// size.
+/// The equivalent texel of a wrap mode, for a texel at most one beyond the image: REPEAT i mod size;
+/// MIRRORED_REPEAT counts both halves of two repeats; CLAMP_TO_EDGE 0 .. size - 1; the others -1 .. size.
 SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t size) {
     if (wrap == Wrap::repeat)
-        return i & (size - 1);
+        return i < 0 ? i + size : i >= size ? i - size : i;
+    if (wrap == Wrap::mirrored_repeat) {
+        const std::int32_t both = 2 * size, k = i < 0 ? i + both : i >= both ? i - both : i;
+        return k < size ? k : both - 1 - k;
+    }
     const std::int32_t low = wrap == Wrap::clamp_to_edge ? 0 : -1;
     const std::int32_t high = wrap == Wrap::clamp_to_edge ? size - 1 : size;
     return i < low ? low : i > high ? high : i;
 }
 
+constexpr bool is_power_of_two(std::int32_t size) {
+    return (size & (size - 1)) == 0;
+}
+
+/// Coordinates of these axes are read with shifts.
+constexpr bool is_plain_axis(Wrap wrap, std::int32_t size) {
+    return wrap != Wrap::mirrored_repeat && is_power_of_two(size);
+}
+
+/// Any size and wrap mode: 2^fraction texels in one, before wrapping, `half` of one taken off. A mirrored
+/// image is one of twice the size that repeats.
+template <int Fraction> constexpr std::int64_t axis_position(Wrap wrap, std::uint32_t s, std::int32_t size) {
+    if (wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat) {
+        const std::uint32_t whole = static_cast<std::uint32_t>(wrap == Wrap::repeat ? size : 2 * size);
+        return static_cast<std::int64_t>(std::uint64_t{s} * whole >> (32 - Fraction));
+    }
+    std::int64_t v = static_cast<std::int32_t>(s);
+    if (wrap == Wrap::clamp)
+        v = numeric::clamp<std::int64_t>(v, 0, 1 << clamped_coord_bits);
+    return v * size >> (clamped_coord_bits - Fraction);
+}
+inline std::int32_t general_nearest(Wrap wrap, std::uint32_t s, std::int32_t size) {
+    const auto i =
+        static_cast<std::int32_t>((axis_position<nearest_bias_bits>(wrap, s, size) + 1) >> nearest_bias_bits);
+    const bool clamps = wrap != Wrap::repeat && wrap != Wrap::mirrored_repeat;
+    // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
+    const bool last = clamps && i == size && static_cast<std::int32_t>(s) <= 1 << clamped_coord_bits;
+    return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, last ? i - 1 : i, size);
+}
+inline TexelIndex general_linear(Wrap wrap, std::uint32_t s, std::int32_t size) {
+    const auto fixed = static_cast<std::int32_t>(axis_position<8>(wrap, s, size) - 128);
+    return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
+}
+
 /// The texel of a coordinate, and where it lies between two, in any wrap mode.
 inline std::int32_t wrapped_nearest(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
+    if (!is_plain_axis(wrap, size))
+        return general_nearest(wrap, s, size);
     if (wrap == Wrap::repeat)
         return repeat_nearest(s, log2_size);
     const std::int32_t i = clamped_nearest(static_cast<std::int32_t>(s), log2_size);
     return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, i, size); // CLAMP is to [0, 1]
 }
-inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size) {
+inline TexelIndex wrapped_linear(Wrap wrap, std::uint32_t s, int log2_size, std::int32_t size) {
+    if (!is_plain_axis(wrap, size))
+        return general_linear(wrap, s, size);
     return wrap == Wrap::repeat ? repeat_linear(s, log2_size)
                                 : clamped_linear(wrap, static_cast<std::int32_t>(s), log2_size);
 }
 constexpr std::uint8_t log2_of(std::int32_t size) {
     return static_cast<std::uint8_t>(31 - numeric::clz32(static_cast<std::uint32_t>(size) | 1));
+}
+
+/// The least power of two that is not below the size.
+constexpr std::uint8_t ceil_log2_of(std::int32_t size) {
+    return static_cast<std::uint8_t>(log2_of(size) + (is_power_of_two(size) ? 0 : 1));
 }
 
 /// The bytes of an 8-bit texel in one word, R lowest; for lanes.

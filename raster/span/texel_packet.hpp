@@ -2,7 +2,7 @@
 #pragma once
 
 #include "raster/span/chain.hpp"
-#include "raster/span/texel.hpp"
+#include "raster/span/texel_other.hpp"
 
 namespace spangle::raster {
 
@@ -19,6 +19,28 @@ struct TexelScale {
     bool border;              ///< the image has one
 };
 
+/// Of any size and wrap mode, as find_texels.
+template <int Lanes>
+[[gnu::noinline]] bool find_general_texels(TexelOffsets& to, bool linear, const TexelScale& axis,
+                                           const std::uint32_t* coord, std::int32_t group, std::int32_t n) {
+    bool stored = true;
+    for (std::int32_t i = 0; i < n; ++i) {
+        const std::uint32_t v = coord[i / Lanes * group + i % Lanes];
+        TexelIndex texel{};
+        if (linear)
+            texel = general_linear(axis.wrap, v, axis.size);
+        else
+            texel.i = general_nearest(axis.wrap, v, axis.size);
+        const std::int32_t at = linear ? wrap_texel(axis.wrap, texel.i, axis.size) : texel.i,
+                           next = linear ? wrap_texel(axis.wrap, texel.i + 1, axis.size) : at;
+        stored = stored && at >= 0 && next < axis.size;
+        to.at[i] = at * axis.bytes;
+        to.next[i] = next * axis.bytes;
+        to.weight[i] = static_cast<std::uint16_t>(texel.weight);
+    }
+    return axis.border || stored;
+}
+
 /// `coord`: one axis of the coordinates, in groups that are `group` words apart. False: some texel is of a
 /// border that is a colour.
 template <int Lanes>
@@ -30,6 +52,8 @@ template <int Lanes>
             for (int lane = 0; lane < Lanes; ++lane)
                 f(i + lane, coord[lane]);
     };
+    if (!is_plain_axis(axis.wrap, axis.size))
+        return find_general_texels<Lanes>(to, linear, axis, coord, group, n);
     if (axis.wrap == Wrap::repeat) {
         const std::int32_t mask = axis.size - 1;
         if (linear)
@@ -64,20 +88,25 @@ template <int Lanes>
 }
 
 /// n words R5 G6 B5.
-inline void fetch_texels(TexelFormat, const std::uint8_t* from, const std::int32_t* s, const std::int32_t* t,
-                         std::int32_t n, std::uint16_t* to) {
+inline void fetch_texels(const Texture& texture, const TextureLevel& image, const std::int32_t* s,
+                         const std::int32_t* t, std::int32_t n, std::uint16_t* to) {
+    if (is_indirect(texture.format)) {
+        for (std::int32_t i = 0; i < n; ++i)
+            to[i] = static_cast<std::uint16_t>(Lanes<1>::load(palette_entry(texture, image, s[i], t[i])));
+        return;
+    }
     for (std::int32_t i = 0; i < n; ++i)
-        to[i] = static_cast<std::uint16_t>(Lanes<1>::load(from + t[i] + s[i]));
+        to[i] = static_cast<std::uint16_t>(Lanes<1>::load(image.texels + t[i] + s[i]));
 }
 /// n words of 8-bit components, whatever the format has of them.
-[[gnu::noinline]] inline void fetch_texels(TexelFormat format, const std::uint8_t* from,
+[[gnu::noinline]] inline void fetch_texels(const Texture& texture, const TextureLevel& image,
                                            const std::int32_t* s, const std::int32_t* t, std::int32_t n,
                                            std::uint32_t* to) {
     const auto each = [&](auto word) {
         for (std::int32_t i = 0; i < n; ++i)
-            to[i] = word(from + t[i] + s[i]);
+            to[i] = word(image.texels + t[i] + s[i]);
     };
-    switch (format) {
+    switch (texture.format) {
     case TexelFormat::a8:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::a8>(at); });
     case TexelFormat::l8:
@@ -90,8 +119,9 @@ inline void fetch_texels(TexelFormat, const std::uint8_t* from, const std::int32
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgb888>(at); });
     case TexelFormat::rgba8888:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgba8888>(at); });
-    case TexelFormat::rgb565:
-        return; // words of 16 bits
+    default:
+        for (std::int32_t i = 0; i < n; ++i)
+            to[i] = other_word(texture, image, s[i], t[i]);
     }
 }
 

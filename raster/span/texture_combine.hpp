@@ -44,12 +44,13 @@ template <class N> class TextureCombine {
             if (unit.env != TexEnv::combine)
                 apply_env<N>(unit.env, unit.texture->base, color, texel[u], constant);
             else
-                color = combine(unit, {texel, u, constant, primary, color});
+                color = combine(unit, {state, texel, u, constant, primary, color});
         }
     }
 
   private:
     struct Sources {
+        const FragmentState& state;
         const Color* texel;
         int unit;
         Color constant, primary, previous;
@@ -57,7 +58,7 @@ template <class N> class TextureCombine {
         Color of(CombineSource source) const {
             switch (source) {
             case CombineSource::texture:
-                return texel[unit];
+                return texture(unit);
             case CombineSource::constant:
                 return constant;
             case CombineSource::primary_color:
@@ -65,8 +66,20 @@ template <class N> class TextureCombine {
             case CombineSource::previous:
                 return previous;
             default:
-                return texel[static_cast<int>(source) - static_cast<int>(CombineSource::texture0)];
+                return texture(static_cast<int>(source) - static_cast<int>(CombineSource::texture0));
             }
+        }
+        /// With what its base format lacks (GL 1.3, table 3.21).
+        Color texture(int from) const {
+            Color c = texel[from];
+            const Texture* const image = state.unit[from].texture;
+            if (image == nullptr)
+                return {};
+            if (image->base == BaseFormat::alpha)
+                c.r = c.g = c.b = T{};
+            else if (image->base == BaseFormat::luminance || image->base == BaseFormat::rgb)
+                c.a = N::one;
+            return c;
         }
     };
 

@@ -97,6 +97,15 @@ std::map<GLenum, GLbitfield> server_state() {
             groups[name] = GL_FOG_BIT;
         groups[GL_CURRENT_FOG_COORDINATE] = GL_CURRENT_BIT;
     }
+    if (SPANGLE_FEATURE_TEXTURE_1D)
+        groups[GL_TEXTURE_1D] = GL_TEXTURE_BIT | GL_ENABLE_BIT,
+        groups[GL_TEXTURE_BINDING_1D] = GL_TEXTURE_BIT;
+    if (SPANGLE_FEATURE_TEXTURE_3D)
+        groups[GL_TEXTURE_3D] = GL_TEXTURE_BIT | GL_ENABLE_BIT,
+        groups[GL_TEXTURE_BINDING_3D] = GL_TEXTURE_BIT;
+    if (SPANGLE_FEATURE_TEXTURE_CUBE_MAP)
+        groups[GL_TEXTURE_CUBE_MAP] = GL_TEXTURE_BIT | GL_ENABLE_BIT,
+        groups[GL_TEXTURE_BINDING_CUBE_MAP] = GL_TEXTURE_BIT;
     if (SPANGLE_FEATURE_LISTS)
         groups[GL_LIST_BASE] = GL_LIST_BIT;
     if (SPANGLE_FEATURE_POLYGON_MODE) {
@@ -269,6 +278,16 @@ class Attrib : public RecordingContext {
                             GL_POLYGON_SMOOTH_HINT, GL_FOG_HINT, GL_TEXTURE_COMPRESSION_HINT})
             glHint(hint, either(GL_NICEST, GL_FASTEST));
         glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(k) + 8);
+#if SPANGLE_FEATURE_TEXTURE_1D
+        glBindTexture(GL_TEXTURE_1D, static_cast<GLuint>(k) + 18);
+        glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_R, k != 0 ? GL_CLAMP : GL_MIRRORED_REPEAT);
+#endif
+#if SPANGLE_FEATURE_TEXTURE_3D
+        glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(k) + 28);
+#endif
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+        glBindTexture(GL_TEXTURE_CUBE_MAP, static_cast<GLuint>(k) + 38);
+#endif
         const GLfloat four[4] = {f(0.1f), f(0.2f), f(0.3f), f(0.4f)};
         glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, k != 0 ? GL_DECAL : GL_REPLACE);
         glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, four);

@@ -33,6 +33,7 @@ struct Pname {
     std::int64_t good; ///< a value that is accepted
     GLenum target;     ///< the target it belongs to; 0: the first one
     bool present;      ///< its optional system is in this build
+    GLenum code;       ///< what it raises in a context that nothing was done to
 };
 
 struct Arg {
@@ -55,7 +56,8 @@ struct Command {
     const char* row; ///< of the feature matrix
     bool inside;     ///< legal between Begin and End
     Listing listing;
-    bool present; ///< its feature is in this build
+    bool present;   ///< its feature is in this build
+    GLenum refuses; ///< what all arguments raise, or NO_ERROR
     std::span<const Arg> args;
     std::span<const Pname> pnames;
     void (*call)(const Value* values);

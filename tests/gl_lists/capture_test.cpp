@@ -18,8 +18,7 @@ class CapturedImages : public RecordingContext {
         const gl::TextureObject& t = context->texture.bound(0);
         if (t.level[0] == nullptr)
             return {};
-        const std::size_t bytes = std::size_t{t.level[0]->stride} * t.level[0]->shape.height;
-        return {t.level[0]->texels(), t.level[0]->texels() + bytes};
+        return {t.level[0]->texels, t.level[0]->texels + t.level[0]->bytes};
     }
 };
 

@@ -418,7 +418,7 @@ TEST_F(FragmentSetup, TextureUnitsAndEnvironments) {
     const std::uint8_t texel[4] = {1, 2, 3, 4};
     cmd::TexImage2D(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
     EXPECT_EQ(state().unit[0].texture, nullptr); // not enabled
-    c.texture.unit[0].texture_2d = true;
+    c.texture.unit[0].enabled[index_of(TextureKind::two)] = true;
     c.changed(dirty_fragment);
     ASSERT_NE(state().unit[0].texture, nullptr);
     EXPECT_EQ(state().unit[0].texture->level[0].texels[2], 3);

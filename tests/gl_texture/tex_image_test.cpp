@@ -40,7 +40,7 @@ struct TexImage : testing::Test {
         nearest.v[0] = Param::from_integer(GL_NEAREST);
         nearest.count = 1;
         cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest);
-        const raster::Texture* texture = complete_texture(b.context, 0);
+        const raster::Texture* texture = complete_texture(b.context.texture.bound(0));
         EXPECT_NE(texture, nullptr);
         return *texture;
     }
@@ -80,17 +80,17 @@ TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
         {GL_INTENSITY12, 0, 0, 0, 0, 0, 8, false},
         {GL_INTENSITY16, 0, 0, 0, 0, 0, 8, false},
         {GL_RGB, 8, 8, 8, 0, 0, 0, true},
-        {GL_R3_G3_B2, 8, 8, 8, 0, 0, 0, true},
-        {GL_RGB4, 8, 8, 8, 0, 0, 0, true},
-        {GL_RGB5, 8, 8, 8, 0, 0, 0, true},
+        {GL_R3_G3_B2, 3, 3, 2, 0, 0, 0, false},
+        {GL_RGB4, 5, 6, 5, 0, 0, 0, false},
+        {GL_RGB5, 5, 6, 5, 0, 0, 0, false},
         {GL_RGB8, 8, 8, 8, 0, 0, 0, false},
         {GL_RGB10, 8, 8, 8, 0, 0, 0, false},
         {GL_RGB12, 8, 8, 8, 0, 0, 0, false},
         {GL_RGB16, 8, 8, 8, 0, 0, 0, false},
         {GL_RGBA, 8, 8, 8, 8, 0, 0, false},
-        {GL_RGBA2, 8, 8, 8, 8, 0, 0, false},
-        {GL_RGBA4, 8, 8, 8, 8, 0, 0, false},
-        {GL_RGB5_A1, 8, 8, 8, 8, 0, 0, false},
+        {GL_RGBA2, 4, 4, 4, 4, 0, 0, false},
+        {GL_RGBA4, 4, 4, 4, 4, 0, 0, false},
+        {GL_RGB5_A1, 5, 5, 5, 1, 0, 0, false},
         {GL_RGBA8, 8, 8, 8, 8, 0, 0, false},
         {GL_RGB10_A2, 8, 8, 8, 8, 0, 0, false},
         {GL_RGBA12, 8, 8, 8, 8, 0, 0, false},
@@ -115,7 +115,7 @@ TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
 
 /// Texel (x, y) in 0..1, by the layout raster/span/fragment_state.hpp declares.
 void texel(const raster::Texture& t, int x, int y, double out[4]) {
-    constexpr int bytes[] = {1, 1, 1, 2, 2, 3, 4};
+    constexpr int bytes[] = {1, 1, 1, 2, 2, 3, 4, 2, 2, 1, 2, 4};
     const std::uint8_t* p = t.level[0].texels + y * static_cast<std::int64_t>(t.level[0].stride) +
                             x * bytes[static_cast<int>(t.format)];
     out[0] = out[1] = out[2] = out[3] = -1; // not kept
@@ -145,13 +145,42 @@ void texel(const raster::Texture& t, int x, int y, double out[4]) {
         for (int c = 0; c < 3; ++c)
             out[c] = p[c] / 255.0;
         break;
+    case TexelFormat::rgba4444:
+        std::memcpy(&word, p, 2);
+        for (int c = 0; c < 4; ++c)
+            out[c] = (word >> (12 - 4 * c) & 15) / 15.0;
+        break;
+    case TexelFormat::rgba5551:
+        std::memcpy(&word, p, 2);
+        for (int c = 0; c < 3; ++c)
+            out[c] = (word >> (11 - 5 * c) & 31) / 31.0;
+        out[3] = word & 1;
+        break;
+    case TexelFormat::rgb332:
+        out[0] = (p[0] >> 5) / 7.0;
+        out[1] = (p[0] >> 2 & 7) / 7.0;
+        out[2] = (p[0] & 3) / 3.0;
+        break;
+    default:
+        FAIL() << "not a format of colours";
     }
 }
 
 TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
-    const GLint internals[] = {GL_ALPHA, GL_LUMINANCE, GL_INTENSITY, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA};
-    const BaseFormat bases[] = {BaseFormat::alpha,           BaseFormat::luminance, BaseFormat::intensity,
-                                BaseFormat::luminance_alpha, BaseFormat::rgb,       BaseFormat::rgba};
+    const struct {
+        GLint internal;
+        BaseFormat base;
+        int bits[4];
+    } kinds[] = {{GL_ALPHA, BaseFormat::alpha, {8, 8, 8, 8}},
+                 {GL_LUMINANCE, BaseFormat::luminance, {8, 8, 8, 8}},
+                 {GL_INTENSITY, BaseFormat::intensity, {8, 8, 8, 8}},
+                 {GL_LUMINANCE_ALPHA, BaseFormat::luminance_alpha, {8, 8, 8, 8}},
+                 {GL_RGB, BaseFormat::rgb, {8, 8, 8, 8}},
+                 {GL_RGBA, BaseFormat::rgba, {8, 8, 8, 8}},
+                 {GL_R3_G3_B2, BaseFormat::rgb, {3, 3, 2, 8}},
+                 {GL_RGB5, BaseFormat::rgb, {5, 6, 5, 8}},
+                 {GL_RGBA4, BaseFormat::rgba, {4, 4, 4, 4}},
+                 {GL_RGB5_A1, BaseFormat::rgba, {5, 5, 5, 1}}};
     struct Source {
         GLenum format;
         std::vector<int> place; ///< component -> 0..3, or 4: luminance
@@ -163,7 +192,7 @@ TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
                               {GL_LUMINANCE, {4}},     {GL_LUMINANCE_ALPHA, {4, 3}}};
     std::mt19937 random(11);
     for (BareContext* b : {&bare, &board})
-        for (int internal = 0; internal < 6; ++internal)
+        for (const auto& kind : kinds)
             for (const Source& source : sources)
                 for (GLenum type : {GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT}) {
                     const std::size_t n = source.place.size();
@@ -187,12 +216,12 @@ TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
                             push(static_cast<float>(f));
                     }
                     b->context.pixel_store.unpack.alignment = 1;
-                    cmd::TexImage2D(b->context, GL_TEXTURE_2D, 0, internals[internal], 8, 4, 0, source.format,
-                                    type, bytes.data());
+                    cmd::TexImage2D(b->context, GL_TEXTURE_2D, 0, kind.internal, 8, 4, 0, source.format, type,
+                                    bytes.data());
                     ASSERT_EQ(b->take_error(), GLenum{GL_NO_ERROR});
                     const raster::Texture& t = view(*b);
-                    ASSERT_EQ(t.base, bases[internal]);
-                    const bool five = b == &board && internals[internal] == GL_RGB;
+                    ASSERT_EQ(t.base, kind.base);
+                    const bool five = (b == &board && kind.internal == GL_RGB) || kind.internal == GL_RGB5;
                     ASSERT_EQ(t.format == TexelFormat::rgb565, five);
                     for (int i = 0; i < 8 * 4; ++i) {
                         double rgba[4] = {0, 0, 0, 1};
@@ -206,7 +235,8 @@ TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
                         }
                         double got[4];
                         texel(t, i % 8, i / 8, got);
-                        const int kept_bits[4] = {five ? 5 : 8, five ? 6 : 8, five ? 5 : 8, 8};
+                        const int sixteen[4] = {5, 6, 5, 8};
+                        const int* const kept_bits = five ? sixteen : kind.bits;
                         for (int c = 0; c < 4; ++c)
                             if (got[c] >= 0) {
                                 ASSERT_LE(std::fabs(got[c] - rgba[c]), 0.5001 / ((1 << kept_bits[c]) - 1))
@@ -274,21 +304,24 @@ TEST_F(TexImage, ErrorsChangeNothing) {
         {GL_TEXTURE_2D, 0, 0, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, 5, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, -1, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
-        {GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
+        {GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_OPERATION},
         {GL_TEXTURE_2D, 0, GL_RGBA, -4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, -4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, INT_MIN, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
-        {GL_TEXTURE_2D, 0, GL_RGBA, 3, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
-        {GL_TEXTURE_2D, 0, GL_RGBA, 4, 6, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
+        {GL_TEXTURE_2D, 0, GL_RGBA, 2049, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
+        {GL_TEXTURE_CUBE_MAP_POSITIVE_X, 0, GL_RGBA, 4, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
+        {GL_TEXTURE_CUBE_MAP, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
+        {GL_TEXTURE_1D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
+        {GL_TEXTURE_3D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4096, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4096, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 11, GL_RGBA, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 2, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, -1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
-        {GL_TEXTURE_2D, 0, GL_RGBA, 8, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
+        {GL_TEXTURE_2D, 0, GL_RGBA, 2051, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
-        {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
+        {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, GL_INVALID_OPERATION},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, 0, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, 0, GL_INVALID_ENUM},
         {GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_BITMAP, GL_INVALID_ENUM},
@@ -325,7 +358,7 @@ TEST_F(TexImage, AProxyTooLargeIsZeroAndNoError) {
                     nullptr);
     EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT), 32);
     EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, 1, GL_TEXTURE_HEIGHT), 0);
-    for (GLsizei width : {4096, 65, INT_MAX}) {
+    for (GLsizei width : {4096, 2049, INT_MAX}) {
         cmd::TexImage2D(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, width, 32, 0, GL_RGBA,
                         GL_UNSIGNED_BYTE, nullptr);
         EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR});
@@ -390,7 +423,7 @@ TEST_F(TexImage, SubImageErrors) {
         {GL_TEXTURE_2D, 0, INT_MAX, 0, INT_MAX, 1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, 0, 0, -1, 1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
         {GL_TEXTURE_2D, 0, 0, 0, 1, -1, GL_RGBA, GL_UNSIGNED_BYTE, GL_INVALID_VALUE},
-        {GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, GL_INVALID_ENUM},
+        {GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, GL_INVALID_OPERATION},
         {GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_BITMAP, GL_INVALID_ENUM},
         {GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_BGR, GL_UNSIGNED_SHORT_5_6_5, GL_INVALID_OPERATION},
     };
@@ -436,7 +469,7 @@ TEST_F(TexImage, LevelsOfOneTextureAreKeptAlike) {
     bare.context.drawable.surface.format = PixelFormat::rgb565_be; // another window, the same texture
     cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 1, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(level_parameter(GL_TEXTURE_GREEN_SIZE, 1), 8);
-    const raster::Texture* texture = complete_texture(bare.context, 0);
+    const raster::Texture* texture = complete_texture(bare.context.texture.bound(0));
     ASSERT_NE(texture, nullptr);
     EXPECT_EQ(texture->level_count, 2);
 }

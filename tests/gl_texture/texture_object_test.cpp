@@ -39,7 +39,7 @@ void parameter(BareContext& b, GLenum pname, std::int64_t value) {
     cmd::TexParameter(b.context, GL_TEXTURE_2D, pname, integer(value));
 }
 int levels(BareContext& b) {
-    const raster::Texture* t = complete_texture(b.context, 0);
+    const raster::Texture* t = complete_texture(b.context.texture.bound(0));
     return t == nullptr ? 0 : t->level_count;
 }
 
@@ -55,7 +55,7 @@ TEST(TextureObject, LifeCycle) {
     EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_FALSE); // reserved only
     cmd::BindTexture(b.context, GL_TEXTURE_2D, names[0]);
     EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_TRUE);
-    EXPECT_EQ(texture_binding_2d(b.context), names[0]);
+    EXPECT_EQ(texture_binding(b.context, TextureKind::two), names[0]);
     image(b, 0, 4, 4);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, 777); // names need no GenTextures
     EXPECT_EQ(cmd::IsTexture(b.context, 777), GL_TRUE);
@@ -67,11 +67,11 @@ TEST(TextureObject, LifeCycle) {
         EXPECT_TRUE(name != names[0] && name != names[1] && name != names[2] && name != 777);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, names[0]);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    EXPECT_EQ(complete_texture(b.context, 0)->level[0].width, 4); // its image waited
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 4); // its image waited
     const GLuint gone[] = {0, 12345, names[0], 777, names[1], names[2], more[0], more[1]};
     cmd::DeleteTextures(b.context, 8, gone); // zero and unused names are ignored
     EXPECT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
-    EXPECT_EQ(texture_binding_2d(b.context), 0u); // reverts
+    EXPECT_EQ(texture_binding(b.context, TextureKind::two), 0u); // reverts
     EXPECT_EQ(cmd::IsTexture(b.context, names[0]), GL_FALSE);
     EXPECT_EQ(cmd::IsTexture(b.context, 0), GL_FALSE);
     memory.share.textures.clear(memory.arena);
@@ -130,13 +130,14 @@ TEST(TextureObject, SharedObjectsOutliveTheirNameWhileBound) {
     image(a, 0, 16, 16);
     parameter(a, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     cmd::BindTexture(b.context, GL_TEXTURE_2D, 4);
-    EXPECT_EQ(complete_texture(b.context, 0), complete_texture(a.context, 0)); // one object
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0)),
+              complete_texture(a.context.texture.bound(0))); // one object
     const GLuint name = 4;
     cmd::DeleteTextures(a.context, 1, &name);
     EXPECT_EQ(levels(a), 0);
     EXPECT_EQ(cmd::IsTexture(b.context, 4), GL_FALSE);
     EXPECT_EQ(levels(b), 1); // b still holds it
-    EXPECT_EQ(complete_texture(b.context, 0)->level[0].width, 16);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 16);
     cmd::BindTexture(a.context, GL_TEXTURE_2D, 4); // a new object of the freed name
     EXPECT_EQ(levels(a), 0);
     EXPECT_EQ(levels(b), 1);
@@ -175,7 +176,7 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 0);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     EXPECT_EQ(levels(b), 1);
-    EXPECT_EQ(complete_texture(b.context, 0)->level[0].width, 4);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 4);
     for (GLint far : {4, 11, 12, 1000, INT_MAX}) {
         parameter(b, GL_TEXTURE_BASE_LEVEL, far);
         parameter(b, GL_TEXTURE_MAX_LEVEL, INT_MAX);
@@ -193,7 +194,7 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 0);
     image(b, 0, 2, 2, 1);
     EXPECT_EQ(levels(b), 2);
-    EXPECT_EQ(complete_texture(b.context, 0)->border_texels, 1);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->border_texels, 1);
     fresh(b); // the null texture
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     image(b, 0, 0, 4);
@@ -231,13 +232,13 @@ TEST(TextureObject, ViewSaysWhatTheParametersSay) {
     };
     for (const auto& f : filters) {
         parameter(b, GL_TEXTURE_MIN_FILTER, f.token);
-        const raster::Texture* t = complete_texture(b.context, 0);
+        const raster::Texture* t = complete_texture(b.context.texture.bound(0));
         EXPECT_EQ(t->min, f.filter);
         EXPECT_EQ(t->mip, f.mip);
         EXPECT_EQ(t->mag, raster::Filter::linear);
     }
     parameter(b, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    EXPECT_EQ(complete_texture(b.context, 0)->mag, raster::Filter::nearest);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->mag, raster::Filter::nearest);
     const struct {
         GLenum token;
         raster::Wrap wrap;
@@ -248,15 +249,15 @@ TEST(TextureObject, ViewSaysWhatTheParametersSay) {
     for (const auto& w : wraps) {
         parameter(b, GL_TEXTURE_WRAP_S, w.token);
         parameter(b, GL_TEXTURE_WRAP_T, GL_CLAMP);
-        EXPECT_EQ(complete_texture(b.context, 0)->wrap_s, w.wrap);
-        EXPECT_EQ(complete_texture(b.context, 0)->wrap_t, raster::Wrap::clamp);
+        EXPECT_EQ(complete_texture(b.context.texture.bound(0))->wrap_s, w.wrap);
+        EXPECT_EQ(complete_texture(b.context.texture.bound(0))->wrap_t, raster::Wrap::clamp);
     }
-    EXPECT_EQ(complete_texture(b.context, 0)->min_lod, -256000);
-    EXPECT_EQ(complete_texture(b.context, 0)->max_lod, 256000);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->min_lod, -256000);
+    EXPECT_EQ(complete_texture(b.context.texture.bound(0))->max_lod, 256000);
     cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD, reals({0.5f}));
     cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD, reals({1e30f}));
     cmd::TexParameter(b.context, GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, reals({0, 1, 0.5f, 2}));
-    const raster::Texture* t = complete_texture(b.context, 0);
+    const raster::Texture* t = complete_texture(b.context.texture.bound(0));
     EXPECT_EQ(t->min_lod, 128);
     EXPECT_EQ(t->max_lod, INT_MAX);
     EXPECT_EQ(t->border_color[0], 0);
@@ -318,7 +319,9 @@ TEST(TextureParameters, ValuesAreKeptAndBadOnesRefused) {
         {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE, GL_NO_ERROR},
         {GL_TEXTURE_WRAP_S, GL_NEAREST, GL_INVALID_ENUM},
         {GL_TEXTURE_WRAP_T, GL_CLAMP, GL_NO_ERROR},
-        {GL_TEXTURE_WRAP_T, 0x8370, GL_INVALID_ENUM}, // MIRRORED_REPEAT is GL 1.4
+        {GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT, GL_NO_ERROR},
+        {GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE, GL_NO_ERROR},
+        {GL_TEXTURE_WRAP_R, GL_LINEAR, GL_INVALID_ENUM},
         {GL_TEXTURE_BASE_LEVEL, 3, GL_NO_ERROR},
         {GL_TEXTURE_BASE_LEVEL, -1, GL_INVALID_VALUE},
         {GL_TEXTURE_MAX_LEVEL, INT_MAX, GL_NO_ERROR},
@@ -427,7 +430,7 @@ TEST(TextureMemory, ExhaustionLeavesTheStateIntact) {
         }
         cmd::BindTexture(b.context, GL_TEXTURE_2D, 900);
         if (failed()) {
-            EXPECT_EQ(texture_binding_2d(b.context), 0u);
+            EXPECT_EQ(texture_binding(b.context, TextureKind::two), 0u);
         }
         const std::uint8_t pixels[4 * 4 * 4] = {1, 2, 3, 4, 5};
         cmd::TexImage2D(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
@@ -437,7 +440,7 @@ TEST(TextureMemory, ExhaustionLeavesTheStateIntact) {
         cmd::TexImage2D(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         if (failed()) {
             EXPECT_EQ(memory.arena.used(), used);
-            const raster::Texture* t = complete_texture(b.context, 0);
+            const raster::Texture* t = complete_texture(b.context.texture.bound(0));
             ASSERT_EQ(t == nullptr, first_failed);
             if (t != nullptr) {
                 EXPECT_EQ(t->level[0].width, 4);

@@ -149,8 +149,29 @@ void Flush(Context& context);
 void Finish(Context& context);
 
 // Textures (GL 1.3, 3.8).
+void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
+void CopyTexImage1D(Context& context, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border);
+void CopyTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
+void CopyTexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width);
+void CopyTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+void CopyTexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+void CompressedTexImage1D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data);
+void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+void CompressedTexImage3D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data);
+void CompressedTexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data);
+void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data);
+void CompressedTexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data);
+void CompressedTexConstantImage2DSPANGLE(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GLenum type, void* pixels);
+void GetCompressedTexImage(Context& context, GLenum target, GLint level, void* data);
+void GenerateMipmap(Context& context, GLenum target);
+GLboolean AreTexturesResident(Context& context, GLsizei n, const GLuint* textures, GLboolean* residences);
+void PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures, const GLclampf* priorities);
 void GenTextures(Context& context, GLsizei n, GLuint* textures);
 void DeleteTextures(Context& context, GLsizei n, const GLuint* textures);
 void BindTexture(Context& context, GLenum target, GLuint texture);
@@ -211,8 +232,15 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
 void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
+void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
+void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
+void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data);
+void PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures, const GLclampf* priorities);
 void CallList(Context& context, GLuint list);
 void CallLists(Context& context, GLsizei n, GLenum type, const void* lists);
 void Map1(Context& context, GLenum target, Real u1, Real u2, GLint stride, GLint order, const Values& points);
@@ -1111,6 +1139,13 @@ struct Finish {
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glFinish between glBegin and glEnd");
 };
+struct TexImage1D {
+    static constexpr auto run = &cmd::TexImage1D;
+    static constexpr auto encode = &encode::TexImage1D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexImage1D between glBegin and glEnd");
+};
 struct TexImage2D {
     static constexpr auto run = &cmd::TexImage2D;
     static constexpr auto encode = &encode::TexImage2D;
@@ -1118,12 +1153,152 @@ struct TexImage2D {
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexImage2D between glBegin and glEnd");
 };
+struct TexImage3D {
+    static constexpr auto run = &cmd::TexImage3D;
+    static constexpr auto encode = &encode::TexImage3D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexImage3D between glBegin and glEnd");
+};
+struct TexSubImage1D {
+    static constexpr auto run = &cmd::TexSubImage1D;
+    static constexpr auto encode = &encode::TexSubImage1D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage1D between glBegin and glEnd");
+};
 struct TexSubImage2D {
     static constexpr auto run = &cmd::TexSubImage2D;
     static constexpr auto encode = &encode::TexSubImage2D;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage2D between glBegin and glEnd");
+};
+struct TexSubImage3D {
+    static constexpr auto run = &cmd::TexSubImage3D;
+    static constexpr auto encode = &encode::TexSubImage3D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage3D between glBegin and glEnd");
+};
+struct CopyTexImage1D {
+    static constexpr auto run = &cmd::CopyTexImage1D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexImage1D between glBegin and glEnd");
+};
+struct CopyTexImage2D {
+    static constexpr auto run = &cmd::CopyTexImage2D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexImage2D between glBegin and glEnd");
+};
+struct CopyTexSubImage1D {
+    static constexpr auto run = &cmd::CopyTexSubImage1D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage1D between glBegin and glEnd");
+};
+struct CopyTexSubImage2D {
+    static constexpr auto run = &cmd::CopyTexSubImage2D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage2D between glBegin and glEnd");
+};
+struct CopyTexSubImage3D {
+    static constexpr auto run = &cmd::CopyTexSubImage3D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage3D between glBegin and glEnd");
+};
+struct CompressedTexImage1D {
+    static constexpr auto run = &cmd::CompressedTexImage1D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage1D between glBegin and glEnd");
+};
+struct CompressedTexImage2D {
+    static constexpr auto run = &cmd::CompressedTexImage2D;
+    static constexpr auto encode = &encode::CompressedTexImage2D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage2D between glBegin and glEnd");
+};
+struct CompressedTexImage3D {
+    static constexpr auto run = &cmd::CompressedTexImage3D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage3D between glBegin and glEnd");
+};
+struct CompressedTexSubImage1D {
+    static constexpr auto run = &cmd::CompressedTexSubImage1D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage1D between glBegin and glEnd");
+};
+struct CompressedTexSubImage2D {
+    static constexpr auto run = &cmd::CompressedTexSubImage2D;
+    static constexpr auto encode = &encode::CompressedTexSubImage2D;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage2D between glBegin and glEnd");
+};
+struct CompressedTexSubImage3D {
+    static constexpr auto run = &cmd::CompressedTexSubImage3D;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage3D between glBegin and glEnd");
+};
+struct CompressedTexConstantImage2DSPANGLE {
+    static constexpr auto run = &cmd::CompressedTexConstantImage2DSPANGLE;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexConstantImage2DSPANGLE between glBegin and glEnd");
+};
+struct GetTexImage {
+    static constexpr auto run = &cmd::GetTexImage;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetTexImage between glBegin and glEnd");
+};
+struct GetCompressedTexImage {
+    static constexpr auto run = &cmd::GetCompressedTexImage;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetCompressedTexImage between glBegin and glEnd");
+};
+struct GenerateMipmap {
+    static constexpr auto run = &cmd::GenerateMipmap;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenerateMipmap between glBegin and glEnd");
+};
+struct AreTexturesResident {
+    static constexpr auto run = &cmd::AreTexturesResident;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glAreTexturesResident between glBegin and glEnd");
+};
+struct PrioritizeTextures {
+    static constexpr auto run = &cmd::PrioritizeTextures;
+    static constexpr auto encode = &encode::PrioritizeTextures;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPrioritizeTextures between glBegin and glEnd");
 };
 struct GenTextures {
     static constexpr auto run = &cmd::GenTextures;

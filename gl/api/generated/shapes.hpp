@@ -191,6 +191,11 @@ inline Shape TexParameter(GLenum pname) {
     case GL_TEXTURE_WRAP_T:
     case GL_TEXTURE_BASE_LEVEL:
     case GL_TEXTURE_MAX_LEVEL:
+    case GL_TEXTURE_WRAP_R:
+    case GL_GENERATE_MIPMAP:
+    case GL_DEPTH_TEXTURE_MODE:
+    case GL_TEXTURE_COMPARE_MODE:
+    case GL_TEXTURE_COMPARE_FUNC:
         return {Kind::integer, 1};
     case GL_TEXTURE_BORDER_COLOR:
         return {Kind::color, 4};
@@ -212,6 +217,11 @@ inline Shape GetTexParameter(GLenum pname) {
     case GL_TEXTURE_WRAP_T:
     case GL_TEXTURE_BASE_LEVEL:
     case GL_TEXTURE_MAX_LEVEL:
+    case GL_TEXTURE_WRAP_R:
+    case GL_GENERATE_MIPMAP:
+    case GL_DEPTH_TEXTURE_MODE:
+    case GL_TEXTURE_COMPARE_MODE:
+    case GL_TEXTURE_COMPARE_FUNC:
     case GL_TEXTURE_RESIDENT:
         return {Kind::integer, 1};
     case GL_TEXTURE_BORDER_COLOR:
@@ -296,6 +306,10 @@ inline Shape GetTexLevelParameter(GLenum pname) {
     case GL_TEXTURE_ALPHA_SIZE:
     case GL_TEXTURE_LUMINANCE_SIZE:
     case GL_TEXTURE_INTENSITY_SIZE:
+    case GL_TEXTURE_DEPTH:
+    case GL_TEXTURE_DEPTH_SIZE:
+    case GL_TEXTURE_COMPRESSED:
+    case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
         return {Kind::integer, 1};
     default:
         return {};

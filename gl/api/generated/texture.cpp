@@ -10,12 +10,144 @@ namespace numeric = spangle::numeric;
 
 extern "C" {
 
+#if SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) {
+    issue<family::TexImage1D>(target, level, internalformat, width, border, format, type, pixels);
+}
+
+#endif
+
 void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
     issue<family::TexImage2D>(target, level, internalformat, width, height, border, format, type, pixels);
 }
 
+#if SPANGLE_FEATURE_TEXTURE_3D
+
+void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+    issue<family::TexImage3D>(target, level, internalformat, width, height, depth, border, format, type, pixels);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) {
+    issue<family::TexSubImage1D>(target, level, xoffset, width, format, type, pixels);
+}
+
+#endif
+
 void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
     issue<family::TexSubImage2D>(target, level, xoffset, yoffset, width, height, format, type, pixels);
+}
+
+#if SPANGLE_FEATURE_TEXTURE_3D
+
+void GLAPIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels) {
+    issue<family::TexSubImage3D>(target, level, xoffset, yoffset, zoffset, width, height, depth, format, type, pixels);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE && SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glCopyTexImage1D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLint border) {
+    issue<family::CopyTexImage1D>(target, level, internalformat, x, y, width, border);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE
+
+void GLAPIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height, GLint border) {
+    issue<family::CopyTexImage2D>(target, level, internalformat, x, y, width, height, border);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE && SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glCopyTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLint x, GLint y, GLsizei width) {
+    issue<family::CopyTexSubImage1D>(target, level, xoffset, x, y, width);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE
+
+void GLAPIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+    issue<family::CopyTexSubImage2D>(target, level, xoffset, yoffset, x, y, width, height);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE && SPANGLE_FEATURE_TEXTURE_3D
+
+void GLAPIENTRY glCopyTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+    issue<family::CopyTexSubImage3D>(target, level, xoffset, yoffset, zoffset, x, y, width, height);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COMPRESSED_TEXTURES
+
+void GLAPIENTRY glCompressedTexImage1D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexImage1D>(target, level, internalformat, width, border, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexImage2D>(target, level, internalformat, width, height, border, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexImage3D(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexImage3D>(target, level, internalformat, width, height, depth, border, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexSubImage1D>(target, level, xoffset, width, format, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexSubImage2D>(target, level, xoffset, yoffset, width, height, format, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexSubImage3D>(target, level, xoffset, yoffset, zoffset, width, height, depth, format, imageSize, data);
+}
+
+void GLAPIENTRY glCompressedTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+    issue<family::CompressedTexConstantImage2DSPANGLE>(target, level, internalformat, width, height, border, imageSize, data);
+}
+
+#endif
+
+void GLAPIENTRY glGetTexImage(GLenum target, GLint level, GLenum format, GLenum type, void* pixels) {
+    issue<family::GetTexImage>(target, level, format, type, pixels);
+}
+
+#if SPANGLE_FEATURE_COMPRESSED_TEXTURES
+
+void GLAPIENTRY glGetCompressedTexImage(GLenum target, GLint level, void* data) {
+    issue<family::GetCompressedTexImage>(target, level, data);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+
+void GLAPIENTRY glGenerateMipmap(GLenum target) {
+    issue<family::GenerateMipmap>(target);
+}
+
+#endif
+
+GLboolean GLAPIENTRY glAreTexturesResident(GLsizei n, const GLuint* textures, GLboolean* residences) {
+    return ask<family::AreTexturesResident>(n, textures, residences);
+}
+
+void GLAPIENTRY glPrioritizeTextures(GLsizei n, const GLuint* textures, const GLclampf* priorities) {
+    issue<family::PrioritizeTextures>(n, textures, priorities);
 }
 
 void GLAPIENTRY glGenTextures(GLsizei n, GLuint* textures) {
@@ -190,6 +322,94 @@ void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum p
 
 #endif
 
+#if !SPANGLE_FEATURE_COMPRESSED_TEXTURES
+
+void GLAPIENTRY glCompressedTexImage1D(GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexImage2D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexSubImage2D(GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glCompressedTexConstantImage2DSPANGLE(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glCompressedTexConstantImage2DSPANGLE: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+void GLAPIENTRY glGetCompressedTexImage(GLenum, GLint, void*) {
+    refuse_feature(SPANGLE_TEXT("glGetCompressedTexImage: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COPY_TEXTURE
+
+void GLAPIENTRY glCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
+}
+
+void GLAPIENTRY glCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COPY_TEXTURE
+
+void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
+}
+
+void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE && !SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
+}
+
+void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COPY_TEXTURE
+
+void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COPY_TEXTURE && !SPANGLE_FEATURE_TEXTURE_3D
+
+void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
+    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
+}
+
+#endif
+
 #if !SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexParameterxOES(GLenum, GLenum, GLfixed) {
@@ -218,6 +438,38 @@ void GLAPIENTRY glGetTexEnvxvOES(GLenum, GLenum, GLfixed*) {
 
 void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum, GLint, GLenum, GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glGetTexLevelParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_MIPMAP_GENERATION
+
+void GLAPIENTRY glGenerateMipmap(GLenum) {
+    refuse_feature(SPANGLE_TEXT("glGenerateMipmap: this build has no SPANGLE_FEATURE_MIPMAP_GENERATION"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_TEXTURE_1D
+
+void GLAPIENTRY glTexImage1D(GLenum, GLint, GLint, GLsizei, GLint, GLenum, GLenum, const void*) {
+    refuse_feature(SPANGLE_TEXT("glTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
+}
+
+void GLAPIENTRY glTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLenum, const void*) {
+    refuse_feature(SPANGLE_TEXT("glTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_TEXTURE_3D
+
+void GLAPIENTRY glTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*) {
+    refuse_feature(SPANGLE_TEXT("glTexImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
+}
+
+void GLAPIENTRY glTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLenum, const void*) {
+    refuse_feature(SPANGLE_TEXT("glTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
 }
 
 #endif

@@ -4,9 +4,25 @@
 #ifndef SPANGLE_FEATURE_TEXTURE_COMBINE
 #define SPANGLE_FEATURE_TEXTURE_COMBINE 1
 #endif
+#ifndef SPANGLE_FEATURE_TEXTURE_3D
+#define SPANGLE_FEATURE_TEXTURE_3D 1
+#endif
+#ifndef SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+#define SPANGLE_FEATURE_TEXTURE_CUBE_MAP 1
+#endif
+#ifndef SPANGLE_FEATURE_COMPRESSED_TEXTURES
+#define SPANGLE_FEATURE_COMPRESSED_TEXTURES 1
+#endif
+#ifndef SPANGLE_FEATURE_DEPTH_TEXTURES
+#define SPANGLE_FEATURE_DEPTH_TEXTURES 1
+#endif
 
 namespace spangle::raster {
 
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
+inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
+inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;
+inline constexpr bool has_compressed_textures = SPANGLE_FEATURE_COMPRESSED_TEXTURES != 0;
+inline constexpr bool has_depth_textures = SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
 
 } // namespace spangle::raster

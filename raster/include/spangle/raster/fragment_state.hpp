@@ -51,7 +51,7 @@ enum class LogicOp : std::uint8_t {
     nand,
     set,
 };
-enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, clamp_to_border };
+enum class Wrap : std::uint8_t { repeat, clamp, clamp_to_edge, clamp_to_border, mirrored_repeat };
 enum class Filter : std::uint8_t { nearest, linear };
 enum class MipFilter : std::uint8_t { none, nearest, linear };
 enum class TexEnv : std::uint8_t { replace, modulate, decal, blend, add, combine };
@@ -75,8 +75,28 @@ enum class FogMode : std::uint8_t { exp, exp2, linear };
 /// Accuracy tier (design 3). A tier never changes coverage or depth.
 enum class Tier : std::uint8_t { exact, balanced, fast };
 
-/// How texels lie in memory; 16-bit texels are host-order uint16_t.
-enum class TexelFormat : std::uint8_t { a8, l8, i8, la88, rgb565, rgb888, rgba8888 };
+/// How texels lie in memory; 16-bit texels are host-order uint16_t, the first component in the top bits.
+enum class TexelFormat : std::uint8_t {
+    a8,
+    l8,
+    i8,
+    la88,
+    rgb565,
+    rgb888,
+    rgba8888,
+    rgba4444,
+    rgba5551,
+    rgb332,
+    z16, ///< depths, of the base format that they are to look like
+    z24, ///< the same in the low bits of a uint32_t
+    p4,  ///< indices of a palette, without padding of rows, the first in the top bits
+    p8,
+    etc1, ///< blocks of 4 x 4 texels, 8 bytes each, in rows
+};
+
+/// line: one row, t is not looked at. volume: images one behind the other, as high as the first one and its
+/// border.
+enum class TextureShape : std::uint8_t { line, plane, volume, cube };
 
 struct TextureLevel {
     const std::uint8_t* texels =
@@ -86,6 +106,12 @@ struct TextureLevel {
 };
 
 inline constexpr int max_texture_levels = 12; // 2048 x 2048
+
+/// Texels of every face and level of a cube map, in the order of GL's tokens; all else is as with the first
+/// face.
+struct CubeFaces {
+    const std::uint8_t* texels[6][max_texture_levels];
+};
 
 /// An immutable view of a complete texture, ready to sample. Colours of 8 bits are k/255, of 5 and 6 bits
 /// k/31, k/63.
@@ -98,6 +124,14 @@ struct Texture {
     Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
     Filter mag = Filter::linear, min = Filter::nearest;
     MipFilter mip = MipFilter::none;
+    TextureShape shape = TextureShape::plane;
+    std::uint16_t depth = 1; ///< images of a volume's base level; level l has 1/2^l of them, at least one
+    Wrap wrap_r = Wrap::repeat;
+    bool compares = false; ///< depths: r by `compare` a depth is 0 or 1
+    Compare compare = Compare::lequal;
+    TexelFormat palette_format = TexelFormat::rgb888;
+    const std::uint8_t* palette = nullptr; ///< of p4 and p8, of every level
+    const CubeFaces* faces = nullptr;      ///< of a cube map
     std::uint8_t border_texels =
         0; ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
     std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8

@@ -1,0 +1,289 @@
+// Texture images and priorities in display lists.
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_LISTS
+
+#include <cstring>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/list/capture_image.hpp"
+#include "gl/texture/texture_object.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+using list::ListedImage;
+using list::Word;
+
+constexpr GLsizei most = max_texture_size + 2; // with its border
+
+/// Proxies are queries: they run at once and are not stored (GL 1.3, 5.4). The wrapper ran them where the
+/// list is executed, too.
+bool is_query(GLenum target) {
+    return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
+           target == GL_PROXY_TEXTURE_CUBE_MAP;
+}
+bool runs_now(Context& context, const char* refusal) {
+    return !context.list.execute && list::allowed_outside(context, refusal);
+}
+
+const Word* play_tex_image_2d(Context& context, const Word* words) {
+    return list::play_image(
+        context, words, family::TexImage2D::refusal, [](Context& c, const ListedImage& i) {
+            cmd::TexImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
+                            i.size[1], i.arguments[3], i.format, i.type, i.pixels);
+        });
+}
+const Word* play_tex_sub_image_2d(Context& context, const Word* words) {
+    return list::play_image(
+        context, words, family::TexSubImage2D::refusal, [](Context& c, const ListedImage& i) {
+            cmd::TexSubImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2],
+                               i.arguments[3], i.size[0], i.size[1], i.format, i.type, i.pixels);
+        });
+}
+
+} // namespace
+
+namespace encode {
+
+void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
+    if (is_query(target)) {
+        if (runs_now(context, family::TexImage2D::refusal))
+            cmd::TexImage2D(context, target, level, internalformat, width, height, border, format, type,
+                            pixels);
+        return;
+    }
+    list::capture_image(context, &play_tex_image_2d,
+                        {{static_cast<GLint>(target), level, internalformat, border, 0},
+                         {width, height, 1},
+                         format,
+                         type,
+                         pixels},
+                        most);
+}
+
+void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
+                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
+    list::capture_image(
+        context, &play_tex_sub_image_2d,
+        {{static_cast<GLint>(target), level, xoffset, yoffset, 0}, {width, height, 1}, format, type, pixels},
+        most);
+}
+
+} // namespace encode
+
+#if SPANGLE_FEATURE_TEXTURE_1D
+
+namespace {
+
+const Word* play_tex_image_1d(Context& context, const Word* words) {
+    return list::play_image(
+        context, words, family::TexImage1D::refusal, [](Context& c, const ListedImage& i) {
+            cmd::TexImage1D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
+                            i.arguments[3], i.format, i.type, i.pixels);
+        });
+}
+const Word* play_tex_sub_image_1d(Context& context, const Word* words) {
+    return list::play_image(context, words, family::TexSubImage1D::refusal,
+                            [](Context& c, const ListedImage& i) {
+                                cmd::TexSubImage1D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1],
+                                                   i.arguments[2], i.size[0], i.format, i.type, i.pixels);
+                            });
+}
+
+} // namespace
+
+namespace encode {
+
+void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLint border, GLenum format, GLenum type, const void* pixels) {
+    if (is_query(target)) {
+        if (runs_now(context, family::TexImage1D::refusal))
+            cmd::TexImage1D(context, target, level, internalformat, width, border, format, type, pixels);
+        return;
+    }
+    list::capture_image(
+        context, &play_tex_image_1d,
+        {{static_cast<GLint>(target), level, internalformat, border, 0}, {width, 1, 1}, format, type, pixels},
+        most);
+}
+
+void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
+                   GLenum type, const void* pixels) {
+    list::capture_image(
+        context, &play_tex_sub_image_1d,
+        {{static_cast<GLint>(target), level, xoffset, 0, 0}, {width, 1, 1}, format, type, pixels}, most);
+}
+
+} // namespace encode
+
+#endif
+#if SPANGLE_FEATURE_TEXTURE_3D
+
+namespace {
+
+const Word* play_tex_image_3d(Context& context, const Word* words) {
+    return list::play_image(
+        context, words, family::TexImage3D::refusal, [](Context& c, const ListedImage& i) {
+            cmd::TexImage3D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
+                            i.size[1], i.size[2], i.arguments[3], i.format, i.type, i.pixels);
+        });
+}
+const Word* play_tex_sub_image_3d(Context& context, const Word* words) {
+    return list::play_image(context, words, family::TexSubImage3D::refusal,
+                            [](Context& c, const ListedImage& i) {
+                                cmd::TexSubImage3D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1],
+                                                   i.arguments[2], i.arguments[3], i.arguments[4], i.size[0],
+                                                   i.size[1], i.size[2], i.format, i.type, i.pixels);
+                            });
+}
+
+} // namespace
+
+namespace encode {
+
+void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
+                GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
+    if (is_query(target)) {
+        if (runs_now(context, family::TexImage3D::refusal))
+            cmd::TexImage3D(context, target, level, internalformat, width, height, depth, border, format,
+                            type, pixels);
+        return;
+    }
+    list::capture_image(context, &play_tex_image_3d,
+                        {{static_cast<GLint>(target), level, internalformat, border, 0},
+                         {width, height, depth},
+                         format,
+                         type,
+                         pixels,
+                         true},
+                        max_3d_texture_size + 2);
+}
+
+void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
+                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                   const void* pixels) {
+    list::capture_image(context, &play_tex_sub_image_3d,
+                        {{static_cast<GLint>(target), level, xoffset, yoffset, zoffset},
+                         {width, height, depth},
+                         format,
+                         type,
+                         pixels,
+                         true},
+                        max_3d_texture_size + 2);
+}
+
+} // namespace encode
+
+#endif
+#if SPANGLE_FEATURE_COMPRESSED_TEXTURES
+
+namespace {
+
+/// Seven arguments, the number of bytes that follow, or -1 for a null pointer, then those.
+constexpr std::uint32_t compressed_words = 8;
+
+void capture_compressed(Context& context, list::Player player, const GLint (&arguments)[7], GLsizei size,
+                        const void* data) {
+    const auto bytes = static_cast<std::uint32_t>(data != nullptr && size > 0 ? size : 0);
+    Word* to = list::record(context, player, compressed_words + (bytes + 3) / 4);
+    if (to == nullptr)
+        return;
+    for (const GLint argument : arguments)
+        *to++ = static_cast<Word>(argument);
+    *to++ = data != nullptr ? bytes : UINT32_MAX;
+    if (bytes != 0)
+        std::memcpy(to, data, bytes);
+}
+
+/// Runs run(context, arguments, data) and skips the record.
+template <class Run>
+const Word* play_compressed(Context& context, const Word* words, const char* refusal, Run run) {
+    const bool data = words[7] != UINT32_MAX;
+    GLint a[7];
+    for (int i = 0; i < 7; ++i)
+        a[i] = static_cast<GLint>(words[i]);
+    if (list::allowed_outside(context, refusal))
+        run(a, data ? words + compressed_words : nullptr);
+    return words + compressed_words + (data ? (words[7] + 3) / 4 : 0);
+}
+
+const Word* play_compressed_image(Context& context, const Word* words) {
+    return play_compressed(
+        context, words, family::CompressedTexImage2D::refusal, [&](const GLint* a, const void* data) {
+            cmd::CompressedTexImage2D(context, static_cast<GLenum>(a[0]), a[1], static_cast<GLenum>(a[2]),
+                                      a[3], a[4], a[5], a[6], data);
+        });
+}
+/// Offsets share a word: none is accepted but 0.
+const Word* play_compressed_sub_image(Context& context, const Word* words) {
+    return play_compressed(
+        context, words, family::CompressedTexSubImage2D::refusal, [&](const GLint* a, const void* data) {
+            cmd::CompressedTexSubImage2D(context, static_cast<GLenum>(a[0]), a[1], a[2], a[2], a[3], a[4],
+                                         static_cast<GLenum>(a[5]), a[6], data);
+        });
+}
+
+} // namespace
+
+namespace encode {
+
+void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width,
+                          GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+    if (is_query(target)) {
+        if (runs_now(context, family::CompressedTexImage2D::refusal))
+            cmd::CompressedTexImage2D(context, target, level, internalformat, width, height, border,
+                                      imageSize, data);
+        return;
+    }
+    capture_compressed(context, &play_compressed_image,
+                       {static_cast<GLint>(target), level, static_cast<GLint>(internalformat), width, height,
+                        border, imageSize},
+                       imageSize, data);
+}
+
+void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                             GLsizei width, GLsizei height, GLenum format, GLsizei imageSize,
+                             const void* data) {
+    capture_compressed(context, &play_compressed_sub_image,
+                       {static_cast<GLint>(target), level, xoffset | yoffset, width, height,
+                        static_cast<GLint>(format), imageSize},
+                       imageSize, data);
+}
+
+} // namespace encode
+
+#endif
+
+namespace {
+
+/// The number of names, or -1 where there is nothing to play but the error; names, then priorities.
+const Word* play_priorities(Context& context, const Word* words) {
+    const auto n = static_cast<GLsizei>(words[0]);
+    const auto count = static_cast<std::uint32_t>(n > 0 ? n : 0);
+    if (list::allowed_outside(context, family::PrioritizeTextures::refusal))
+        cmd::PrioritizeTextures(context, n, words + 1, reinterpret_cast<const GLclampf*>(words + 1 + count));
+    return words + 1 + 2 * count;
+}
+
+} // namespace
+
+void encode::PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures,
+                                const GLclampf* priorities) {
+    const bool keep = n > 0 && textures != nullptr && priorities != nullptr;
+    const auto count = static_cast<std::uint32_t>(keep ? n : 0);
+    Word* const to = list::record(context, &play_priorities, 1 + 2 * count);
+    if (to == nullptr)
+        return;
+    to[0] = static_cast<Word>(keep || n == 0 ? n : -1);
+    if (!keep)
+        return;
+    std::memcpy(to + 1, textures, count * sizeof(Word));
+    std::memcpy(to + 1 + count, priorities, count * sizeof(Word));
+}
+
+} // namespace spangle::gl
+
+#endif

@@ -1,0 +1,41 @@
+// Compressed internal formats: paletted textures and blocks of ETC1 (OES_compressed_paletted_texture,
+// OES_compressed_ETC1_RGB8_texture).
+#pragma once
+
+#include "gl/texture/texture_object.hpp"
+
+namespace spangle::gl {
+
+inline constexpr GLenum first_palette_format = GL_PALETTE4_RGB8_OES;
+inline constexpr unsigned palette_formats = 10, compressed_formats = palette_formats + 1;
+
+constexpr bool is_palette(GLenum internal_format) {
+    return internal_format - first_palette_format < palette_formats;
+}
+constexpr bool is_compressed(GLenum internal_format) {
+    return is_palette(internal_format) || internal_format == GL_ETC1_RGB8_OES;
+}
+/// Of the entries.
+constexpr raster::TexelFormat palette_format_of(GLenum internal_format) {
+    constexpr raster::TexelFormat of[] = {raster::TexelFormat::rgb888, raster::TexelFormat::rgba8888,
+                                          raster::TexelFormat::rgb565, raster::TexelFormat::rgba4444,
+                                          raster::TexelFormat::rgba5551};
+    return of[(internal_format - first_palette_format) % 5];
+}
+constexpr bool has_small_palette(GLenum internal_format) {
+    return internal_format - first_palette_format < 5;
+}
+
+constexpr raster::TexelFormat compressed_texels_of(GLenum internal_format) {
+    return !is_palette(internal_format)         ? raster::TexelFormat::etc1
+           : has_small_palette(internal_format) ? raster::TexelFormat::p4
+                                                : raster::TexelFormat::p8;
+}
+
+/// Bytes of all entries; 0: no palette.
+std::uint32_t palette_bytes(GLenum internal_format);
+
+/// Bytes of the image of a level, its palette not included. Indices of 4 bits go on from row to row.
+std::uint32_t compressed_bytes(GLenum internal_format, std::uint32_t width, std::uint32_t height);
+
+} // namespace spangle::gl

@@ -1,0 +1,103 @@
+// GetTexImage and GetCompressedTexImage (GL 1.3, 6.1.4).
+#include <cstring>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/texture/compressed_format.hpp"
+#include "gl/texture/image_shape.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// The image, or null and the error is set; a level without image is an empty one.
+const LevelImage* find_image(Context& context, GLenum target, GLint level) {
+    static constexpr LevelImage none{};
+    ImageTarget of;
+    if (!find_image_target(context, target, 0, of))
+        return nullptr;
+    if (of.proxy) {
+        error(context, GL_INVALID_ENUM);
+        return nullptr;
+    }
+    if (!is_level(level)) {
+        error(context, GL_INVALID_VALUE);
+        return nullptr;
+    }
+    const LevelImage* const image = bound_texture(context, of.kind).image(of.face, level);
+    return image != nullptr ? image : &none;
+}
+
+/// Components of a texel by table 6.1: what its format lacks is 0, alpha 1; luminance is red alone.
+Pixel components_of(raster::TexelFormat format, const ColorBits& bits, const std::uint8_t* texel) {
+    std::uint32_t codes[4];
+    load_texel(format, texel, codes);
+    Pixel pixel;
+    for (unsigned c = 0; c < 4; ++c)
+        pixel.value[c] = {codes[c], bits.of[c]};
+    return pixel;
+}
+
+void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayout& layout, void* pixels) {
+    const LevelShape& shape = image.shape;
+    const ColorBits bits = texel_bits(shape.format);
+    const ImageRows rows = image_rows(pack, layout, shape.size[0]);
+    const std::size_t next_image = image_stride(pack, rows, shape.size[1]);
+    const bool volume = shape.dimensions == 3;
+    unsigned char* slice = static_cast<unsigned char*>(pixels) + rows.skip +
+                           (volume ? static_cast<std::size_t>(pack.skip_images) * next_image : 0);
+    const std::uint8_t* texel = image.texels;
+    for (unsigned z = 0; z < shape.size[2]; ++z, slice += next_image)
+        for (unsigned y = 0; y < shape.size[1]; ++y)
+            for (unsigned x = 0; x < shape.size[0]; ++x, texel += texel_bytes(shape.format))
+                pack_pixel(layout, pack.swap_bytes, components_of(shape.format, bits, texel),
+                           slice + y * rows.stride + x * std::size_t{layout.group_bytes()});
+}
+
+} // namespace
+
+namespace cmd {
+
+void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GLenum type, void* pixels) {
+    if (format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX)
+        return error(context, GL_INVALID_ENUM);
+    PixelLayout layout;
+    if (const GLenum refused = pixel_layout(format, type, layout); refused != GL_NO_ERROR)
+        return error(context, refused, SPANGLE_TEXT("glGetTexImage: format and type do not go together"));
+    const LevelImage* const image = find_image(context, target, level);
+    if (image == nullptr)
+        return;
+    const bool depth = layout.channel[0] == Channel::depth;
+    if (is_compressed(image->shape.internal_format) || depth != is_depth(image->shape.format))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glGetTexImage: the image has no such components, or is compressed"));
+    if (image->shape.empty())
+        return;
+    if (pixels == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetTexImage: null pointer"));
+    pack_image(*image, context.pixel_store.pack, layout, pixels);
+}
+
+#if SPANGLE_FEATURE_COMPRESSED_TEXTURES
+
+void GetCompressedTexImage(Context& context, GLenum target, GLint level, void* pixels) {
+    const LevelImage* const image = find_image(context, target, level);
+    if (image == nullptr)
+        return;
+    if (!is_compressed(image->shape.internal_format))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glGetCompressedTexImage: the image is not compressed"));
+    if (pixels == nullptr)
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetCompressedTexImage: null pointer"));
+    auto* to = static_cast<unsigned char*>(pixels);
+    const std::size_t palette = palette_bytes(image->shape.internal_format);
+    if (palette != 0)
+        std::memcpy(to, image->palette, palette);
+    std::memcpy(to + palette, image->texels, image->bytes);
+}
+
+#endif
+
+} // namespace cmd
+
+} // namespace spangle::gl

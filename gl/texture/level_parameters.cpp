@@ -1,0 +1,100 @@
+// GetTexLevelParameter: what an image, or one that was only asked for, is (GL 1.3, 6.1.3).
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/texture/compressed_format.hpp"
+#include "gl/texture/internal_format.hpp"
+#include "gl/texture/texture_target.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// Bits a texel keeps of what a ..._SIZE token asks: the resolution that is there. Of paletted images that of
+/// the entries.
+unsigned size_of(const LevelShape& shape, GLenum pname) {
+    using raster::BaseFormat;
+    if (shape.empty()) // a level without texels keeps no bits
+        return 0;
+    const bool palette = is_palette(shape.internal_format);
+    const BaseFormat base = base_format_of(shape.format, shape.internal_format);
+    const ColorBits bits = texel_bits(palette ? palette_format_of(shape.internal_format) : shape.format);
+    if (is_depth(shape.format) || pname == GL_TEXTURE_DEPTH_SIZE)
+        return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE ? bits.of[0] : 0;
+    switch (pname) {
+    case GL_TEXTURE_RED_SIZE:
+    case GL_TEXTURE_GREEN_SIZE:
+    case GL_TEXTURE_BLUE_SIZE:
+        return (base == BaseFormat::rgb || base == BaseFormat::rgba) ? bits.of[pname - GL_TEXTURE_RED_SIZE]
+                                                                     : 0;
+    case GL_TEXTURE_ALPHA_SIZE:
+        return (base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::rgba)
+                   ? bits.of[3]
+                   : 0;
+    case GL_TEXTURE_LUMINANCE_SIZE:
+        return (base == BaseFormat::luminance || base == BaseFormat::luminance_alpha) ? bits.of[0] : 0;
+    default: // INTENSITY_SIZE
+        return base == BaseFormat::intensity ? bits.of[0] : 0;
+    }
+}
+
+/// False: not a parameter of levels.
+bool value_of(const LevelShape& shape, GLenum pname, std::uint32_t& out) {
+    switch (pname) {
+    case GL_TEXTURE_WIDTH:
+    case GL_TEXTURE_HEIGHT:
+        out = shape.size[pname - GL_TEXTURE_WIDTH];
+        return true;
+    case GL_TEXTURE_DEPTH:
+        out = shape.size[2];
+        return true;
+    case GL_TEXTURE_BORDER:
+        out = shape.border;
+        return true;
+    case GL_TEXTURE_INTERNAL_FORMAT:
+        out = shape.internal_format;
+        return true;
+    case GL_TEXTURE_RED_SIZE:
+    case GL_TEXTURE_GREEN_SIZE:
+    case GL_TEXTURE_BLUE_SIZE:
+    case GL_TEXTURE_ALPHA_SIZE:
+    case GL_TEXTURE_LUMINANCE_SIZE:
+    case GL_TEXTURE_INTENSITY_SIZE:
+    case GL_TEXTURE_DEPTH_SIZE:
+        out = size_of(shape, pname);
+        return true;
+    case GL_TEXTURE_COMPRESSED:
+        out = is_compressed(shape.internal_format) ? 1 : 0;
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+void cmd::GetTexLevelParameter(Context& context, GLenum target, GLint level, GLenum pname, Params& params) {
+    ImageTarget of;
+    params.count = 0;
+    if (!find_image_target(context, target, 0, of))
+        return;
+    if (!is_level(level))
+        return error(context, GL_INVALID_VALUE);
+    const LevelImage* const image =
+        of.proxy ? nullptr : bound_texture(context, of.kind).image(of.face, level);
+    const LevelShape shape = of.proxy           ? context.texture.proxy[index_of(of.kind)][level]
+                             : image != nullptr ? image->shape
+                                                : LevelShape{};
+    std::uint32_t value = 0;
+    if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE) {
+        if (image == nullptr || !is_compressed(shape.internal_format))
+            return error(context, GL_INVALID_OPERATION,
+                         SPANGLE_TEXT("glGetTexLevelParameter: the image is not compressed"));
+        value = palette_bytes(shape.internal_format) + image->bytes;
+    } else if (!value_of(shape, pname, value)) {
+        return error(context, GL_INVALID_ENUM);
+    }
+    params.v[0] = Param::from_integer(value);
+    params.count = 1;
+}
+
+} // namespace spangle::gl
