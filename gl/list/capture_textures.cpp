@@ -264,7 +264,8 @@ const Word* play_priorities(Context& context, const Word* words) {
     const auto n = static_cast<GLsizei>(words[0]);
     const auto count = static_cast<std::uint32_t>(n > 0 ? n : 0);
     if (list::allowed_outside(context, family::PrioritizeTextures::refusal))
-        cmd::PrioritizeTextures(context, n, words + 1, reinterpret_cast<const GLclampf*>(words + 1 + count));
+        cmd::PrioritizeTextures(context, n, reinterpret_cast<const GLuint*>(words + 1),
+                                reinterpret_cast<const GLclampf*>(words + 1 + count));
     return words + 1 + 2 * count;
 }
 
