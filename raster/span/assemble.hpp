@@ -62,7 +62,13 @@ template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::P
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     using One = OneLane<N>;
-    chain.template choose<Coord<One, Unit, true>, Coord<N, Unit, false>>(key.kind >= Kind::textured);
+    if (key.kind < Kind::textured)
+        chain.template add<Coord<N, Unit, false>>();
+    else if constexpr (std::is_same_v<N, Exact>)
+        chain.template choose<CoordAlong<N, Unit, DividedCoords>, Coord<N, Unit, true>>(
+            divides(key.kind, key.fog));
+    else
+        chain.template add<Coord<One, Unit, true>>();
     if (wants_lod(*state.unit[Unit].texture))
         chain.template add<Lod<One, Unit>>();
 }

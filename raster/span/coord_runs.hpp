@@ -38,6 +38,16 @@ SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, i
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << (-down < 63 ? -down : 63));
 }
 
+/// What wraps of it.
+SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inverse, int exponent) {
+    const int down = 30 - inverse.zeros - exponent;
+    if (sizeof(void*) > 4 || down <= 0 || down >= 32) [[unlikely]]
+        return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
+    const std::int64_t product = std::int64_t{s} * inverse.mantissa;
+    return static_cast<std::uint32_t>(product) >> down | static_cast<std::uint32_t>(product >> 32)
+                                                             << (32 - down);
+}
+
 /// As the texture stage wants it (TexCoords): wrapping, or saturated with the whole repeats added back.
 SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int32_t base) {
     if (wraps)

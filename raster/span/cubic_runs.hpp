@@ -24,6 +24,35 @@ struct Differences {
     }
 };
 
+/// Divided at every fragment.
+class DividedCoords {
+  public:
+    std::uint32_t s, t; ///< at the current pixel (TexCoords)
+
+    SPANGLE_INLINE DividedCoords(const Span<Fixed>& span, std::int32_t, int unit)
+        : span_(&span), row_(span, unit), unit_(unit) {}
+    [[gnu::noinline]] std::int32_t begin(std::int32_t x) {
+        divide(*span_, row_, unit_, x, s, t);
+        return x + 1;
+    }
+    SPANGLE_INLINE void step() {}
+
+    /// s and t of pixel x.
+    SPANGLE_INLINE static void divide(const Span<Fixed>& span, const detail::HomogeneousRow& row,
+                                      int unit_index, std::int32_t x, std::uint32_t& s, std::uint32_t& t) {
+        const auto& unit = span.unit[unit_index];
+        const auto& wraps = span.state->wraps[unit_index];
+        const Inverse inverse(row.q(x));
+        s = detail::to_coord(detail::to_repeats(row.s(x), inverse, unit.exponent), wraps.s, unit.s_base);
+        t = detail::to_coord(detail::to_repeats(row.t(x), inverse, unit.exponent), wraps.t, unit.t_base);
+    }
+
+  private:
+    const Span<Fixed>* span_;
+    detail::HomogeneousRow row_;
+    int unit_;
+};
+
 /// Cubics between the ends of runs, which start at multiples of their length from the anchor.
 ///
 /// In one row u = S / Q has u' = N / Q^2 with N = dS Q - S dQ constant, so that its difference D over a run
@@ -103,11 +132,7 @@ class CubicRuns {
 
     /// The division of one fragment.
     std::int32_t one_pixel(std::int32_t x) {
-        const auto& unit = span_->unit[unit_];
-        const auto& wraps = span_->state->wraps[unit_];
-        const Sample at(row_, x, unit.exponent);
-        s = detail::to_coord(at.s, wraps.s, unit.s_base);
-        t = detail::to_coord(at.t, wraps.t, unit.t_base);
+        DividedCoords::divide(*span_, row_, unit_, x, s, t);
         ds = dt = {};
         next_ = x + 1;
         return next_;

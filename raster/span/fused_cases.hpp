@@ -10,6 +10,7 @@
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
@@ -45,10 +46,13 @@ template <Key K> class FusedCase {
         K.blend && !K.fog && !K.dither && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
+    static constexpr bool divided = divides(K.kind, K.fog);
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
-    static constexpr bool laned = (!exact || packed) && !full && !(K.fog && projective) && is_565(K.format);
+    static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs =
-        std::conditional_t<!projective, NoRuns, std::conditional_t<exact || K.cubic, CubicRuns, CoordRuns>>;
+        std::conditional_t<!projective, NoRuns,
+                           std::conditional_t<exact && divided, DividedCoords,
+                                              std::conditional_t<exact || K.cubic, CubicRuns, CoordRuns>>>;
     template <int L>
     using ExactSystem =
         std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>, Exact>;
@@ -63,13 +67,19 @@ template <Key K> class FusedCase {
             else
                 return std::type_identity<None<N, 0>>{};
         }
+        static auto divide() {
+            if constexpr (divided)
+                return std::type_identity<Divide<N>>{};
+            else
+                return std::type_identity<None<N, 5>>{};
+        }
         static auto color() {
             if constexpr ((raw && textured) || is_packed<N>)
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<FlatWord<L>>{};
             else if constexpr (K.color && full)
-                return std::type_identity<GouraudQ<N, K.color_alpha>>{};
+                return std::type_identity<GouraudDivided<N, K.color_alpha>>{};
             else if constexpr (K.color)
                 return std::type_identity<Gouraud<N, K.color_alpha>>{};
             else
@@ -79,7 +89,9 @@ template <Key K> class FusedCase {
             if constexpr (textured) {
                 using Texture =
                     TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-                if constexpr (K.unit[0].filter == Filter::nearest)
+                if constexpr (K.unit[0].filter == Filter::nearest && exact && divided)
+                    return std::type_identity<NearestDivided<Texture, 0>>{};
+                else if constexpr (K.unit[0].filter == Filter::nearest)
                     return std::type_identity<NearestWalk<Texture, 0, Runs>>{};
                 else
                     return std::type_identity<LinearWalk<Texture, 0, Runs>>{};
@@ -89,9 +101,8 @@ template <Key K> class FusedCase {
         }
         static auto fog() {
             if constexpr (K.fog)
-                return std::type_identity<
-                    Seq<N, std::conditional_t<full && K.color, FogCoordDivided<N>, FogCoord<N, projective>>,
-                        FogLinear<N>>>{};
+                return std::type_identity<Seq<
+                    N, std::conditional_t<divided, FogCoordDivided<N>, FogCoord<N, false>>, FogLinear<N>>>{};
             else
                 return std::type_identity<None<N, 3>>{};
         }
@@ -111,9 +122,10 @@ template <Key K> class FusedCase {
             else
                 return std::type_identity<Store<N, K.format>>{};
         }
-        using List = Seq<N, typename decltype(depth())::type, typename decltype(color())::type,
-                         typename decltype(texture())::type, typename decltype(fog())::type,
-                         typename decltype(blend())::type, typename decltype(store())::type>;
+        using List = Seq<N, typename decltype(depth())::type, typename decltype(divide())::type,
+                         typename decltype(color())::type, typename decltype(texture())::type,
+                         typename decltype(fog())::type, typename decltype(blend())::type,
+                         typename decltype(store())::type>;
     };
 
   public:

@@ -139,7 +139,9 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
-    // The exact tier: filtered, sprites, lit textures with and without fog.
+    // The exact tier: smooth shading under perspective (S6), filtered, sprites, lit textures with and without fog.
+    entry<fine_full.depth(less)>(),
+    entry<fine_full.depth(lequal)>(),
     entry<fine.texture(t888, rgb, linear, replace)>(),
     entry<fine.texture(t565, rgb, linear, replace)>(),
     entry<fine_affine.texture(t8888, rgba, nearest, replace).blend()>(),

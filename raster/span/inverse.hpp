@@ -10,13 +10,14 @@ namespace spangle::raster {
 /// 1 / q at a fragment, q the 30-bit value of a projective interpolant; q <= 0 (outside of GL's domain)
 /// counts as the least positive one.
 struct Inverse {
+    std::uint32_t q;
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
-    int zeros;
+    int zeros;              ///< of q
     Inverse() = default;
-    SPANGLE_INLINE explicit Inverse(std::int32_t q) {
-        const std::uint32_t positive = q > 0 ? static_cast<std::uint32_t>(q) : 1u;
-        zeros = numeric::clz32(positive);
-        mantissa = numeric::reciprocal(positive << zeros);
+    SPANGLE_INLINE explicit Inverse(std::int32_t value)
+        : q(value > 0 ? static_cast<std::uint32_t>(value) : 1u) {
+        zeros = numeric::clz32(q);
+        mantissa = numeric::reciprocal(q << zeros);
     }
 };
 

@@ -51,4 +51,10 @@ struct Key {
     friend constexpr bool operator==(const Key&, const Key&) = default;
 };
 
+/// Something but texture coordinates varies over 1/w: every fragment divides. In the exact tier coordinates,
+/// too, are divided then.
+constexpr bool divides(Kind kind, bool fog) {
+    return kind == Kind::full || (kind == Kind::textured && fog);
+}
+
 } // namespace spangle::raster

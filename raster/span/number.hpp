@@ -50,8 +50,8 @@ struct Exact {
         return (v + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     }
     /// k / 31, k / 63 to a unit; 31 / 31 and 63 / 63 are one.
-    SPANGLE_INLINE static T from5(L::U16 k) { return steps5.at[k]; }
-    SPANGLE_INLINE static T from6(L::U16 k) { return steps6.at[k]; }
+    SPANGLE_INLINE static constexpr T from5(L::U16 k) { return steps5.at[k]; }
+    SPANGLE_INLINE static constexpr T from6(L::U16 k) { return steps6.at[k]; }
     /// A constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// An interpolated colour of a span.
@@ -60,10 +60,14 @@ struct Exact {
         const std::uint32_t c = v < bias ? 0 : (v - bias) >> (24 - color_fraction_bits);
         return c < one ? c : one;
     }
-    /// a b, with 1 as the neutral element: (a b + half) / (255 2^20), relative error below 2^-28 of one.
-    SPANGLE_INLINE static T mul(T a, T b) {
-        const auto high = static_cast<std::uint32_t>(numeric::mul_u32(a, b) >> 24);
-        return static_cast<T>((numeric::mul_u32(high, 0x01010101u) + (1u << 27)) >> 28); // 16 2^28 / 255
+    /// a b, with 1 as the neutral element; off by less than 2^-28 of one.
+    SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
+    /// A factor that many colours have, 0 .. 2^32 - 1: v 4096 / 255, at most 3 below.
+    SPANGLE_INLINE static constexpr std::uint32_t fraction(T v) {
+        return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20);
+    }
+    SPANGLE_INLINE static T scaled(T a, std::uint32_t factor) {
+        return static_cast<T>((numeric::mul_u32(a, factor) + (1u << 31)) >> 32);
     }
     /// a (1 - k) + b k
     SPANGLE_INLINE static T lerp(T a, T b, T k) {
@@ -84,13 +88,17 @@ struct Exact {
                               16);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
-    /// A factor for `mix`: min(max(v, 0), 1), v signed with 24 fraction bits (fog).
+    /// A factor for `mix`: min(max(v, 0), 1) in 2^-30, v signed with 24 fraction bits (fog).
     SPANGLE_INLINE static T clamped_fraction(L::U32 v) {
         const auto s = static_cast<std::int32_t>(v);
         const std::uint32_t f = s < 0 ? 0 : s > 1 << 24 ? 1u << 24 : v;
-        return static_cast<T>((numeric::mul_u32(f, color_one) + (1u << 23)) >> 24);
+        return f << 6;
     }
-    SPANGLE_INLINE static T mix(T a, T b, T f) { return lerp(a, b, f); }
+    /// a (1 - f) + b f, rounded down; differences take 29 bits.
+    SPANGLE_INLINE static T mix(T a, T b, T f) {
+        return a + static_cast<T>(numeric::mul_high_s32(static_cast<std::int32_t>((b - a) << 2),
+                                                        static_cast<std::int32_t>(f)));
+    }
     /// floor(v (2^Bits - 1) + t), t given in 32nds, odd: exact steps stay (GL 1.3, 4.1.8).
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
         // Up to 2^Bits - 1 steps of 2^(32 - Bits); the threshold is at most 31/32 of one, so nothing wraps.
@@ -120,14 +128,17 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static T from8(T k) { return k << 8; }
     SPANGLE_INLINE static T to8(T v) { return (v + 128) >> 8; }
     /// Within a 50th of a 255th.
-    SPANGLE_INLINE static T from5(T k) { return k * 2106 - (k >> 2); }
-    SPANGLE_INLINE static T from6(T k) { return k * 1036 + (k >> 3); }
+    SPANGLE_INLINE static constexpr T from5(T k) { return k * 2106 - (k >> 2); }
+    SPANGLE_INLINE static constexpr T from6(T k) { return k * 1036 + (k >> 3); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
     /// The half that rounds to 8.8 was added in set-up. Set-up is off by less than it, and fragments lie
     /// inside of their primitive, so that nothing is above one.
     SPANGLE_INLINE static T from_affine(const typename L::U32& v) { return L::high_half(v); }
     /// At most 1.3 256ths of a 255th below a b.
-    SPANGLE_INLINE static T mul(T a, T b) { return L::mul_high(a, fraction(b)); }
+    SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
+    /// 0 .. one as 0 .. 65535.
+    SPANGLE_INLINE static constexpr T fraction(T v) { return v + (v >> 8); }
+    SPANGLE_INLINE static T scaled(T a, T factor) { return L::mul_high(a, factor); }
     SPANGLE_INLINE static T lerp(T a, T b, T k) { return mix(a, b, fraction(k)); }
     /// The same with a fraction of 16 bits, 65535 standing for 1.
     SPANGLE_INLINE static T mix(T a, T b, T f) { return L::mul_high(a, 65535 - f) + L::mul_high(b, f); }
@@ -159,10 +170,6 @@ template <int Count> struct Balanced {
         constexpr std::uint32_t factor = (((1u << Bits) - 1) << 16 << (16 - Bits)) / one + 1;
         return (L::mul_high(v, L::splat(factor)) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
-
-  private:
-    /// 0 .. one as 0 .. 65535.
-    SPANGLE_INLINE static T fraction(T v) { return v + (v >> 8); }
 };
 
 /// Full weight of a texel, counted in 2^-16; what 16 bits hold where lanes are 16 bits wide.

@@ -97,7 +97,9 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {
-        if (fixed_.kind >= Kind::textured)
+        if (divides(fixed_.kind, state.needs.fog))
+            run<CoordAlong<N, Unit, DividedCoords>, Coord<Reference, Unit, true>>();
+        else if (fixed_.kind >= Kind::textured)
             run<CoordAlong<N, Unit, CubicRuns>, Coord<Reference, Unit, true>>();
         else
             run<Coord<N, Unit, false>, Coord<Reference, Unit, false>>();

@@ -96,15 +96,13 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
 
 namespace detail {
 
-/// A colour from (colour * q) and 1/q, colour units.
-SPANGLE_INLINE std::uint32_t projective_color(std::uint64_t accumulator, const Inverse& inverse) {
-    const std::int32_t v = unguarded(accumulator);
-    if (v <= 0)
-        return 0;
-    // v / q * 2^28, v < 2^30 and mantissa <= 2^31.
-    const std::uint64_t c =
-        numeric::mul_u32(static_cast<std::uint32_t>(v), inverse.mantissa) >> (34 - inverse.zeros);
-    return c < color_one ? static_cast<std::uint32_t>(c) : color_one;
+/// A colour from colour * q and 1/q, colour units. A colour that rounding made more than one is the number
+/// below it.
+SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse& inverse) {
+    const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
+    const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
+    // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
+    return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << (inverse.zeros - 1), inverse.mantissa) >> 1;
 }
 
 } // namespace detail
@@ -121,12 +119,11 @@ template <class N, bool Alpha> struct GouraudQ : StageBase {
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Inverse inverse(unguarded(q));
-        p.inverse = inverse;
-        p.color.r = N::from_units(detail::projective_color(c[0], inverse));
-        p.color.g = N::from_units(detail::projective_color(c[1], inverse));
-        p.color.b = N::from_units(detail::projective_color(c[2], inverse));
+        p.color.r = N::from_units(detail::projective_color(unguarded(c[0]), inverse));
+        p.color.g = N::from_units(detail::projective_color(unguarded(c[1]), inverse));
+        p.color.b = N::from_units(detail::projective_color(unguarded(c[2]), inverse));
         if constexpr (Alpha)
-            p.color.a = N::from_units(detail::projective_color(c[3], inverse));
+            p.color.a = N::from_units(detail::projective_color(unguarded(c[3]), inverse));
         else
             p.color.a = N::from_units(color_one);
         return true;
@@ -157,9 +154,9 @@ template <class N, bool Projective> struct ColorSum : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (Projective) {
             const Inverse inverse(unguarded(q));
-            sum(p, N::from_units(detail::projective_color(c[0], inverse)),
-                N::from_units(detail::projective_color(c[1], inverse)),
-                N::from_units(detail::projective_color(c[2], inverse)));
+            sum(p, N::from_units(detail::projective_color(unguarded(c[0]), inverse)),
+                N::from_units(detail::projective_color(unguarded(c[1]), inverse)),
+                N::from_units(detail::projective_color(unguarded(c[2]), inverse)));
         } else {
             sum(p, N::from_affine(c[0]), N::from_affine(c[1]), N::from_affine(c[2]));
         }
@@ -179,6 +176,18 @@ template <class N, bool Projective> struct ColorSum : StageBase {
         p.color.b = N::add(p.color.b, b);
     }
 };
+
+namespace detail {
+
+/// The fog coordinate from fog * q and 1/q.
+inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
+    const std::int64_t product = std::int64_t{over_w} * inverse.mantissa; // f/q 2^(62 - zeros)
+    const int down = 38 - inverse.zeros - exponent;
+    return static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
+                                                : numeric::scale_saturate(product, -down));
+}
+
+} // namespace detail
 
 /// The fog coordinate, s7.24.
 template <class N, bool Projective> struct FogCoord;
@@ -203,32 +212,13 @@ template <class N> struct FogCoord<N, true> : StageBase {
     SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x)
         : q(s.at(x, s.q)), dq(s.q.dx), f(s.at(x, s.fog_q)), df(s.fog_q.dx), exponent(s.fog_exponent) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = at(Inverse(unguarded(q)));
+        p.fog = detail::projective_fog(unguarded(f), exponent, Inverse(unguarded(q)));
         return true;
     }
     SPANGLE_INLINE void step() {
         q += dq;
         f += df;
     }
-
-  protected:
-    SPANGLE_INLINE std::uint32_t at(const Inverse& inverse) const {
-        const std::int64_t product = std::int64_t{unguarded(f)} * inverse.mantissa; // f/q 2^(62 - zeros)
-        const int down = 38 - inverse.zeros - exponent;
-        return static_cast<std::uint32_t>(down >= 0
-                                              ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
-                                              : numeric::scale_saturate(product, -down));
-    }
-};
-
-/// Behind GouraudQ, which has divided already.
-template <class N> struct FogCoordDivided : FogCoord<N, true> {
-    using FogCoord<N, true>::FogCoord;
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = this->at(p.inverse);
-        return true;
-    }
-    SPANGLE_INLINE void step() { this->f += this->df; }
 };
 
 } // namespace spangle::raster

@@ -196,6 +196,8 @@ struct TextureFixed : StageBase {
             static_assert(Texels == TexelFormat::rgba8888 && Env == TexEnv::replace);
             p.color = N::from_word(word_at(address(0)));
             return true;
+        } else if constexpr (N::lanes == 1 && by_fractions) {
+            return modulate(p, address(0));
         } else if constexpr (N::lanes == 1) {
             return environment(p, read_texel<N, Texels>(address(0)));
         } else {
@@ -231,6 +233,17 @@ struct TextureFixed : StageBase {
     template <class Address> SPANGLE_INLINE static auto words(Address address) {
         return N::L::generate([&](std::uint32_t k)
                                   __attribute__((always_inline)) { return word_at(address(k)); });
+    }
+    static constexpr bool by_fractions =
+        Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
+    /// Factors by table: what `environment` would make of the texel.
+    SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
+        constexpr const auto& factors = texel_factors<N>;
+        const std::uint32_t word = Lanes<1>::load(texel);
+        p.color.r = N::scaled(p.color.r, factors.of5[word >> 11]);
+        p.color.g = N::scaled(p.color.g, factors.of6[(word >> 5) & 63]);
+        p.color.b = N::scaled(p.color.b, factors.of5[word & 31]);
+        return true;
     }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
         if constexpr (Env == TexEnv::replace && Base == BaseFormat::rgba)

@@ -6,6 +6,20 @@
 
 namespace spangle::raster {
 
+/// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by.
+template <class N, class Word> struct TexelFactors {
+    Word of5[32], of6[64];
+    constexpr TexelFactors() : of5{}, of6{} {
+        for (std::uint32_t k = 0; k < 64; ++k) {
+            of5[k & 31] = static_cast<Word>(N::fraction(N::from5(k & 31)));
+            of6[k] = static_cast<Word>(N::fraction(N::from6(k)));
+        }
+    }
+};
+template <class N>
+inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>>
+    texel_factors;
+
 /// Words R5 G6 B5, or of 8-bit components with R in the lowest byte. Alpha: there is one.
 template <class N, bool Is565, bool Alpha> struct TexelColors {
     using Color = typename N::Color;

@@ -29,6 +29,14 @@ void note_and_draw(Span<Fixed>& span, const Row* row, const Row* end) {
     under_test(span, row, end);
 }
 
+/// A q of its own.
+void project_texture(RandomVertices& source, Triangle& t) {
+    for (FixedVertex& v : t.v) {
+        v.tex[0].q = static_cast<std::int32_t>((1u << 28) + source.below(1u << 29));
+        v.tex[0].q_is_one = 0;
+    }
+}
+
 void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* name) {
     const StateOfKey of(fused.key, width, height);
     const DepthFormat depth =
@@ -49,8 +57,10 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
     for (int round = 0; round < rounds; ++round) {
         chain_canvas.noise(static_cast<std::uint32_t>(round));
         fused_canvas.noise(static_cast<std::uint32_t>(round));
-        const Triangle t = round < 700 ? random_triangle(source, width, height, fused.key.kind)
-                                       : random_sprite(source, width, height, fused.key.kind);
+        Triangle t = round < 700 ? random_triangle(source, width, height, fused.key.kind)
+                                 : random_sprite(source, width, height, fused.key.kind);
+        if (round % 5 == 0 && fused.key.kind >= Kind::textured)
+            project_texture(source, t);
         const Rect cut = {static_cast<int>(source.below(8)), 0,
                           width - static_cast<int>(source.below(30)) - 8, height};
         state.fragment.scissor = chained.fragment.scissor = round % 2 == 0 ? of.state.scissor : cut;
