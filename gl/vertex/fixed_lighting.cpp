@@ -129,8 +129,8 @@ constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 void FixedLighting::derive(const Context& context) {
     const LightingState& state = context.lighting;
     on_ = state.lighting;
-    index_bits_ = SPANGLE_FEATURE_COLOR_INDEX ? context.drawable.index_bits : 0;
-    tracks_color_ = on_ && state.color_material && index_bits_ == 0; // GL 1.3, corollary 16
+    index_bits_ = context.drawable.index_bits;
+    tracks_color_ = on_ && state.color_material && !indexed(); // GL 1.3, corollary 16
     folded_ = false;
     if (!on_)
         return;
@@ -190,7 +190,7 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
 void FixedLighting::fold(const Context& context) {
     for (int side = 0; side < (two_side_ ? 2 : 1); ++side) {
         const Material& material = context.lighting.material[side];
-        fold_side(index_bits_ != 0 ? weighing(material) : material, fold_[side]);
+        fold_side(indexed() ? weighing(material) : material, fold_[side]);
         for (int i = 0; i < 3; ++i)
             fold_[side].index[i] = material.indexes[i];
     }
@@ -223,7 +223,7 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
     }
     // Eight products with 31 bits each, and the base, stay below 2^63.
     out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_) && brightest < 1u << 28 &&
-                index_bits_ == 0;
+                !indexed();
 }
 
 /// base + sum of (n . l) * diffuse: with unit normals n . l = (N n) . l / |N n|, else (N^T l) . n. False: a
@@ -359,7 +359,7 @@ void FixedLighting::light_fully(const Input& vertex, const numeric::Block4& eye,
         else
             add_general(source_[i], fold, i, eye, n, primary, specular);
     }
-    if (index_bits_ != 0)
+    if (indexed())
         return set_index(fold, primary, specular, out);
     for (int c = 0; c < 3; ++c) {
         out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
@@ -371,17 +371,16 @@ void FixedLighting::light_fully(const Input& vertex, const numeric::Block4& eye,
 /// a_m + d (1 - s') (d_m - a_m) + s' (s_m - a_m), s_m at most; s' is s, 1 at most.
 void FixedLighting::set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                               raster::FixedVertex& out) const {
-    using numeric::Block;
-    const auto sum = [](const Sum(&v)[3]) { return numeric::make_block(v[0] + v[1] + v[2], -sum_bits); };
-    constexpr Block one = numeric::make_block(1, 0);
-    Block s = sum(specular);
-    s = numeric::compare(s, one) > 0 ? one : s;
-    const Block am = numeric::to_block(fold.index[0]), dm = numeric::to_block(fold.index[1]),
-                sm = numeric::to_block(fold.index[2]);
-    const Block diffuse =
-        numeric::mul(numeric::mul(sum(primary), numeric::sub(one, s)), numeric::sub(dm, am));
-    const Block c = numeric::add(numeric::add(am, diffuse), numeric::mul(s, numeric::sub(sm, am)));
-    FixedMath::set_index(numeric::to_real(numeric::compare(c, sm) > 0 ? sm : c), index_bits_, out);
+    using Number = FixedMath::Scalar;
+    constexpr Sum one = Sum{1} << sum_bits;
+    const auto number = [](Sum v) { return Number{numeric::make_block(v, -sum_bits)}; };
+    const Sum d = primary[0] + primary[1] + primary[2], s = specular[0] + specular[1] + specular[2],
+              shine = s < one ? s : one;
+    const Number am = FixedMath::scalar(fold.index[0]), dm = FixedMath::scalar(fold.index[1]),
+                 sm = FixedMath::scalar(fold.index[2]);
+    const Number c = am + number(d) * number(one - shine) * (dm - am) + number(shine) * (sm - am);
+    const bool beyond = numeric::compare(c.v, sm.v) > 0;
+    FixedMath::set_index(FixedMath::real(beyond ? sm.v : c.v), index_bits_, out);
 }
 
 void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out) {

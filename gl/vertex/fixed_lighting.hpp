@@ -87,11 +87,12 @@ class FixedLighting {
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
+    bool indexed() const { return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0; }
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;
-    void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
-                   raster::FixedVertex& out) const;
+    [[gnu::noinline]] void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
+                                     raster::FixedVertex& out) const;
     void light_fully(const Input& vertex, const numeric::Block4& eye, int side,
                      raster::FixedVertex& out) const;
     bool light_plain(const Input& vertex, int side, raster::FixedVertex& out) const;

@@ -382,7 +382,7 @@ struct FixedMath {
 
     /// A colour index of so many bits takes the place of red, in units of 2^-20: interpolation is the same.
     /// Its integer part is masked (GL 1.3, 2.13.6).
-    static void set_index(Real index, unsigned bits, Window& out) {
+    [[gnu::noinline]] static void set_index(Real index, unsigned bits, Window& out) {
         const numeric::Block v = numeric::to_block(index);
         const int up = v.e + index_fraction;
         const std::int64_t m = v.m;

@@ -82,7 +82,7 @@ template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex&
         for (int i = 0; i < gathered_count_; ++i)
             new (more + i) Cut(gathered_[i]);
         context_->arena->free(gathered_);
-        gathered_ = more;
+        context_->render.feedback.polygon = gathered_ = more;
         gathered_room_ = room;
     }
     color_back(v);
@@ -121,7 +121,7 @@ template <class M, class L> void Pipeline<M, L>::feed_gathered() {
     }
     arena.free(work);
     arena.free(gathered_);
-    gathered_ = nullptr;
+    context_->render.feedback.polygon = gathered_ = nullptr;
     gathered_count_ = gathered_room_ = 0;
     gathering_lost_ = false;
 #endif

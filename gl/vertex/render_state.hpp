@@ -27,6 +27,7 @@ struct FeedbackState {
     GLenum type = GL_2D;
     bool given = false; ///< FeedbackBuffer was called
     bool overflow = false, fixed = false;
+    void* polygon = nullptr; ///< corners of one that has not ended: the pipeline's, in the arena
 };
 
 struct RenderState {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gl/context/arena.hpp"
@@ -103,17 +104,29 @@ class Run {
         s.depth = reinterpret_cast<std::uint8_t*>(depth.get());
         s.depth_stride = width * (deep ? 4 : 2);
         s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
-        gl::make_current(context, s, in.byte() % 2 != 0);
+        how_ = in.byte();
+        surface_ = s;
+        if ((how_ & 4) != 0)
+            other = gl::create_context(arena, {.tier = raster::Tier::balanced, .engine = &gl::fixed_engine},
+                                       context);
+        turn_to(context);
     }
 
     void all() {
         const auto table = commands();
-        while (in.more())
-            one(table[(in.byte() | static_cast<unsigned>(in.byte()) << 8) % table.size()]);
+        while (in.more()) {
+            const unsigned selected = in.byte() | static_cast<unsigned>(in.byte()) << 8;
+            if (selected >= 0xFF00 && other != nullptr && !context->inside_begin_end() &&
+                context->list.index == 0)
+                turn();
+            else
+                one(table[selected % table.size()]);
+        }
     }
 
     ~Run() {
         gl::destroy_context(context);
+        gl::destroy_context(other);
         if (arena.used() != 0 || !arena.consistent()) {
             std::fprintf(stderr, "the arena is damaged or %zu bytes are left\n", arena.used());
             std::abort();
@@ -121,6 +134,17 @@ class Run {
     }
 
   private:
+    /// Bits of how_: double buffered, an index framebuffer, a second context that shares, bits of an index.
+    void turn_to(gl::Context* now) {
+        gl::make_current(now, surface_, (how_ & 1) != 0);
+        now->drawable.index_bits =
+            (how_ & 2) != 0 ? static_cast<std::uint8_t>(1 + (how_ >> 3) % 8) : std::uint8_t{0};
+    }
+    void turn() {
+        std::swap(context, other);
+        turn_to(context);
+    }
+
     void one(const Command& c) {
         const std::string_view family = c.family;
         if (family == "CallList" || family == "CallLists") {
@@ -234,7 +258,9 @@ class Run {
     static constexpr std::size_t memory_bytes = 256 * 1024;
     std::unique_ptr<std::uint64_t[]> memory{new std::uint64_t[memory_bytes / 8]};
     gl::Arena arena;
-    gl::Context* context = nullptr;
+    gl::Context *context = nullptr, *other = nullptr;
+    unsigned how_ = 0;
+    raster::Surface surface_;
     void* elements[most_items] = {}; ///< of MultiDrawElements
     GLuint called_in = 0;            ///< the list being compiled that has had its call
     std::vector<std::uint8_t> color;

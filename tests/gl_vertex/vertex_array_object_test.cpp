@@ -222,6 +222,9 @@ TEST_F(PrimitiveRestart, NamesNoElement) {
     glBindBuffer(GL_ARRAY_BUFFER, 1);
     glBufferData(GL_ARRAY_BUFFER, 3 * 8, position_.data(), GL_STATIC_DRAW);
     glVertexPointer(2, GL_FLOAT, 0, nullptr);
+    const GLuint beyond[4] = {0, 1, 0xFFFFFFFF, 3};
+    EXPECT_TRUE(drawn([&] { glDrawElements(GL_LINE_STRIP, 4, GL_UNSIGNED_INT, beyond); }).empty());
+    refused(GL_INVALID_OPERATION, "an element beyond its buffer, behind a restart");
 #endif
     EXPECT_EQ(drawn([&] { glDrawElements(GL_LINE_STRIP, 4, GL_UNSIGNED_INT, words); }).size(), 4u);
     glPrimitiveRestartIndex(2); // of bytes no index is beyond them
