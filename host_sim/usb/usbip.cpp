@@ -122,8 +122,8 @@ bool UsbipDevice::submitted(const Packet& packet) {
     Transfer t;
     t.sequence = word(packet, sequence);
     t.length = word(packet, buffer_length);
-    t.endpoint = static_cast<std::uint8_t>(word(packet, endpoint));
     t.to_host = word(packet, direction) != 0;
+    t.endpoint = static_cast<std::uint8_t>(word(packet, endpoint) | (t.to_host ? 0x80 : 0));
     t.setup = setup_of(packet);
     if (!t.to_host) {
         t.bytes.resize(t.length);
@@ -131,7 +131,7 @@ bool UsbipDevice::submitted(const Packet& packet) {
             return false;
     }
     const std::lock_guard lock(mutex_);
-    if (t.endpoint == 0) {
+    if ((t.endpoint & 0x7F) == 0) {
         const int result = control(t);
         const std::size_t length = t.to_host ? t.bytes.size() : t.length;
         return finish(t, result, result == 0 ? length : 0);
@@ -198,39 +198,34 @@ bool UsbipDevice::finish(const Transfer& t, int result, std::size_t length) {
 
 int UsbipDevice::control(Transfer& t) {
     std::vector<std::uint8_t> in;
-    bool answered = true;
-    if (!standard(t.setup, in, answered))
-        answered = function_.control(t.setup, t.bytes.data(), in);
+    const bool answered =
+        (t.setup.type & 0x60) == 0 ? standard(t.setup, in) : function_.control(t.setup, t.bytes.data(), in);
     in.resize(std::min<std::size_t>(in.size(), t.setup.length));
     if (t.to_host)
         t.bytes = std::move(in);
     return answered ? 0 : -EPIPE;
 }
 
-/// What a device's USB engine answers without its firmware (USB 2.0, 9.4); the address is the controller's
-/// business.
-bool UsbipDevice::standard(const UsbSetup& setup, std::vector<std::uint8_t>& in, bool& answered) {
+/// What a device's USB engine answers without its firmware (USB 2.0, 9.4): it is where the plug is, it has
+/// one configuration, one setting of each interface, no strings and no other speed.
+bool UsbipDevice::standard(const UsbSetup& setup, std::vector<std::uint8_t>& in) {
     constexpr std::size_t device_bytes = 18;
     constexpr unsigned get_status = 0, clear_feature = 1, get_descriptor = 6, of_endpoint = 2;
-    if ((setup.type & 0x60) != 0)
-        return false;
-    if (setup.request == get_status) {
-        in = {0, 0};
-        return true;
-    }
-    if (setup.request == clear_feature && (setup.type & 0x1F) == of_endpoint) {
-        function_.clear_halt();
-        return true;
-    }
-    if (setup.request != get_descriptor)
-        return false;
     const std::vector<std::uint8_t> all = function_.descriptors();
     const auto split = all.begin() + device_bytes;
     const unsigned kind = setup.value >> 8;
-    answered = kind == 1 || kind == 2; // no strings, no other speed
-    if (answered)
-        in = kind == 1 ? std::vector(all.begin(), split) : std::vector(split, all.end());
-    return true;
+    if ((setup.type & 0x80) == 0) {
+        if (setup.request == clear_feature && (setup.type & 0x1F) == of_endpoint)
+            function_.clear_halt();
+        return true;
+    }
+    if (setup.request == get_status)
+        in = {0, 0};
+    else if (setup.request == get_descriptor && kind == 1)
+        in.assign(all.begin(), split);
+    else if (setup.request == get_descriptor && kind == 2)
+        in.assign(split, all.end());
+    return !in.empty();
 }
 
 } // namespace spangle::sim

@@ -38,7 +38,7 @@ class UsbipDevice {
     /// A transfer that the host submitted.
     struct Transfer {
         std::uint32_t sequence = 0, length = 0;
-        std::uint8_t endpoint = 0;
+        std::uint8_t endpoint = 0; ///< its address, direction included
         bool to_host = false;
         UsbSetup setup;
         std::vector<std::uint8_t> bytes; ///< of the host; then of the device
@@ -59,7 +59,7 @@ class UsbipDevice {
     bool run();
     bool carry(Transfer& transfer, Fate fate);
     int control(Transfer& transfer);
-    bool standard(const UsbSetup& setup, std::vector<std::uint8_t>& in, bool& answered);
+    bool standard(const UsbSetup& setup, std::vector<std::uint8_t>& in);
     bool finish(const Transfer& transfer, int status, std::size_t length);
     bool receive(void* into, std::size_t count);
     bool send(const void* from, std::size_t count);

@@ -31,15 +31,31 @@ struct RigOptions {
     hal::FtdiPins pins = {};
 };
 
+/// A panel at these pins.
+inline sim::ModuleWiring wiring_of(const hal::FtdiPins& pins) {
+    const auto line = [](std::uint8_t pin) {
+        return pin == hal::FtdiPins::none ? sim::ModuleWiring::open : unsigned{pin};
+    };
+    sim::ModuleWiring w;
+    w.clock = sim::MpsseEngine::clock_pin;
+    w.data[0] = sim::MpsseEngine::out_pin;
+    w.answer = sim::MpsseEngine::in_pin;
+    w.select = line(pins.select);
+    w.data_command = line(pins.data_command);
+    w.reset = line(pins.reset);
+    w.backlight = line(pins.backlight);
+    w.te = pins.te ? sim::MpsseEngine::wait_pin : sim::ModuleWiring::open;
+    return w;
+}
+
 class Rig {
   public:
     explicit Rig(const RigOptions& options = {})
-        : module(*options.panel, wiring_of(options), adapter.engine, kernel), options_(options) {
+        : module(*options.panel, wiring_of(pins_of(options)), adapter.engine, kernel), options_(options) {
         config.device_file = path;
         config.write_hz = options.write_hz;
         config.read_hz = options.read_hz;
-        config.pins = options.pins;
-        config.pins.te = options.wait_te;
+        config.pins = pins_of(options);
         config.asynchronous = options.asynchronous;
     }
     Rig(const Rig&) = delete;
@@ -101,20 +117,10 @@ class Rig {
     RigOptions options_;
     hal::PanelStorage<320, 2> storage_;
 
-    static sim::ModuleWiring wiring_of(const RigOptions& options) {
-        const auto line = [](std::uint8_t pin) {
-            return pin == hal::FtdiPins::none ? sim::ModuleWiring::open : unsigned{pin};
-        };
-        sim::ModuleWiring w;
-        w.clock = sim::MpsseEngine::clock_pin;
-        w.data[0] = sim::MpsseEngine::out_pin;
-        w.answer = sim::MpsseEngine::in_pin;
-        w.select = line(options.pins.select);
-        w.data_command = line(options.pins.data_command);
-        w.reset = line(options.pins.reset);
-        w.backlight = line(options.pins.backlight);
-        w.te = options.wait_te ? sim::MpsseEngine::wait_pin : sim::ModuleWiring::open;
-        return w;
+    static hal::FtdiPins pins_of(const RigOptions& options) {
+        hal::FtdiPins pins = options.pins;
+        pins.te = options.wait_te;
+        return pins;
     }
 };
 
