@@ -314,7 +314,7 @@ std::uint8_t GudDevice::set_buffer(const std::uint8_t* bytes, std::size_t count)
         wrong = "longer than max_buffer_size";
     else if (b.compressed && (!lz4 || full_update))
         wrong = "compressed, which this device did not offer";
-    else if (b.compressed && b.compressed_length >= b.length) // gud-pico tells by the lengths
+    else if (b.compressed && b.compressed_length >= b.length + (tells_by_length ? 0 : 1))
         wrong = "compressed to no less";
     if (!wrong.empty()) {
         violation("SET_BUFFER " + wrong);

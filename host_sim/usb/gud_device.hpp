@@ -26,6 +26,7 @@ class GudDevice final : public UsbFunction {
     bool status_on_set = false, full_update = false;
     bool poll_status = false;          ///< wants GET_CONNECTOR_STATUS every 10 s
     std::uint32_t max_buffer_size = 0; ///< 0: any
+    bool tells_by_length = true;       ///< a buffer is compressed when it is shorter: gud-pico
     std::vector<std::uint8_t> formats = {0x40};
     std::vector<GudMode> modes = {{6000, 320, 240, true}};
     std::array<std::uint16_t, 4> limits = {320, 320, 240, 240}; ///< width and height, least and most

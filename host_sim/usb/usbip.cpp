@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 
@@ -13,7 +14,8 @@ namespace spangle::sim {
 namespace {
 
 constexpr char attach_file[] = "/sys/devices/platform/vhci_hcd.0/attach";
-constexpr unsigned ports = 8, device_id = 0x10002;
+constexpr unsigned device_id = 0x10002;
+constexpr int most_tries = 2000;
 
 // Words of a packet, big-endian; the rest differs.
 enum Word : std::size_t {
@@ -69,19 +71,23 @@ bool UsbipDevice::plug() {
     return true;
 }
 
-/// A port that was used a moment ago may still be taken.
+/// A port that was used a moment ago is still taken for a while.
 bool UsbipDevice::attach(int socket) {
     const int file = ::open(attach_file, O_WRONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    char line[64]; // port, socket, device, speed
+    const int count = std::snprintf(line, sizeof line, "0 %d %u %d", socket, device_id, high_speed_ ? 3 : 2);
     bool attached = false;
-    for (unsigned port = 0; file >= 0 && port < ports && !attached; ++port) {
-        char line[64];
-        const int count =
-            std::snprintf(line, sizeof line, "%u %d %u %d", port, socket, device_id, high_speed_ ? 3 : 2);
+    for (int tries = 0; tries < most_tries && !attached; ++tries) {
         attached = ::write(file, line, static_cast<std::size_t>(count)) == count;
+        if (!attached && errno != EBUSY)
+            break;
+        if (!attached)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     const int error = errno;
-    if (file >= 0)
-        ::close(file);
+    ::close(file);
     errno = error;
     return attached;
 }

@@ -23,7 +23,8 @@ class UsbipDevice {
     UsbipDevice(const UsbipDevice&) = delete;
     UsbipDevice& operator=(const UsbipDevice&) = delete;
 
-    /// Into the first free port. False, and errno says why: there is no vhci-hcd, or no right to it.
+    /// Into the first port, when what was there has gone. False, and errno says why: there is no vhci-hcd, or
+    /// no right to it.
     bool plug();
     /// As when the plug is pulled: transfers under way die.
     void unplug();

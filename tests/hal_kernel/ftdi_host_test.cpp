@@ -41,7 +41,7 @@ struct FtdiHost {
     }
     void pull() {
         usb.unplug();
-        await("let go of the adapter", [] { return !there(); });
+        await("let go of the adapter", [] { return !exists("/sys/bus/usb/devices/2-1"); });
     }
     void start() {
         ASSERT_NO_FATAL_FAILURE(plug());

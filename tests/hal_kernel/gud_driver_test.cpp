@@ -83,7 +83,7 @@ TEST_P(KernelGudDriver, DrawsExactly) {
     gud.device.status_on_set = c.status_on_set;
     gud.device.max_buffer_size = c.max_buffer_size;
     ASSERT_NO_FATAL_FAILURE(gud.plug());
-    DrmCard card(PluggedGud::card, c.bits);
+    DrmCard card(gud_card, c.bits);
     ASSERT_EQ(card.width(), 200);
     ASSERT_EQ(card.height(), 120);
     test::Random random{17};
@@ -159,7 +159,7 @@ TEST(KernelGudConsole, DriverSurvivesThePulledPlug) {
     PluggedGud gud;
     ASSERT_NO_FATAL_FAILURE(gud.plug());
     {
-        DrmCard card(PluggedGud::card, 16);
+        DrmCard card(gud_card, 16);
         {
             const std::lock_guard lock(gud.usb);
             gud.usb.fate = [](std::size_t) { return sim::UsbFate::unplug; };

@@ -51,7 +51,7 @@ struct GudHost : PluggedGud {
 TEST(KernelGudHost, TakesTheDeviceFromTheKernelsDriverAndGivesItBack) {
     GudHost host;
     ASSERT_NO_FATAL_FAILURE(host.start());
-    EXPECT_FALSE(exists(PluggedGud::card));
+    EXPECT_FALSE(exists(gud_card));
     EXPECT_EQ(host.glass_difference(), "");
     for (unsigned seed = 1; seed < 6; ++seed) {
         ASSERT_TRUE(host.draw(
@@ -63,7 +63,7 @@ TEST(KernelGudHost, TakesTheDeviceFromTheKernelsDriverAndGivesItBack) {
     }
     EXPECT_GT(host.device.counters().compressed, 0u);
     host.display.reset();
-    await("take its device back", [] { return exists(PluggedGud::card); });
+    await("take its device back", [] { return exists(gud_card); });
 }
 
 TEST(KernelGudHost, EveryFormat) {

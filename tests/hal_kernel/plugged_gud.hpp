@@ -10,20 +10,23 @@
 
 #include "host_sim/usb/gud_device.hpp"
 #include "host_sim/usb/usbip.hpp"
-#include "tests/hal_kernel/files.hpp"
+#include "tests/hal_kernel/gud_driver.hpp"
 
 namespace kernel_test {
 
 struct PluggedGud {
-    static constexpr char card[] = "/dev/dri/card0";
+    static constexpr char name[] = "2-1"; ///< the first port of vhci-hcd's first bus
 
     spangle::sim::GudDevice device;
     spangle::sim::UsbipDevice usb{device};
 
-    PluggedGud() { size(320, 240); }
+    PluggedGud() {
+        size(320, 240);
+        device.tells_by_length = false; // the kernel's driver compresses to no less now and then
+    }
     ~PluggedGud() {
         try {
-            dismiss_driver();
+            dismiss_gud_driver(name);
             pull();
         } catch (const std::exception& error) {
             ADD_FAILURE() << error.what();
@@ -37,25 +40,15 @@ struct PluggedGud {
     /// The kernel's own driver is the first that finds it.
     void plug() {
         ASSERT_TRUE(usb.plug()) << std::strerror(errno);
-        await("bring its gud driver up", [] { return exists(card); });
+        await_gud_driver();
     }
-    /// The kernel's driver waits up to three seconds for a transfer that was under way.
     void pull() {
         usb.unplug();
-        await(
-            "let go of the device", [] { return !exists(card) && !exists("/sys/bus/usb/devices/2-1"); },
-            std::chrono::seconds(10));
+        await_no_device(name);
     }
     std::string violations() {
         const std::lock_guard lock(usb);
         return device.violations();
-    }
-
-  private:
-    /// While the device still answers.
-    static void dismiss_driver() {
-        if (exists("/sys/bus/usb/drivers/gud/2-1:1.0"))
-            write_text("/sys/bus/usb/drivers/gud/unbind", "2-1:1.0");
     }
 };
 

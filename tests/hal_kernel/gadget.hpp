@@ -1,0 +1,53 @@
+// A USB device as a Linux gadget: FunctionFS hands a UsbFunction what arrives at the machine's device
+// controller, and dummy_hcd joins that to a host controller of the same machine. Another controller than
+// vhci-hcd, with its own ways to cut a transfer short.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "host_sim/usb/usb_function.hpp"
+
+struct usb_functionfs_event;
+
+namespace kernel_test {
+
+class Gadget {
+  public:
+    using Fate = spangle::sim::UsbFate;
+
+    /// Its device descriptor, and the first interface with one bulk output.
+    explicit Gadget(spangle::sim::UsbFunction& function);
+    ~Gadget();
+    Gadget(const Gadget&) = delete;
+    Gadget& operator=(const Gadget&) = delete;
+
+    void plug();
+    void unplug();
+    /// Once, when so many more bytes have come: `stall` halts the pipe, `silent` reads nothing until the next
+    /// call, `unplug` goes. `normal`: nothing happens any more.
+    void misbehave(Fate fate, std::size_t after);
+
+    /// While it is locked the device does nothing: std::lock_guard lock(gadget).
+    void lock() { mutex_.lock(); }
+    void unlock() { mutex_.unlock(); }
+
+  private:
+    spangle::sim::UsbFunction& function_;
+    std::mutex mutex_; ///< guards the function, and:
+    Fate fate_ = Fate::normal;
+    std::size_t until_fate_ = 0;
+    int control_ = -1, pipe_ = -1; ///< ep0, ep1
+    std::atomic<bool> plugged_ = false;
+    std::thread control_thread_, pipe_thread_;
+
+    void describe();
+    void serve_control();
+    void answer(const usb_functionfs_event& event);
+    void serve_pipe();
+    bool behave();
+    void leave();
+};
+
+} // namespace kernel_test
