@@ -62,8 +62,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-/// True where colours are guessed.
-bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
+void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     switch (key.number) {
     case Number::raw565:
@@ -77,15 +76,11 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
         assemble<Exact>(variant, key, state);
         break;
     }
-    const FusedSpan* const fused = find_fused(key);
-    if (fused == nullptr)
-        return false;
-    variant.run = reinterpret_cast<AnyFunction>(fused->run);
-    variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
-    variant.tile = fused->tile;
-    if (fused->guesses)
-        variant.color_bias = 1u << 23;
-    return fused->guesses;
+    if (const FusedSpan* const fused = find_fused(key); fused != nullptr) {
+        variant.run = reinterpret_cast<AnyFunction>(fused->run);
+        variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
+        variant.tile = fused->tile;
+    }
 }
 
 /// Where one offset finds a fragment in both planes, and the pixels beside those of the ends, which a line
@@ -161,7 +156,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (kind == Kind::textured && plain)
             continue;
-        draw.guesses = choose_span(draw.variant[i], key, state);
+        choose_span(draw.variant[i], key, state);
         walks = walks || draw.variant[i].walk != nullptr;
         draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
     }

@@ -12,7 +12,6 @@
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
-#include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
@@ -36,17 +35,10 @@ constexpr bool fusible(const Key& key) {
            key.depth_format != DepthFormat::z24s8;
 }
 
-/// Perspective-correct colours that nothing else is done with.
-constexpr bool is_guessed(const Key& key) {
-    return key.number == Number::exact && key.kind == Kind::full && !key.unit[0].on && !key.fog &&
-           !key.blend && !key.dither && is_565(key.format);
-}
-
 template <Key K> class FusedCase {
     static_assert(fusible(K));
+    static constexpr bool raw = K.number == Number::raw565, exact = K.number == Number::exact;
     static constexpr bool textured = K.unit[0].on;
-    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K),
-                          exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
         K.unit[0] ==
@@ -56,12 +48,7 @@ template <Key K> class FusedCase {
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog);
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
-<<<<<<< HEAD
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
-=======
-    static constexpr bool laned =
-        (!exact || packed) && (!full || raw) && !(K.fog && projective) && is_565(K.format);
->>>>>>> d3f01bc (Perspective-correct colours of the exact tier are guessed: only fragments whose stored bits the bound leaves open divide)
     using Runs =
         std::conditional_t<!projective, NoRuns,
                            std::conditional_t<exact && divided, DividedCoords,
@@ -143,7 +130,6 @@ template <Key K> class FusedCase {
 
   public:
     static constexpr Key key = K;
-    static constexpr bool guessed = is_guessed(K);
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;
@@ -156,7 +142,7 @@ template <Key K> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (plain && !guessed)
+        if constexpr (plain)
             return &fused_paths<FusedCase>;
         else
             return nullptr;

@@ -60,9 +60,9 @@ struct Say {
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
-    return {Case::key, &Case::run, Case::walk(), nullptr, Case::guessed, nullptr};
+    return {Case::key, &Case::run, Case::walk(), nullptr, nullptr};
 #else
-    return {Case::key, &Case::run, Case::walk(), Case::tile(), Case::guessed, &fused<Case, 1>};
+    return {Case::key, &Case::run, Case::walk(), Case::tile(), &fused<Case, 1>};
 #endif
 }
 
@@ -90,8 +90,6 @@ constexpr FusedSpan table[] = {
     entry<smooth>(),
     entry<smooth.depth(less)>(),
     entry<smooth.depth(lequal)>(),
-    entry<fine_full.depth(less)>(),
-    entry<fine_full.depth(lequal)>(),
     entry<affine.dither()>(),
     entry<affine.depth(less).dither()>(),
     entry<affine.depth(lequal).dither()>(),

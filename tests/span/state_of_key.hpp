@@ -51,16 +51,7 @@ inline DrawState in_chain(DrawState state, Number number) {
         state.variant[i].run = chain_runner(number);
         state.variant[i].walk = nullptr;
     }
-    state.tiles = state.guesses = false;
-    return state;
-}
-
-/// The same of one kind: others may have other numbers.
-inline DrawState in_chain(DrawState state, const Key& key) {
-    Variant& variant = state.variant[static_cast<unsigned>(key.kind)];
-    variant.run = chain_runner(key.number);
-    variant.walk = nullptr;
-    state.tiles = state.guesses = false;
+    state.tiles = false;
     return state;
 }
 
