@@ -1,6 +1,7 @@
 #!/bin/sh
 # The first process of the tests' kernel, whose root is the host's: runs a program, says how it ended, switches off.
 # usage: init.sh PROGRAM WORDS...
+echo 'the kernel runs'
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin TMPDIR=/run HOME=/run
 mount -t proc proc /proc
 mount -t sysfs sysfs /sys
