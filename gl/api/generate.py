@@ -472,7 +472,7 @@ def names(chapters, _tokens):
 
 # --- what tests and fuzzers walk ---------------------------------------------------------------------------------
 
-FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint": "GLuint(a[{i}].integer)",
+FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint": "GLuint(a[{i}].integer)", "ushort": "GLushort(a[{i}].integer)",
          "int": "GLint(a[{i}].integer)", "intptr": "GLintptr(a[{i}].integer)", "sizeiptr": "GLsizeiptr(a[{i}].integer)", "sizei": "GLsizei(a[{i}].integer)", "bitfield": "GLbitfield(a[{i}].integer)",
          "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
 
@@ -505,7 +505,7 @@ def test_table(chapters, tokens):
                     accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"
-                    label = {"enum": "enum_", "int": "int_", "intptr": "int_", "sizeiptr": "sizei"}.get(label, label)
+                    label = {"enum": "enum_", "int": "int_", "intptr": "int_", "sizeiptr": "sizei", "ushort": "uint"}.get(label, label)
                     args.append(f"{{Kind::{label}, {accepted}, {low}, {high}, {arg.good if arg else '0'}, "
                                 f"sizeof({c_type.replace('const ', '').replace('*', '').replace('void', 'char').strip() or 'char'})}}")
                 arg_list = array("Arg", args) if args else "{}"

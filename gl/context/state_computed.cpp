@@ -56,6 +56,12 @@ void size_range(const Context&, GLenum name, Param* out) {
     out[1] = integer(point ? max_point_size : max_line_width);
 }
 
+/// Of antialiased points and lines; without these of whole pixels.
+void size_granularity(const Context&, GLenum, Param* out) {
+    constexpr Real eighth{0x3E000000};
+    out[0] = Param::from(SPANGLE_FEATURE_ANTIALIASING ? eighth : numeric::one);
+}
+
 void binding(const Context& context, GLenum name, Param* out) {
     const TextureKind kind = name == GL_TEXTURE_BINDING_1D   ? TextureKind::one
                              : name == GL_TEXTURE_BINDING_2D ? TextureKind::two

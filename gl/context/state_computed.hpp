@@ -17,6 +17,7 @@ void render_mode(const Context& context, GLenum name, Param* out);
 void saved_depth(const Context& context, GLenum name, Param* out);
 void buffer_binding(const Context& context, GLenum name, Param* out);
 void size_range(const Context& context, GLenum name, Param* out);
+void size_granularity(const Context& context, GLenum name, Param* out);
 void binding(const Context& context, GLenum name, Param* out);
 void compressed_texture_formats(const Context& context, GLenum name, Param* out);
 void active_unit(const Context& context, GLenum name, Param* out);

@@ -111,6 +111,9 @@ FEATURE(of_selection, SELECTION)
 FEATURE(of_evaluators, EVALUATORS)
 FEATURE(of_feedback, FEEDBACK)
 FEATURE(of_lists, LISTS)
+FEATURE(of_stipple, STIPPLE)
+FEATURE(of_antialiasing, ANTIALIASING)
+FEATURE(of_polygon_offset, POLYGON_OFFSET)
 #undef FEATURE
 
 /// One of each texture unit.

@@ -8,13 +8,27 @@ namespace spangle::gl {
 inline constexpr auto raster_rows = std::to_array<StateRow>({
     in(Group::point),
     STORED(GL_POINT_SIZE, polygon.point_size),
+    of_antialiasing(SWITCH(GL_POINT_SMOOTH, polygon.point_smooth)),
     in(Group::line),
     STORED(GL_LINE_WIDTH, polygon.line_width),
+    of_antialiasing(SWITCH(GL_LINE_SMOOTH, polygon.line_smooth)),
+    of_stipple(SWITCH(GL_LINE_STIPPLE, polygon.line_stipple)),
+    of_stipple(STORED(GL_LINE_STIPPLE_PATTERN, polygon.stipple_pattern)),
+    of_stipple(STORED(GL_LINE_STIPPLE_REPEAT, polygon.stipple_factor)),
     in(Group::polygon),
     SWITCH(GL_CULL_FACE, polygon.cull_face),
     STORED(GL_CULL_FACE_MODE, polygon.cull_face_mode),
     of_polygon_mode(STORED(GL_POLYGON_MODE, polygon.mode)),
     STORED(GL_FRONT_FACE, polygon.front_face),
+    of_antialiasing(SWITCH(GL_POLYGON_SMOOTH, polygon.polygon_smooth)),
+    of_stipple(SWITCH(GL_POLYGON_STIPPLE, polygon.polygon_stipple)),
+    of_polygon_offset(STORED(GL_POLYGON_OFFSET_FACTOR, polygon.offset_factor)),
+    of_polygon_offset(STORED(GL_POLYGON_OFFSET_UNITS, polygon.offset_units)),
+    of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_POINT, polygon.offset_point)),
+    of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_LINE, polygon.offset_line)),
+    of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_FILL, polygon.offset_fill)),
+    in(Group::polygon_stipple),
+    of_stipple(HELD(polygon.stipple)),
 });
 
 } // namespace spangle::gl

@@ -7,10 +7,16 @@
 
 namespace spangle::gl {
 
+/// What is drawn. Some modes are of one of them (GL 1.3, 3.3 to 3.5).
+enum class Drawn : std::uint8_t { points, lines, polygons, pixels };
+
 struct FragmentCache {
     bool count_passed = false;
+    Drawn drawn = Drawn::pixels;       ///< what this was compiled for
+    bool differs = false;              ///< for other things it would be another one
     std::uint32_t texture_changes = 0; ///< of the share group, when this was compiled
     raster::Counters* counters = nullptr;
+    raster::PrimitiveState primitive; ///< what `state` looks at beside planes
     raster::DrawState state;
 #if SPANGLE_FEATURE_STENCIL_SIDES
     raster::DrawState back; ///< of back faces, while their stencil test differs

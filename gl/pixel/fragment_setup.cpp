@@ -108,6 +108,51 @@ void fill_tests(const Context& context, raster::FragmentState& out) {
     out.depth_func = compare_of(ops.depth_func);
 }
 
+/// The polygon modes whose offset is on.
+bool offsets(const PolygonState& polygon) {
+    return SPANGLE_FEATURE_POLYGON_OFFSET &&
+           (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
+}
+
+bool stipples(const PolygonState& polygon) {
+    return SPANGLE_FEATURE_STIPPLE && polygon.polygon_stipple;
+}
+
+bool has_mode(const PolygonState& polygon, GLenum mode) {
+    return polygon.mode[0] == mode || polygon.mode[1] == mode;
+}
+
+bool smooths(const PolygonState& polygon) {
+    return SPANGLE_FEATURE_ANTIALIASING &&
+           (polygon.point_smooth || polygon.line_smooth || polygon.polygon_smooth);
+}
+
+/// Some of these bring coverage.
+bool has_coverage(const PolygonState& polygon, Drawn drawn) {
+    switch (drawn) {
+    case Drawn::points:
+        return polygon.point_smooth;
+    case Drawn::lines:
+        return polygon.line_smooth;
+    case Drawn::polygons:
+        return (polygon.polygon_smooth && has_mode(polygon, GL_FILL)) ||
+               (polygon.line_smooth && has_mode(polygon, GL_LINE)) ||
+               (polygon.point_smooth && has_mode(polygon, GL_POINT));
+    case Drawn::pixels:
+        break;
+    }
+    return false;
+}
+
+/// What depends on the primitive.
+void fill_modes(const PolygonState& polygon, Drawn drawn, raster::FragmentState& out) {
+    out.coverage = smooths(polygon) && has_coverage(polygon, drawn);
+    if (drawn != Drawn::polygons)
+        return;
+    out.depth_offset = offsets(polygon);
+    out.polygon_stipple = stipples(polygon) ? polygon.stipple.row : nullptr;
+}
+
 void fill(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     fill_textures(context, out);
@@ -190,20 +235,26 @@ const raster::DrawState& draw_state_of(const Context& context, [[maybe_unused]] 
     return context.fragments.state;
 }
 
-const raster::DrawState& draw_state(Context& context) {
+const raster::DrawState& draw_state(Context& context, Drawn drawn) {
     FragmentCache& cache = context.fragments;
     const std::uint32_t texture_changes = context.share->texture_changes;
-    if ((context.dirty & dirty_fragment) != 0 || cache.texture_changes != texture_changes) {
+    if ((context.dirty & dirty_fragment) != 0 || cache.texture_changes != texture_changes ||
+        (cache.differs && cache.drawn != drawn)) {
         cache.texture_changes = texture_changes;
+        cache.drawn = drawn;
+        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context.polygon);
         raster::FragmentState fragment;
         fill(context, fragment);
+        fill_modes(context.polygon, drawn, fragment);
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = cache.counters;
+        cache.state.primitive = &cache.primitive;
 #if SPANGLE_FEATURE_STENCIL_SIDES
         if (stencil_sides(context)) {
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
             context.engine->compile(fragment, context.drawable.surface, cache.back);
             cache.back.counters = cache.counters;
+            cache.back.primitive = &cache.primitive;
         }
 #endif
         context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_fragment);

@@ -13,6 +13,8 @@
 #include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/line_stipple.hpp"
+#include "raster/primitive/polygon_offset.hpp"
 
 namespace spangle::gl {
 
@@ -32,7 +34,11 @@ template <class M, class L> class Pipeline {
         derive(context);
         if (mode == GL_POLYGON && (outlined() || captures()))
             begin_polygon();
-        state_ = &draw_state(context);
+        const Drawn drawn = mode == GL_POINTS       ? Drawn::points
+                            : mode <= GL_LINE_STRIP ? Drawn::lines
+                                                    : Drawn::polygons;
+        state_ = &draw_state(context, drawn);
+        context.fragments.primitive.stippled = drawn == Drawn::polygons;
     }
 
     void vertex(Context& context, Real x, Real y, Real z, Real w) {
@@ -115,14 +121,17 @@ template <class M, class L> class Pipeline {
     int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
-    unsigned units_ = 0;                       ///< bit u: texture unit u is on
-    bool fog_given_ = false;                   ///< by fog coordinates
-    unsigned index_bits_ = 0;                  ///< of an index framebuffer; 0: colours
-    bool each_vertex_ = false;                 ///< something more happens to vertices when they are given
-    bool whole_polygons_ = false;              ///< triangles, too, go the way of polygons
-    bool outlines_ = false;                    ///< PolygonMode makes lines or points of some face
-    bool stencil_sides_ = false;               ///< back faces have a DrawState of their own
-    bool captures_ = false;                    ///< primitives are selected or fed back, not drawn
+    unsigned units_ = 0;          ///< bit u: texture unit u is on
+    bool fog_given_ = false;      ///< by fog coordinates
+    unsigned index_bits_ = 0;     ///< of an index framebuffer; 0: colours
+    bool each_vertex_ = false;    ///< something more happens to vertices when they are given
+    bool whole_polygons_ = false; ///< triangles, too, go the way of polygons
+    bool outlines_ = false;       ///< PolygonMode makes lines or points of some face
+    bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
+    bool captures_ = false;       ///< primitives are selected or fed back, not drawn
+    bool offsets_ = false;        ///< depths of polygons are offset in some mode
+    bool modal_lines_ = false;    ///< lines are stippled or antialiased
+    bool smooth_polygons_ = false, smooth_points_ = false;
     bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
     GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
     bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
@@ -132,6 +141,7 @@ template <class M, class L> class Pipeline {
     Real given_color_[4] = {};        ///< current during the last draw of elements
     std::uint32_t now_ = 1;           ///< of cached vertices; another one when their results would differ
     std::int32_t point_size_ = 1, line_width_ = 1;
+    raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
     UserPlanes<M> planes_;
@@ -181,7 +191,15 @@ template <class M, class L> class Pipeline {
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed();
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
+        smooth_polygons_ = polygon.polygon_smooth;
+        smooth_points_ = polygon.point_smooth;
+        offsets_ = polygon.offset_fill || polygon.offset_line || polygon.offset_point;
         whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
+        whole_polygons_ = whole_polygons_ || offsets() || smooth_polygons();
+        modal_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
+                       (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth);
+        stipple_.pattern = polygon.stipple_pattern;
+        stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }
@@ -208,6 +226,19 @@ template <class M, class L> class Pipeline {
 
     bool outlined() const {
         return SPANGLE_FEATURE_POLYGON_MODE && outlines_;
+    }
+    bool offsets() const {
+        return SPANGLE_FEATURE_POLYGON_OFFSET && offsets_;
+    }
+    bool modal_lines() const {
+        return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING) && modal_lines_;
+    }
+    bool smooth_polygons() const {
+        return SPANGLE_FEATURE_ANTIALIASING && smooth_polygons_;
+    }
+    /// Sizes of antialiased points and lines come in eighths of a pixel, 1 to 64 (GL 1.3, 3.3).
+    static std::int32_t eighths(Real size) {
+        return numeric::clamp<std::int32_t>((numeric::to_fixed(size, 16) + (1 << 12)) >> 13, 8, 512);
     }
     bool captures() const {
         return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
@@ -308,6 +339,7 @@ template <class M, class L> class Pipeline {
     void draw_point(const Vertex& v, const Window& window);
     void draw_line(const Vertex& a, const Window& at_a, const Vertex& b, const Window& at_b,
                    const Window& provoking);
+    [[gnu::noinline]] void draw_modal_line(const Window& a, const Window& b, const Window& provoking);
     void line(Vertex& a, Vertex& b);
     [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step);
     [[gnu::noinline]] void seen_line(Vertex& a, Vertex& b);
@@ -321,6 +353,9 @@ template <class M, class L> class Pipeline {
     template <class At>
     SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
                              const std::int64_t* part);
+    template <class At> [[gnu::noinline]] void draw_smooth(At at, int n, const Window& provoking);
+    template <class At>
+    [[gnu::noinline]] void set_offset(At at, int n, GLenum mode, const std::int64_t* part);
     template <class At>
     [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
                                    GLenum mode);

@@ -20,6 +20,11 @@ template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex&
                 return Corner{v, window};
             },
             1);
+#if SPANGLE_FEATURE_ANTIALIASING
+    if (smooth_points_)
+        return raster::draw_smooth_point(*state_, context_->drawable.surface, context_->fragments.primitive,
+                                         window, eighths(context_->polygon.point_size));
+#endif
     raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
 }
 
@@ -28,7 +33,26 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
                                       const Window& at_b, const Window& provoking) {
     if (captures())
         return capture_line({a, at_a}, {b, at_b}, provoking);
+    if (modal_lines())
+        return draw_modal_line(at_a, at_b, provoking);
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
+}
+
+/// The stipple starts anew with each primitive, and with each line of LINES (GL 1.3, 3.4.2).
+template <class M, class L>
+void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Window& provoking) {
+    if (stipple_starts_)
+        stipple_.position = 0;
+    stipple_starts_ = mode_ == GL_LINES;
+    const PolygonState& polygon = context_->polygon;
+    const raster::Surface& surface = context_->drawable.surface;
+#if SPANGLE_FEATURE_ANTIALIASING
+    if (polygon.line_smooth)
+        return raster::draw_smooth_line(*state_, surface, context_->fragments.primitive, a, b, provoking,
+                                        eighths(polygon.line_width),
+                                        polygon.line_stipple ? &stipple_ : nullptr);
+#endif
+    raster::draw_stippled_line(*state_, surface, a, b, provoking, line_width_, stipple_);
 }
 
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
@@ -46,7 +70,8 @@ template <class M, class L> void Pipeline<M, L>::lines(Vertex* const* vertex, in
         any |= vertex[i]->flags;
         window[i] = &vertex[i]->window;
     }
-    if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || planes_.any()) [[unlikely]] {
+    const bool one_by_one = planes_.any() || modal_lines();
+    if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || one_by_one) [[unlikely]] {
         for (int i = 0; i + 1 < n; i += step)
             seen_line(*vertex[i], *vertex[i + 1]);
         return;
@@ -182,6 +207,8 @@ template <class M, class L>
 template <class At>
 SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, const Window& provoking,
                                          int side, const std::int64_t* part) {
+    if (offsets() && !captures())
+        set_offset(at, n, face_mode_[side], part);
     if (outlined() && face_mode_[side] != GL_FILL)
         return outline(at, corners, n, provoking, face_mode_[side]);
     if (captures())
@@ -191,17 +218,52 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, c
                 return Corner{*corners[i], flat_ ? provoking : at(i)};
             },
             n);
+    if (smooth_polygons())
+        return draw_smooth(at, n, provoking);
     for (int i = 1; i + 1 < n; ++i)
         if (part[i] != 0)
             raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
                                   part[i]);
 }
 
+/// As a whole: the triangles of a fan would each cover a part of the pixels between them.
+template <class M, class L>
+template <class At>
+void Pipeline<M, L>::draw_smooth(At at, int n, const Window& provoking) {
+    static_assert(clip_vertices <= raster::most_smooth_corners);
+    const Window* corner[clip_vertices];
+    for (int i = 0; i < n; ++i)
+        corner[i] = &at(i);
+    raster::draw_smooth_polygon(*state_, context_->drawable.surface, context_->fragments.primitive, corner, n,
+                                provoking);
+}
+
+/// What all fragments of a polygon get, that of its largest part where it is not flat.
+template <class M, class L>
+template <class At>
+void Pipeline<M, L>::set_offset(At at, int n, GLenum mode, const std::int64_t* part) {
+    const PolygonState& polygon = context_->polygon;
+    raster::PrimitiveState& out = context_->fragments.primitive;
+    const bool on = mode == GL_FILL   ? polygon.offset_fill
+                    : mode == GL_LINE ? polygon.offset_line
+                                      : polygon.offset_point;
+    raster::PolygonOffset offset;
+    if (on)
+        offset = {polygon.offset_factor, polygon.offset_units};
+    int largest = 1;
+    for (int i = 2; i + 1 < n; ++i)
+        if (numeric::abs_u64(part[i]) > numeric::abs_u64(part[largest]))
+            largest = i;
+    raster::set_depth_offset(out, offset, state_->depth_format, at(0), at(largest), at(largest + 1),
+                             part[largest]);
+}
+
 /// Boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
 template <class M, class L>
 template <class At>
 void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window& provoking, GLenum mode) {
-    stipple_starts_ = true;
+    stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts
+    context_->fragments.primitive.stippled = false;
     for (int i = 0; i < n; ++i) {
         if ((corners[i]->flags & boundary) == 0)
             continue;
@@ -215,6 +277,7 @@ void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window&
             M::copy_color(provoking, v);
         draw_point(*corners[i], v);
     }
+    context_->fragments.primitive.stippled = true;
 }
 
 /// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that

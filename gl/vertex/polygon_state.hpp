@@ -5,6 +5,15 @@
 
 namespace spangle::gl {
 
+/// 32 rows from the bottom, bit x: column x is drawn (GL 1.3, 3.5.2).
+struct StipplePattern {
+    std::uint32_t row[32];
+    constexpr StipplePattern() : row{} {
+        for (std::uint32_t& bits : row)
+            bits = 0xFFFFFFFF;
+    }
+};
+
 struct PolygonState {
     GLenum shade_model = GL_SMOOTH;
     GLenum front_face = GL_CCW;
@@ -13,6 +22,13 @@ struct PolygonState {
     GLenum mode[2] = {GL_FILL, GL_FILL}; ///< of front and back faces
     Real point_size = numeric::one;      ///< as set; clamped and rounded only in use
     Real line_width = numeric::one;
+    bool point_smooth = false, line_smooth = false, polygon_smooth = false;
+    bool line_stipple = false, polygon_stipple = false;
+    GLint stipple_factor = 1;
+    GLuint stipple_pattern = 0xFFFF;
+    StipplePattern stipple;
+    bool offset_point = false, offset_line = false, offset_fill = false;
+    Real offset_factor = numeric::zero, offset_units = numeric::zero;
 };
 
 } // namespace spangle::gl

@@ -32,6 +32,7 @@ void PolygonMode(Context& context, GLenum face, GLenum mode) {
         context.polygon.mode[0] = mode;
     if (face != GL_FRONT)
         context.polygon.mode[1] = mode;
+    context.changed(dirty_fragment); // which polygons bring coverage
 }
 #endif
 
@@ -46,5 +47,19 @@ void LineWidth(Context& context, Real width) {
         return error(context, GL_INVALID_VALUE);
     context.polygon.line_width = width;
 }
+
+#if SPANGLE_FEATURE_POLYGON_OFFSET
+void PolygonOffset(Context& context, Real factor, Real units) {
+    context.polygon.offset_factor = factor;
+    context.polygon.offset_units = units;
+}
+#endif
+
+#if SPANGLE_FEATURE_STIPPLE
+void LineStipple(Context& context, GLint factor, GLushort pattern) {
+    context.polygon.stipple_factor = numeric::clamp<GLint>(factor, 1, 256);
+    context.polygon.stipple_pattern = pattern;
+}
+#endif
 
 } // namespace spangle::gl::cmd

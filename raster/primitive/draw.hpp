@@ -39,6 +39,27 @@ template <>
 void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
                              int n, int step, std::int32_t width);
 
+struct LineStipple; // line_stipple.hpp
+
+/// Those fragments of it that the stipple leaves; it goes on where this line ends (GL 1.3, 3.4.2).
+template <class V>
+void draw_stippled_line(const DrawState& state, const Surface& target, const V& a, const V& b,
+                        const V& provoking, std::int32_t width, LineStipple& stipple);
+
+/// Antialiased (GL 1.3, 3.3, 3.4.2, 3.5.3): fragments of every pixel that the disc, the rectangle or the
+/// convex polygon reaches, each with its area there. The state has coverage, its `primitive` is the one
+/// given. Sizes count 1/8 of a pixel, up to 64 pixels. A stipple cuts a line into parts of length 1.
+template <class V>
+void draw_smooth_point(const DrawState& state, const Surface& target, PrimitiveState& primitive, const V& v,
+                       std::int32_t eighths);
+template <class V>
+void draw_smooth_line(const DrawState& state, const Surface& target, PrimitiveState& primitive, const V& a,
+                      const V& b, const V& provoking, std::int32_t eighths, LineStipple* stipple);
+inline constexpr int most_smooth_corners = 20;
+template <class V>
+void draw_smooth_polygon(const DrawState& state, const Surface& target, PrimitiveState& primitive,
+                         const V* const* corner, int corners, const V& provoking);
+
 /// Aliased point, size in whole pixels >= 1 (GL 1.3, 3.3).
 template <class V>
 void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);

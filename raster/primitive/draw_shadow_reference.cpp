@@ -1,6 +1,7 @@
 #include "raster/primitive/line.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/setup_shadow.hpp"
+#include "raster/primitive/smooth.hpp"
 #include "raster/primitive/triangle.hpp"
 
 namespace spangle::raster {
@@ -19,9 +20,37 @@ void draw_line<ShadowVertex>(const DrawState& state, const Surface& target, cons
 }
 
 template <>
+void draw_stippled_line<ShadowVertex>(const DrawState& state, const Surface& target, const ShadowVertex& a,
+                                      const ShadowVertex& b, const ShadowVertex& provoking,
+                                      std::int32_t width, LineStipple& stipple) {
+    draw_line_of<Shadow>(state, target, a, b, provoking, width, StippledLine{stipple});
+}
+
+template <>
 void draw_point<ShadowVertex>(const DrawState& state, const Surface& target, const ShadowVertex& v,
                               std::int32_t size) {
     draw_point_of<Shadow>(state, target, v, size);
+}
+
+template <>
+void draw_smooth_point<ShadowVertex>(const DrawState& state, const Surface& target, PrimitiveState& primitive,
+                                     const ShadowVertex& v, std::int32_t eighths) {
+    draw_smooth_point_of<Shadow>(state, target, primitive, v, eighths);
+}
+
+template <>
+void draw_smooth_line<ShadowVertex>(const DrawState& state, const Surface& target, PrimitiveState& primitive,
+                                    const ShadowVertex& a, const ShadowVertex& b,
+                                    const ShadowVertex& provoking, std::int32_t eighths,
+                                    LineStipple* stipple) {
+    draw_smooth_line_of<Shadow>(state, target, primitive, a, b, provoking, eighths, stipple);
+}
+
+template <>
+void draw_smooth_polygon<ShadowVertex>(const DrawState& state, const Surface& target,
+                                       PrimitiveState& primitive, const ShadowVertex* const* corner,
+                                       int corners, const ShadowVertex& provoking) {
+    draw_smooth_polygon_of<Shadow>(state, target, primitive, corner, corners, provoking);
 }
 
 } // namespace spangle::raster

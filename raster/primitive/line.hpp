@@ -3,6 +3,7 @@
 
 #include "raster/primitive/diamond.hpp"
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/line_stipple.hpp"
 #include "raster/primitive/pen.hpp"
 
 namespace spangle::raster {
@@ -25,12 +26,16 @@ struct LineInterval {
     }
 };
 
-template <class P> void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width) {
+template <class P, class Kept>
+void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Kept& kept) {
     while (walk.count > 0) {
         const std::int32_t row = walk.minor, left = walk.major;
+        const bool drawn = kept(left);
         do {
             walk.step();
-        } while (walk.count > 0 && walk.minor == row);
+        } while (walk.count > 0 && walk.minor == row && kept(walk.major) == drawn);
+        if (!drawn)
+            continue;
         std::int32_t y = row < pen.row_begin() ? pen.row_begin() : row;
         const std::int32_t top = row + width < pen.row_end() ? row + width : pen.row_end();
         for (; y < top; ++y)
@@ -38,20 +43,25 @@ template <class P> void draw_x_major(Pen<P>& pen, DiamondWalk walk, std::int32_t
     }
 }
 
-template <class P> void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width) {
+template <class P, class Kept>
+void draw_y_major(Pen<P>& pen, DiamondWalk walk, std::int32_t width, const Kept& kept) {
     for (; walk.count > 0; walk.step())
-        pen.add(walk.major, walk.minor, walk.minor + width);
+        if (kept(walk.major))
+            pen.add(walk.major, walk.minor, walk.minor + width);
 }
 
 } // namespace detail
 
-template <class P>
+/// Pattern: SolidLine or StippledLine.
+template <class P, class Pattern = SolidLine>
 void draw_line_of(const DrawState& state, const Surface& target, const typename P::Vertex& a,
-                  const typename P::Vertex& b, const typename P::Vertex& provoking, std::int32_t width) {
+                  const typename P::Vertex& b, const typename P::Vertex& provoking, std::int32_t width,
+                  Pattern pattern = {}) {
     observe_other(state);
     Pen<P> pen(state, target);
     const Position pa = position(a), pb = position(b);
     DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));
+    const typename Pattern::Kept kept = pattern.along(walk);
     if (state.nothing || walk.count == 0)
         return;
     const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);
@@ -64,9 +74,9 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     Setup<P>(pen.span, a, b, provoking, walk.along_x, interval.begin, interval.end);
     pen.begin();
     if (walk.along_x)
-        detail::draw_x_major(pen, walk, width);
+        detail::draw_x_major(pen, walk, width, kept);
     else
-        detail::draw_y_major(pen, walk, width);
+        detail::draw_y_major(pen, walk, width, kept);
     pen.flush();
 }
 

@@ -52,7 +52,8 @@ Rasterizer::Rasterizer(const FragmentState& state, const Surface& surface) : sur
     static_assert(std::is_trivially_copyable_v<DrawState>);
     FragmentState bounded = state;
     bounded.scissor = surface.color == nullptr ? Rect{} : cut(state.scissor, surface);
-    bounded.count = false; // there are no counters
+    bounded.count = bounded.coverage = bounded.depth_offset = false; // nobody keeps what these need
+    bounded.polygon_stipple = nullptr;
     new (state_) DrawState(compile<FixedVertex>(bounded, surface));
 }
 

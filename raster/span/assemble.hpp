@@ -6,6 +6,7 @@
 #include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/rows.hpp"
+#include "raster/span/stage_antialias.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_combine.hpp"
@@ -16,6 +17,7 @@
 #include "raster/span/stage_tests.hpp"
 #include "raster/span/stage_texture_lod.hpp"
 #include "raster/span/stage_texture_packet.hpp"
+#include <spangle/raster/features.hpp>
 
 namespace spangle::raster {
 
@@ -47,8 +49,16 @@ constexpr bool early_tests(const Key& key) {
 
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
+    using Offset = OffsetDepthValue<One>;
+    if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
+        chain.template add<PolygonStipple<One>>();
     if (key.stencil)
-        chain.template add<StencilDepth<One>>();
+        chain.template choose<StencilDepth<One, Offset>, StencilDepth<One>>(SPANGLE_FEATURE_POLYGON_OFFSET &&
+                                                                            key.depth_offset);
+    else if (SPANGLE_FEATURE_POLYGON_OFFSET && key.depth_offset)
+        chain.template choose<DepthGeneral<One, DepthFormat::z16, Offset>,
+                              DepthGeneral<One, DepthFormat::z24s8, Offset>>(key.depth_format ==
+                                                                             DepthFormat::z16);
     else if (key.depth != Compare::always || key.depth_write)
         chain.template choose<DepthGeneral<N, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(
             key.depth_format == DepthFormat::z16);
@@ -140,6 +150,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
         else
             chain.template add<Fog<N>>();
     }
+    if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
+        chain.template add<Coverage<One>>();
     if (key.alpha != Compare::always)
         chain.template add<AlphaTest<One>>();
     if (!early)

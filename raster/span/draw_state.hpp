@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "raster/span/key.hpp"
+#include "raster/span/primitive_state.hpp"
 #include "raster/span/span.hpp"
 #include "raster/surface/surface.hpp"
 #include <spangle/raster/fragment_state.hpp>
@@ -44,7 +45,7 @@ using TileFunction = void (*)(const Span<Fixed>&, const Tile&);
 /// on P and N.
 using AnyFunction = void (*)();
 
-inline constexpr int max_stages = 14;
+inline constexpr int max_stages = 20;
 
 /// The list of stages of one kind of primitive.
 struct Variant {
@@ -104,6 +105,8 @@ struct DrawState {
     /// Of what a coordinate wraps around: two images where it is halved; rounded up.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
+    /// Not null where the fragment state has coverage, a polygon stipple or a depth offset.
+    const PrimitiveState* primitive = nullptr;
     Variant variant[kind_count];
     /// Lines of width 1 with both ends here may be drawn as paths.
     struct Area {

@@ -2,6 +2,7 @@
 #include "raster/span/draw_state.hpp"
 #include "raster/span/texel.hpp"
 #include "raster/span/texture_combine.hpp"
+#include <spangle/raster/features.hpp>
 
 namespace spangle::raster {
 
@@ -123,6 +124,10 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     key.masked = (state.color_mask & channels) != channels;
     key.logic = state.logic && state.logic_op != LogicOp::copy;
     key.count = state.count;
+    key.polygon_stipple = SPANGLE_FEATURE_STIPPLE && state.polygon_stipple != nullptr;
+    key.depth_offset =
+        SPANGLE_FEATURE_POLYGON_OFFSET && state.depth_offset && key.depth_format != DepthFormat::none;
+    key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
     key.combine = combines(state);
     // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.
     key.color = key.combine || color_survives(state, false);

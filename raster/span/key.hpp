@@ -48,6 +48,9 @@ struct Key {
     bool masked = false; ///< some colour channel is not written
     bool logic = false;
     bool count = false;
+    bool coverage = false;
+    bool polygon_stipple = false;
+    bool depth_offset = false;
     friend constexpr bool operator==(const Key&, const Key&) = default;
 };
 

@@ -50,6 +50,19 @@ template <class N> struct DepthValue : StageBase {
     SPANGLE_INLINE void next_row() { z.next_row(); }
 };
 
+/// The same with the offset of polygons (GL 1.3, 3.5.5), clamped.
+template <class N> struct OffsetDepthValue : DepthValue<N> {
+    static_assert(N::lanes == 1);
+    std::int64_t offset;
+    SPANGLE_INLINE OffsetDepthValue(const Span<typename N::Policy>& s, std::int32_t x)
+        : DepthValue<N>(s, x), offset(s.state->primitive->depth_offset) {}
+    SPANGLE_INLINE std::uint32_t word() const {
+        return static_cast<std::uint32_t>(
+            numeric::clamp<std::int64_t>(offset + this->z.at, 0, INT64_C(0xFFFFFFFF)));
+    }
+    SPANGLE_INLINE std::uint32_t code24() const { return word() >> 8; }
+};
+
 template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
 
 /// 16 bits.
@@ -130,14 +143,14 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
 };
 
 /// Function and write mask at run time: the depth test of the chain.
-template <class N, DepthFormat Format> struct DepthGeneral : DepthValue<N> {
+template <class N, DepthFormat Format, class Value = DepthValue<N>> struct DepthGeneral : Value {
     static_assert(N::lanes == 1 || Format == DepthFormat::z16);
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
     Compare func;
     bool write;
     SPANGLE_INLINE DepthGeneral(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
+        : Value(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1) {

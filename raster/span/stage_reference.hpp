@@ -42,10 +42,18 @@ template <> struct DepthValue<Reference> : StageBase {
     }
 
   private:
+    double offset() const {
+        return span.state->fragment.depth_offset ? span.state->primitive->reference_depth_offset : 0;
+    }
     void code() {
-        const auto k = static_cast<std::uint32_t>(clamp01(span.at(x, span.z)) * max + 0.5);
+        const double depth = span.at(x, span.z) + offset();
+        const auto k = static_cast<std::uint32_t>(clamp01(depth) * max + 0.5);
         z = max < 65536 ? k << 16 : k << 8;
     }
+};
+
+template <> struct OffsetDepthValue<Reference> : DepthValue<Reference> {
+    using DepthValue<Reference>::DepthValue;
 };
 
 template <bool Alpha> struct GouraudQ<Reference, Alpha> : ReferenceStage {

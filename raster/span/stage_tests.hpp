@@ -43,12 +43,12 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
 }
 
 /// Stencil test and, when it is on, the depth test behind it; 24 bits of depth above 8 of stencil.
-template <class N> struct StencilDepth : DepthValue<N> {
+template <class N, class Value = DepthValue<N>> struct StencilDepth : Value {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = true;
     const FragmentState& state;
     SPANGLE_INLINE StencilDepth(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), state(s.state->fragment) {}
+        : Value(s, x), state(s.state->fragment) {}
 
     bool operator()(Px<N>& p) const {
         auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));

@@ -39,6 +39,20 @@ constexpr Position position(const ShadowVertex& v) {
     return {v.fixed.x, v.fixed.y};
 }
 
+/// Moves a vertex there; all else stays.
+constexpr void place(FixedVertex& v, const Position& p) {
+    v.x = p.x;
+    v.y = p.y;
+}
+constexpr void place(DoubleVertex& v, const Position& p) {
+    v.x = p.x;
+    v.y = p.y;
+}
+constexpr void place(ShadowVertex& v, const Position& p) {
+    place(v.fixed, p);
+    place(v.twin, p);
+}
+
 /// Where it was before snapping, pixels; policies that know.
 struct ExactPosition {
     double x, y;

@@ -112,6 +112,21 @@ std::map<GLenum, GLbitfield> server_state() {
         groups[GL_EDGE_FLAG] = GL_CURRENT_BIT;
         groups[GL_POLYGON_MODE] = GL_POLYGON_BIT;
     }
+    if (SPANGLE_FEATURE_ANTIALIASING) {
+        groups[GL_POINT_SMOOTH] = GL_POINT_BIT | GL_ENABLE_BIT;
+        groups[GL_LINE_SMOOTH] = GL_LINE_BIT | GL_ENABLE_BIT;
+        groups[GL_POLYGON_SMOOTH] = GL_POLYGON_BIT | GL_ENABLE_BIT;
+    }
+    if (SPANGLE_FEATURE_STIPPLE) {
+        groups[GL_LINE_STIPPLE] = GL_LINE_BIT | GL_ENABLE_BIT;
+        groups[GL_LINE_STIPPLE_PATTERN] = groups[GL_LINE_STIPPLE_REPEAT] = GL_LINE_BIT;
+        groups[GL_POLYGON_STIPPLE] = GL_POLYGON_BIT | GL_ENABLE_BIT;
+    }
+    if (SPANGLE_FEATURE_POLYGON_OFFSET) {
+        for (GLenum cap : {GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
+            groups[cap] = GL_POLYGON_BIT | GL_ENABLE_BIT;
+        groups[GL_POLYGON_OFFSET_FACTOR] = groups[GL_POLYGON_OFFSET_UNITS] = GL_POLYGON_BIT;
+    }
     if (SPANGLE_FEATURE_EVALUATORS) {
         for (GLenum cap = GL_MAP1_COLOR_4; cap <= GL_MAP1_VERTEX_4; ++cap)
             groups[cap] = groups[cap - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4] = GL_EVAL_BIT | GL_ENABLE_BIT;
@@ -337,6 +352,12 @@ class Attrib : public RecordingContext {
 #if SPANGLE_FEATURE_POLYGON_MODE
         glEdgeFlag(k != 0);
         glPolygonMode(GL_FRONT, either(GL_LINE, GL_POINT));
+#endif
+#if SPANGLE_FEATURE_STIPPLE
+        glLineStipple(k + 2, static_cast<GLushort>(k + 3));
+#endif
+#if SPANGLE_FEATURE_POLYGON_OFFSET
+        glPolygonOffset(f(1), f(2));
 #endif
 #if SPANGLE_FEATURE_EVALUATORS
         glMapGrid1f(k + 2, f(1), f(2));

@@ -175,10 +175,12 @@ class Run {
                 v.pointer = c.args.size() > 4 && &arg == &c.args[3] && family == "MultiDrawElements"
                                 ? static_cast<void*>(elements)
                             : family == "DrawElements" || family == "DrawRangeElements" ||
-                                    family.starts_with("MultiDraw")
+                                    family.starts_with("MultiDraw") ||
+                                    family.starts_with("Buffer") // may hold indices, too
                                 ? client.data()
-                            : arg.kind == Kind::out ? result.data()
-                                                    : numbers.data() + how % 8 * 8; // aligned for every type
+                                : arg.kind == Kind::out
+                                      ? result.data()
+                                      : numbers.data() + how % 8 * 8; // aligned for every type
             break;
         case Kind::enum_:
             if (!arg.accepted.empty() && how % 8 != 0)

@@ -165,10 +165,8 @@ std::vector<Expected> initial_state() {
         {GL_MAX_VIEWPORT_DIMS, {2048, 2048}},
         {GL_POINT_SIZE_RANGE, {1, 64}},
         {GL_ALIASED_POINT_SIZE_RANGE, {1, 64}},
-        {GL_POINT_SIZE_GRANULARITY, {1}},
         {GL_LINE_WIDTH_RANGE, {1, 64}},
         {GL_ALIASED_LINE_WIDTH_RANGE, {1, 64}},
-        {GL_LINE_WIDTH_GRANULARITY, {1}},
         {GL_AUX_BUFFERS, {0}},
         {GL_RGBA_MODE, {1}},
         {GL_INDEX_MODE, {0}},
@@ -218,6 +216,23 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG, {1}},
                                    {GL_EDGE_FLAG_ARRAY, {0}},
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    if (SPANGLE_FEATURE_ANTIALIASING)
+        for (GLenum name : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH})
+            table.push_back({name, {0}});
+    const double granularity = SPANGLE_FEATURE_ANTIALIASING ? 0.125 : 1;
+    for (GLenum name : {GL_SMOOTH_POINT_SIZE_GRANULARITY, GL_SMOOTH_LINE_WIDTH_GRANULARITY})
+        table.push_back({name, {granularity}});
+    if (SPANGLE_FEATURE_STIPPLE)
+        table.insert(table.end(), {{GL_LINE_STIPPLE, {0}},
+                                   {GL_LINE_STIPPLE_PATTERN, {0xFFFF}},
+                                   {GL_LINE_STIPPLE_REPEAT, {1}},
+                                   {GL_POLYGON_STIPPLE, {0}}});
+    if (SPANGLE_FEATURE_POLYGON_OFFSET)
+        table.insert(table.end(), {{GL_POLYGON_OFFSET_FACTOR, {0}},
+                                   {GL_POLYGON_OFFSET_UNITS, {0}},
+                                   {GL_POLYGON_OFFSET_POINT, {0}},
+                                   {GL_POLYGON_OFFSET_LINE, {0}},
+                                   {GL_POLYGON_OFFSET_FILL, {0}}});
     if (SPANGLE_FEATURE_BUFFERS)
         for (GLenum name = GL_ARRAY_BUFFER_BINDING; name <= GL_EDGE_FLAG_ARRAY_BUFFER_BINDING; ++name)
             if ((SPANGLE_FEATURE_COLOR_INDEX || name != GL_INDEX_ARRAY_BUFFER_BINDING) &&
@@ -353,15 +368,16 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
                 EXPECT_EQ(n[i], static_cast<GLint>(v)) << std::hex << e.name;
             }
 #if SPANGLE_FEATURE_FIXED_POINT
-            const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
-                              e.name == GL_LINE_WIDTH || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
-                              e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN ||
-                              e.name == GL_FOG_END || e.name == GL_FOG_INDEX ||
-                              e.name == GL_CURRENT_FOG_COORDINATE || e.name == GL_CURRENT_TEXTURE_COORDS ||
-                              e.name == GL_CURRENT_INDEX || e.name == GL_CURRENT_RASTER_POSITION ||
-                              e.name == GL_CURRENT_RASTER_DISTANCE || e.name == GL_CURRENT_RASTER_INDEX ||
-                              e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
-                              (e.name >= GL_RED_SCALE && e.name <= GL_DEPTH_BIAS);
+            const bool real =
+                linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
+                e.name == GL_LINE_WIDTH || e.name == GL_POINT_SIZE_GRANULARITY ||
+                e.name == GL_LINE_WIDTH_GRANULARITY || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
+                e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN || e.name == GL_FOG_END ||
+                e.name == GL_FOG_INDEX || e.name == GL_CURRENT_FOG_COORDINATE ||
+                e.name == GL_CURRENT_TEXTURE_COORDS || e.name == GL_CURRENT_INDEX ||
+                e.name == GL_CURRENT_RASTER_POSITION || e.name == GL_CURRENT_RASTER_DISTANCE ||
+                e.name == GL_CURRENT_RASTER_INDEX || e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
+                (e.name >= GL_RED_SCALE && e.name <= GL_DEPTH_BIAS);
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
 #endif
         }

@@ -113,6 +113,10 @@ void CullFace(Context& context, GLenum mode);
 void PolygonMode(Context& context, GLenum face, GLenum mode);
 void PointSize(Context& context, Real size);
 void LineWidth(Context& context, Real width);
+void LineStipple(Context& context, GLint factor, GLushort pattern);
+void PolygonStipple(Context& context, const GLubyte* pattern);
+void GetPolygonStipple(Context& context, GLubyte* pattern);
+void PolygonOffset(Context& context, Real factor, Real units);
 
 // Fragments, framebuffer, pixels, fog, hints (GL 1.3, 3.6, 3.10, 4, 5.5, 5.6).
 void Scissor(Context& context, GLint x, GLint y, GLsizei width, GLsizei height);
@@ -231,6 +235,7 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices);
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei primcount);
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
+void PolygonStipple(Context& context, const GLubyte* pattern);
 void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
 void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
@@ -914,6 +919,34 @@ struct LineWidth {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glLineWidth between glBegin and glEnd");
+};
+struct LineStipple {
+    static constexpr auto run = &cmd::LineStipple;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glLineStipple between glBegin and glEnd");
+};
+struct PolygonStipple {
+    static constexpr auto run = &cmd::PolygonStipple;
+    static constexpr auto encode = &encode::PolygonStipple;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPolygonStipple between glBegin and glEnd");
+};
+struct GetPolygonStipple {
+    static constexpr auto run = &cmd::GetPolygonStipple;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetPolygonStipple between glBegin and glEnd");
+};
+struct PolygonOffset {
+    static constexpr auto run = &cmd::PolygonOffset;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPolygonOffset between glBegin and glEnd");
 };
 struct Scissor {
     static constexpr auto run = &cmd::Scissor;

@@ -240,6 +240,38 @@ void GLAPIENTRY glLineWidthxOES(GLfixed width) {
 
 #endif
 
+#if SPANGLE_FEATURE_STIPPLE
+
+void GLAPIENTRY glLineStipple(GLint factor, GLushort pattern) {
+    issue<family::LineStipple>(factor, pattern);
+}
+
+void GLAPIENTRY glPolygonStipple(const GLubyte* pattern) {
+    issue<family::PolygonStipple>(pattern);
+}
+
+void GLAPIENTRY glGetPolygonStipple(GLubyte* pattern) {
+    issue<family::GetPolygonStipple>(pattern);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_OFFSET
+
+void GLAPIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
+    issue<family::PolygonOffset>(convert::cast_f(factor), convert::cast_f(units));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_OFFSET && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units) {
+    issue<family::PolygonOffset>(convert::cast_x(factor), convert::cast_x(units));
+}
+
+#endif
+
 #if !SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glPointSizexOES(GLfixed) {
@@ -400,6 +432,46 @@ void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
 
 void GLAPIENTRY glPolygonMode(GLenum, GLenum) {
     refuse_feature(SPANGLE_TEXT("glPolygonMode: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POLYGON_OFFSET
+
+void GLAPIENTRY glPolygonOffset(GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glPolygonOffset: this build has no SPANGLE_FEATURE_POLYGON_OFFSET"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POLYGON_OFFSET
+
+void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_POLYGON_OFFSET"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POLYGON_OFFSET && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_STIPPLE
+
+void GLAPIENTRY glLineStipple(GLint, GLushort) {
+    refuse_feature(SPANGLE_TEXT("glLineStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
+}
+
+void GLAPIENTRY glPolygonStipple(const GLubyte*) {
+    refuse_feature(SPANGLE_TEXT("glPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
+}
+
+void GLAPIENTRY glGetPolygonStipple(GLubyte*) {
+    refuse_feature(SPANGLE_TEXT("glGetPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
 }
 
 #endif

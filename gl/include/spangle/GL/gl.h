@@ -648,6 +648,22 @@ GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 #define GL_LINE_WIDTH 0x0B21
 #define GL_LINE_WIDTH_RANGE 0x0B22
 #define GL_LINE_WIDTH_GRANULARITY 0x0B23
+#define GL_POINT_SMOOTH 0x0B10
+#define GL_LINE_SMOOTH 0x0B20
+#define GL_POLYGON_SMOOTH 0x0B41
+#define GL_SMOOTH_POINT_SIZE_RANGE 0x0B12
+#define GL_SMOOTH_POINT_SIZE_GRANULARITY 0x0B13
+#define GL_SMOOTH_LINE_WIDTH_RANGE 0x0B22
+#define GL_SMOOTH_LINE_WIDTH_GRANULARITY 0x0B23
+#define GL_LINE_STIPPLE 0x0B24
+#define GL_LINE_STIPPLE_PATTERN 0x0B25
+#define GL_LINE_STIPPLE_REPEAT 0x0B26
+#define GL_POLYGON_STIPPLE 0x0B42
+#define GL_POLYGON_OFFSET_UNITS 0x2A00
+#define GL_POLYGON_OFFSET_POINT 0x2A01
+#define GL_POLYGON_OFFSET_LINE 0x2A02
+#define GL_POLYGON_OFFSET_FILL 0x8037
+#define GL_POLYGON_OFFSET_FACTOR 0x8038
 #define GL_ALIASED_POINT_SIZE_RANGE 0x846D
 #define GL_ALIASED_LINE_WIDTH_RANGE 0x846E
 GLAPI void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param);
@@ -683,6 +699,11 @@ GLAPI void GLAPIENTRY glPointSize(GLfloat size);
 GLAPI void GLAPIENTRY glPointSizexOES(GLfixed size);
 GLAPI void GLAPIENTRY glLineWidth(GLfloat width);
 GLAPI void GLAPIENTRY glLineWidthxOES(GLfixed width);
+GLAPI void GLAPIENTRY glLineStipple(GLint factor, GLushort pattern);
+GLAPI void GLAPIENTRY glPolygonStipple(const GLubyte* pattern);
+GLAPI void GLAPIENTRY glGetPolygonStipple(GLubyte* pattern);
+GLAPI void GLAPIENTRY glPolygonOffset(GLfloat factor, GLfloat units);
+GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 
 /* Fragments, framebuffer, pixels, fog, hints (GL 1.3, 3.6, 3.10, 4, 5.5, 5.6) */
 #define GL_NONE 0

@@ -199,6 +199,10 @@ struct FragmentState {
     Tier tier = Tier::exact;       ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
     Tier fog_tier = Tier::exact;   ///< FOG_HINT
     bool count = false;            ///< count passing fragments in Counters::passed (costs time)
+    // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.
+    bool coverage = false;     ///< alpha is multiplied by it: antialiasing (GL 1.3, 3.11)
+    bool depth_offset = false; ///< of polygons (GL 1.3, 3.5.5)
+    const std::uint32_t* polygon_stipple = nullptr; ///< 32 rows, bit x: column x is drawn; null: off
 };
 
 } // namespace spangle::raster

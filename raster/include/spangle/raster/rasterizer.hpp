@@ -54,7 +54,7 @@ class Rasterizer {
   private:
     Surface surface_;
     /// The compiled state (raster/span/draw_state.hpp), whose parts are nobody else's business.
-    alignas(8) std::byte state_[256 + 80 * sizeof(void*)];
+    alignas(8) std::byte state_[320 + 112 * sizeof(void*)];
 };
 
 } // namespace spangle::raster

@@ -1,0 +1,65 @@
+#include "raster/primitive/area.hpp"
+
+namespace spangle::raster {
+
+bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32_t row) {
+    down_ = from.y > to.y;
+    const OutlinePoint &a = down_ ? to : from, &b = down_ ? from : to;
+    const std::int32_t bottom = row * outline_one, top = bottom + outline_one;
+    const std::int32_t y0 = a.y > bottom ? a.y : bottom, y1 = b.y < top ? b.y : top;
+    if (y0 >= y1)
+        return false;
+    // Both rows beside a boundary round alike there. |y - a.y| and |dx| < 2^27.
+    const auto at = [&](std::int32_t y) {
+        constexpr int up = 16 - outline_bits;
+        const std::int64_t along = std::int64_t{y - a.y} * (b.x - a.x) * (1 << up);
+        return a.x * (1 << up) + static_cast<std::int32_t>(along / (b.y - a.y));
+    };
+    low_ = at(y0);
+    high_ = at(y1);
+    height_ = y1 - y0;
+    return true;
+}
+
+std::int64_t RowEdge::beyond(std::int32_t column) const {
+    const std::int64_t u = low_ - std::int64_t{column} * (1 << 16),
+                       v = high_ - std::int64_t{column} * (1 << 16);
+    if (u <= 0 && v <= 0)
+        return 0;
+    if (u >= 0 && v >= 0)
+        return (u + v) * height_;
+    const std::int64_t positive = u > 0 ? u : v, width = u > 0 ? u - v : v - u; // a triangle
+    return positive * positive / width * height_;
+}
+
+AreaRow::AreaRow(const OutlinePoint* corner, int corners, std::int32_t row) {
+    for (int i = 0; i < corners && edges_ < most_edges; ++i) {
+        RowEdge& edge = edge_[edges_];
+        if (!edge.enter(corner[i], corner[i + 1 < corners ? i + 1 : 0], row))
+            continue;
+        first_ = edge.first() < first_ ? edge.first() : first_;
+        last_ = edge.last() > last_ ? edge.last() : last_;
+        ++edges_;
+    }
+}
+
+std::uint32_t AreaRow::coverage(std::int32_t column) const {
+    std::int64_t sum = 0;
+    for (int i = 0; i < edges_; ++i)
+        sum += edge_[i].covers(column);
+    const std::uint64_t size = numeric::abs_u64(sum);
+    return size < full_coverage ? static_cast<std::uint32_t>(size) : full_coverage;
+}
+
+std::int32_t AreaRow::plain_end(std::int32_t column) const {
+    std::int32_t end = last_ + 1;
+    for (int i = 0; i < edges_; ++i) {
+        if (column >= edge_[i].first() && column <= edge_[i].last())
+            return column;
+        if (edge_[i].first() > column && edge_[i].first() < end)
+            end = edge_[i].first();
+    }
+    return end;
+}
+
+} // namespace spangle::raster

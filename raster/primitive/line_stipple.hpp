@@ -1,0 +1,46 @@
+// The stipple of lines (GL 1.3, 3.4.2): which fragments of a line are drawn, and where the next line goes on.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/primitive/diamond.hpp"
+
+namespace spangle::raster {
+
+struct LineStipple {
+    std::uint32_t pattern = 0xFFFF, factor = 1; ///< 16 bits; 1 .. 256
+    std::uint32_t position = 0; ///< of the next fragment; s of the specification modulo 16 factor
+
+    bool at(std::uint32_t s) const { return (pattern >> (s / factor & 15) & 1) != 0; }
+    void advance(std::uint32_t fragments) { position = (position + fragments) % (16 * factor); }
+};
+
+/// All fragments.
+struct SolidLine {
+    struct Kept {
+        constexpr bool operator()(std::int32_t) const { return true; }
+    };
+    Kept along(const DiamondWalk&) { return {}; }
+};
+
+/// Those a stipple leaves, counted from the first end point.
+struct StippledLine {
+    LineStipple& stipple;
+    struct Kept {
+        LineStipple stipple;
+        std::int32_t from; ///< major coordinate of the line's first fragment
+        bool ascends;
+        bool operator()(std::int32_t major) const {
+            return stipple.at(stipple.position +
+                              static_cast<std::uint32_t>(ascends ? major - from : from - major));
+        }
+    };
+    /// Of a line that is not cut yet; the stipple moves to its end.
+    Kept along(const DiamondWalk& walk) {
+        const Kept kept{stipple, walk.ascends ? walk.major : walk.major + walk.count - 1, walk.ascends};
+        stipple.advance(static_cast<std::uint32_t>(walk.count));
+        return kept;
+    }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,23 @@
+// The depth offset of a polygon (GL 1.3, 3.5.5): factor m + units r, m = max(|dz/dx|, |dz/dy|), r one code of
+// the depth buffer.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/numeric/real.hpp"
+#include "raster/span/primitive_state.hpp"
+#include "raster/span/vertex.hpp"
+#include <spangle/format.hpp>
+
+namespace spangle::raster {
+
+struct PolygonOffset {
+    numeric::Real factor = numeric::zero, units = numeric::zero;
+};
+
+/// That of the plane through three vertices, area2 their signed area; 0: a plane without slopes.
+template <class V>
+void set_depth_offset(PrimitiveState& out, const PolygonOffset& offset, DepthFormat format, const V& a,
+                      const V& b, const V& c, std::int64_t area2);
+
+} // namespace spangle::raster

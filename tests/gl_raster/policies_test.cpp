@@ -1,0 +1,121 @@
+// Stipples, offsets and antialiasing in every numeric policy: the shadow draws the product's bytes, the
+// reference in double nearly them.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+
+#include "gl/egl/reference.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr int size = 64;
+
+void draw_modes() {
+    std::mt19937 random(11);
+    const auto lot = [&](float low, float high) {
+        return low + (high - low) * static_cast<float>(random() % 10000) / 10000;
+    };
+    std::array<GLubyte, 128> pattern;
+    for (GLubyte& byte : pattern)
+        byte = static_cast<GLubyte>(random());
+    glPolygonStipple(pattern.data());
+    glMatrixMode(GL_PROJECTION);
+    glFrustum(-1, 1, -1, 1, 1, 10);
+    glMatrixMode(GL_MODELVIEW);
+    glTranslatef(0, 0, -3);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    constexpr GLenum caps[] = {GL_POINT_SMOOTH,        GL_LINE_SMOOTH,         GL_POLYGON_SMOOTH,
+                               GL_LINE_STIPPLE,        GL_POLYGON_STIPPLE,     GL_POLYGON_OFFSET_FILL,
+                               GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT};
+    constexpr GLenum modes[] = {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TRIANGLES, GL_QUADS, GL_POLYGON};
+    constexpr GLenum fills[] = {GL_FILL, GL_FILL, GL_LINE, GL_POINT};
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (int n = 0; n < 200; ++n) {
+        for (const GLenum cap : caps)
+            (random() % 2 != 0 ? glEnable : glDisable)(cap);
+        glPolygonMode(GL_FRONT_AND_BACK, fills[random() % 4]);
+        glPolygonOffset(lot(-2, 2), lot(-9, 9));
+        glLineStipple(static_cast<GLint>(1 + random() % 4), static_cast<GLushort>(random()));
+        glLineWidth(lot(0.5f, 6));
+        glPointSize(lot(0.5f, 9));
+        glBegin(modes[random() % 6]);
+        for (int i = 0; i < 6; ++i) {
+            glColor4f(lot(0, 1), lot(0, 1), lot(0, 1), lot(0.3f, 1));
+            glVertex3f(lot(-3, 3), lot(-3, 3), lot(-1, 1.5f));
+        }
+        glEnd();
+    }
+}
+
+struct Picture {
+    std::vector<GLubyte> color;
+    std::vector<GLuint> depth;
+};
+
+Picture picture_of(EGLint precision) {
+    const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr));
+    const EGLint wish[] = {EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_BIT,
+                           EGL_ALPHA_SIZE,
+                           8,
+                           EGL_DEPTH_SIZE,
+                           24,
+                           EGL_PRECISION_SPANGLE,
+                           precision,
+                           EGL_NONE};
+    const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    EXPECT_TRUE(eglChooseConfig(display, wish, &config, 1, &count) && count == 1);
+    const EGLSurface surface = eglCreatePbufferSurface(display, config, area);
+    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
+    EXPECT_TRUE(eglMakeCurrent(display, surface, surface, context));
+    draw_modes();
+    Picture out{std::vector<GLubyte>(4 * size * size), std::vector<GLuint>(size * size)};
+    glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, out.color.data());
+    glReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, out.depth.data());
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display, context);
+    eglDestroySurface(display, surface);
+    return out;
+}
+
+struct Policies : testing::Test {
+    void SetUp() override { egl::use_reference_engines(); }
+};
+
+TEST_F(Policies, ShadowDrawsThePicture) {
+    const Picture fixed = picture_of(EGL_PRECISION_EXACT_SPANGLE),
+                  shadow = picture_of(EGL_PRECISION_SHADOW_SPANGLE);
+    EXPECT_EQ(fixed.color, shadow.color);
+    EXPECT_EQ(fixed.depth, shadow.depth);
+}
+
+TEST_F(Policies, DoubleAgrees) {
+    const Picture fixed = picture_of(EGL_PRECISION_EXACT_SPANGLE),
+                  twin = picture_of(EGL_PRECISION_DOUBLE_SPANGLE);
+    int differ = 0, drawn = 0;
+    for (std::size_t i = 0; i < fixed.color.size(); ++i) {
+        drawn += fixed.color[i] != 0;
+        differ += std::abs(fixed.color[i] - twin.color[i]) > 2;
+    }
+    EXPECT_GT(drawn, size * size);
+    EXPECT_LE(differ,
+              4 * size * size / 200); // vertices that snap to other places, depths that are nearly equal
+}
+
+} // namespace
+} // namespace spangle::test

@@ -1,0 +1,151 @@
+// Row D12: depth offsets of polygons (GL 1.3, 3.5.5).
+#include <cmath>
+
+#include "tests/gl_raster/window.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr double codes = 16777215;
+
+class PolygonOffset : public Window {
+  protected:
+    void SetUp() override {
+        Window::SetUp();
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_ALWAYS);
+    }
+    /// Corners of a quad in a plane.
+    struct Plane {
+        double at, dx, dy;
+        double depth(double x, double y) const { return at + dx * x + dy * y; }
+    };
+    static void quad(const Plane& plane, double low = 8, double high = 56) {
+        const double corner[4][2] = {{low, low}, {high, low}, {high, high}, {low, high}};
+        for (const auto& c : corner)
+            glVertex3d(c[0], c[1], -plane.depth(c[0], c[1]));
+    }
+    static void draw(const Plane& plane) {
+        clear();
+        glBegin(GL_QUADS);
+        quad(plane);
+        glEnd();
+    }
+    static int difference(GLuint a, GLuint b) { return static_cast<int>(a) - static_cast<int>(b); }
+};
+
+/// r is one code: an offset of n units moves each fragment of a level polygon by n codes exactly.
+TEST_F(PolygonOffset, UnitsAreCodes) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    for (const int units : {0, 1, 2, -1, -7, 1000, -5000}) {
+        const Plane level{lot(0.2, 0.8), 0, 0};
+        glPolygonOffset(0, 0);
+        draw(level);
+        const auto before = depths();
+        glPolygonOffset(3, static_cast<GLfloat>(units)); // no slope, so the factor does not matter
+        draw(level);
+        const auto after = depths();
+        for (int y = 8; y < 56; ++y)
+            for (int x = 8; x < 56; ++x)
+                ASSERT_EQ(difference(after[y * size + x], before[y * size + x]), units);
+    }
+}
+
+TEST_F(PolygonOffset, FactorsMultiplyTheLargerSlope) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    for (int n = 0; n < 200; ++n) {
+        const Plane plane{0.5, lot(-0.002, 0.002), lot(-0.002, 0.002)};
+        const double factor = lot(-8, 8), units = std::floor(lot(-50, 50));
+        glPolygonOffset(0, 0);
+        draw(plane);
+        const auto before = depths();
+        glPolygonOffset(static_cast<GLfloat>(factor), static_cast<GLfloat>(units));
+        draw(plane);
+        const auto after = depths();
+        const double expected = factor * std::fmax(std::fabs(plane.dx), std::fabs(plane.dy)) * codes + units;
+        for (int y = 8; y < 56; y += 5)
+            for (int x = 8; x < 56; x += 3)
+                ASSERT_NEAR(difference(after[y * size + x], before[y * size + x]), expected,
+                            1.5 + std::fabs(factor)) // corners are rounded to Q0.30
+                    << n;
+    }
+}
+
+/// Each fragment is clamped by itself: the rest of a polygon keeps its slope.
+TEST_F(PolygonOffset, FragmentsAreClamped) {
+    const Plane plane{0, 1.0 / size, 0};
+    draw(plane);
+    const auto before = depths();
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    for (const double units : {0.4 * codes, -0.4 * codes, 3e9, -3e9, 3e38, -3e38}) {
+        glPolygonOffset(0, static_cast<GLfloat>(units));
+        draw(plane);
+        const auto after = depths();
+        for (int y = 8; y < 56; ++y)
+            for (int x = 8; x < 56; ++x) {
+                const double moved = before[y * size + x] + units;
+                ASSERT_NEAR(after[y * size + x], std::fmin(std::fmax(moved, 0), codes), 1) << units;
+            }
+    }
+    glPolygonOffset(3e38f, 0);
+    draw(plane);
+    EXPECT_EQ(depths()[30 * size + 30], static_cast<GLuint>(codes));
+}
+
+/// Three enables for three modes of polygons, none for lines and points of their own.
+TEST_F(PolygonOffset, EachModeHasItsEnable) {
+    constexpr GLenum enables[] = {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT};
+    constexpr GLenum modes[] = {GL_FILL, GL_LINE, GL_POINT};
+    const Plane plane{0.25, 0.001, 0.002};
+    glPolygonOffset(2, 100);
+    const double expected = 2 * 0.002 * codes + 100;
+    for (int on = 0; on < 3; ++on)
+        for (int mode = 0; mode < 3; ++mode) {
+            glPolygonMode(GL_FRONT_AND_BACK, modes[mode]);
+            glDisable(enables[on]);
+            draw(plane);
+            const auto before = depths();
+            glEnable(enables[on]);
+            draw(plane);
+            const auto after = depths();
+            glDisable(enables[on]);
+            int drawn = 0;
+            for (std::size_t i = 0; i < after.size(); ++i)
+                if (before[i] != codes) {
+                    ++drawn;
+                    ASSERT_NEAR(difference(after[i], before[i]), on == mode ? expected : 0, 4) << on << mode;
+                }
+            EXPECT_GT(drawn, mode == 2 ? 3 : 100);
+        }
+    for (const GLenum enable : enables)
+        glEnable(enable);
+    for (const GLenum primitive : {GL_POINTS, GL_LINE_LOOP}) {
+        clear();
+        glBegin(primitive);
+        quad({0.5, 0, 0}, 8.5, 50.5);
+        glEnd();
+        EXPECT_EQ(depths()[8 * size + 8], static_cast<GLuint>(codes / 2 + 0.5));
+    }
+}
+
+TEST_F(PolygonOffset, StencilSeesTheOffsetDepth) {
+    glPolygonOffset(0, 5);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glEnable(GL_STENCIL_TEST);
+    const Plane level{0.5, 0, 0};
+    draw(level);
+    glDepthFunc(GL_LESS);
+    glPolygonOffset(0, 4);
+    glBegin(GL_QUADS);
+    quad(level, 16, 32);
+    glEnd();
+    glPolygonOffset(0, 6);
+    glBegin(GL_QUADS);
+    quad(level, 32, 48);
+    glEnd();
+    const auto z = depths();
+    EXPECT_EQ(difference(z[20 * size + 20], z[40 * size + 40]), -1);
+}
+
+} // namespace
+} // namespace spangle::test
