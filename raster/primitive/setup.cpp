@@ -144,8 +144,9 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
     const Needs& needs = state_.needs;
     if (Rgb || needs.rgb) {
+        const int some = !Rgb && state_.textured_or_fogged && span_.gray ? 1 : 3;
 #pragma GCC unroll 3
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < some; ++i)
             add(primary(), i, span_.color_value[i], span_.color_q[i]);
     }
     if (!Rgb && needs.alpha)
@@ -296,6 +297,8 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     // One colour is, in smooth shading, the one its corners share: the provoking vertex need not be a corner
     // (quads and clipped polygons are drawn in parts).
     const bool flat = !Rgb && state_.fragment.flat;
+    if constexpr (!Rgb)
+        span_.gray = false; // else nobody asks
     const Vertex& painted = flat ? provoking : *v_[0];
     const std::uint32_t bits = flat ? 0 : color_bits<Rgb>();
     if (state_.needs.z)

@@ -77,6 +77,7 @@ template <> class Setup<Fixed> {
     template <bool Rgb> std::uint32_t color_bits() const;
     bool nearly_affine(std::uint32_t bits) const;
     bool colors_affine(std::uint32_t bits) const;
+    bool grays(std::uint32_t color_bits, const Vertex& painted) const;
     ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
     ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
     Kind choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,

@@ -189,6 +189,12 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
     return affine ? Kind::affine : Kind::textured;
 }
 
+/// One colour, or three.
+bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
+    const auto gray = [](const Vertex& v) { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
+    return color_bits == 0 ? gray(painted) : gray(*v_[0]) && gray(*v_[1]) && gray(*v_[2]);
+}
+
 void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
     const Needs& needs = state_.needs;
     UnitValues units[max_texture_units];
@@ -207,6 +213,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
         q_least_ = 1u << 29;
     }
     span_.kind = choose_kind(units, same_w, color_bits, fog);
+    span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && grays(color_bits, painted);
 
     if (span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, q_);

@@ -78,6 +78,7 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     }
     if (const FusedSpan* const fused = find_fused(key); fused != nullptr) {
         variant.run = reinterpret_cast<AnyFunction>(fused->run);
+        variant.gray = fused->gray;
         variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
         variant.tile = fused->tile;
     }

@@ -53,6 +53,7 @@ struct Variant {
     AnyFunction walk = nullptr;             ///< PathFunction, or null: paths are drawn as rows
     TileFunction tile = nullptr;            ///< or null: tiles are drawn as rows
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
+    bool gray = false;                      ///< `run` asks Span::gray
     std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
 };
 

@@ -28,11 +28,11 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
     } while (++i != stop);
 }
 
-/// n pixels from `begin`, one lane.
+/// n pixels from `begin`, one lane. The list is at the first of them.
 template <class N, class List>
-SPANGLE_INLINE void fused_narrow(const Span<typename N::Policy>& span, std::int32_t begin, std::int32_t n) {
+SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
+                                 std::int32_t n) {
     static_assert(N::lanes == 1);
-    List list(span, begin);
     std::int32_t i = 0;
     do {
         std::int32_t stop = n;
@@ -158,8 +158,23 @@ template <class Case> SPANGLE_INLINE void fused_plain_row(const Span<Fixed>& spa
 }
 
 template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
-    fused_narrow<typename Case::template System<1>, typename Case::template List<1>>(span, row.first - span.x,
-                                                                                     row.last - row.first);
+    typename Case::template List<1> list(span, row.first - span.x);
+    fused_narrow<typename Case::template System<1>>(list, span, row.first - span.x, row.last - row.first);
+}
+
+/// One list for all rows.
+template <class Case>
+SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    enter_fused<Case>(span, *row);
+    typename Case::template List<1> list(span, row->first - span.x);
+    for (;;) {
+        fused_narrow<typename Case::template System<1>>(list, span, row->first - span.x,
+                                                        row->last - row->first);
+        if (++row == end)
+            return;
+        enter_fused<Case>(span, *row);
+        list.start(span, row->first - span.x);
+    }
 }
 
 /// One list for all rows: what it has of the primitive is found once. Fewer than eight pixels are one group
@@ -260,16 +275,16 @@ template <class Case, int Wide = host_lanes>
         do
             fused_plain_row<Case>(span, *row);
         while (++row != end);
+    } else if constexpr (Wide == 1 || !Case::wide) {
+        fused_narrow_rows<Case>(span, row, end);
     } else {
         do {
             const std::int32_t n = row->last - row->first;
             enter_fused<Case>(span, *row);
-            if constexpr (Wide == 8 && Case::wide) {
-                if (n >= 8) {
-                    typename Case::template List<8> list(span, row->first - span.x);
-                    fused_wide<typename Case::template System<8>>(list, span, row->first - span.x, n);
-                    continue;
-                }
+            if (n >= 8) {
+                typename Case::template List<8> list(span, row->first - span.x);
+                fused_wide<typename Case::template System<8>>(list, span, row->first - span.x, n);
+                continue;
             }
             fused_narrow_row<Case>(span, *row);
         } while (++row != end);

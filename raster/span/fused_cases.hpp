@@ -35,7 +35,8 @@ constexpr bool fusible(const Key& key) {
            key.depth_format != DepthFormat::z24s8;
 }
 
-template <Key K> class FusedCase {
+/// Gray: for primitives whose colours are, only.
+template <Key K, bool Gray = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool raw = K.number == Number::raw565, exact = K.number == Number::exact;
     static constexpr bool textured = K.unit[0].on;
@@ -78,6 +79,8 @@ template <Key K> class FusedCase {
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<FlatWord<L>>{};
+            else if constexpr (Gray)
+                return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
             else if constexpr (K.color && full)
                 return std::type_identity<GouraudDivided<N, K.color_alpha>>{};
             else if constexpr (K.color)
@@ -135,6 +138,10 @@ template <Key K> class FusedCase {
     static constexpr bool plain = raw && !textured;
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
+    /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
+    static constexpr bool splits_gray = K.fog && K.color && !K.color_alpha && textured &&
+                                        K.unit[0].env == TexEnv::modulate &&
+                                        K.unit[0].texels == TexelFormat::rgb565;
     /// Fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
@@ -155,6 +162,14 @@ template <Key K> class FusedCase {
             return nullptr;
     }
 
+    template <int Wide> static void run_lanes(Span<Fixed>& span, const Row* row, const Row* end) {
+        if constexpr (splits_gray) {
+            if (span.gray)
+                return fused<FusedCase<K, true>, Wide>(span, row, end);
+        }
+        fused<FusedCase, Wide>(span, row, end);
+    }
+
     static void run(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (K.number == Number::raw565 && K.kind == Kind::flat && !tested) {
             using Out = StoreRaw<1, K.format>;
@@ -165,7 +180,7 @@ template <Key K> class FusedCase {
                 fill16(span.color, word, row->last - row->first);
             } while (++row != end);
         } else {
-            fused<FusedCase>(span, row, end);
+            run_lanes<host_lanes>(span, row, end);
         }
     }
 };

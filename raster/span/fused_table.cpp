@@ -60,9 +60,10 @@ struct Say {
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
-    return {Case::key, &Case::run, Case::walk(), nullptr, nullptr};
+    return {Case::key, &Case::run, Case::splits_gray, Case::walk(), nullptr, nullptr};
 #else
-    return {Case::key, &Case::run, Case::walk(), Case::tile(), &fused<Case, 1>};
+    return {Case::key,    &Case::run,   Case::splits_gray,
+            Case::walk(), Case::tile(), &Case::template run_lanes<1>};
 #endif
 }
 
@@ -139,7 +140,8 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
-    // The exact tier: smooth shading under perspective (S6), filtered, sprites, lit textures with and without fog.
+    // The exact tier: smooth shading under perspective (S6), filtered, sprites, lit textures with and without
+    // fog.
     entry<fine_full.depth(less)>(),
     entry<fine_full.depth(lequal)>(),
     entry<fine.texture(t888, rgb, linear, replace)>(),

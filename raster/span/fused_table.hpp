@@ -13,6 +13,7 @@ namespace spangle::raster {
 struct FusedSpan {
     Key key;
     RowsFunction<Fixed> run;
+    bool gray;                  ///< Variant::gray
     PathFunction walk;          ///< null where paths are drawn as rows
     TileFunction tile;          ///< null where tiles are drawn as rows
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware

@@ -292,8 +292,10 @@ ShadowReport* shadow_report() {
 template <> DrawState compile<ShadowVertex>(const FragmentState& state, const Surface& target) {
     DrawState draw = compile<FixedVertex>(state, target);
     for (int i = 0; i < kind_count; ++i)
-        if (draw.variant[i].run != nullptr)
-            draw.variant[i].run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);
+        if (Variant& variant = draw.variant[i]; variant.run != nullptr) {
+            variant.run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);
+            variant.gray = false;
+        }
     return draw;
 }
 

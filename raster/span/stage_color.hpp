@@ -53,6 +53,20 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 };
 
+/// Red, green and blue are one plane, alpha is 1: white light, or none.
+template <class N> struct GouraudGray : StageBase {
+    static constexpr unsigned out = field_color;
+    Ramp<typename N::L> v;
+    SPANGLE_INLINE GouraudGray(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.color_value[0]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::T c = N::from_affine(v.at);
+        p.color = {c, c, c, N::from_units(color_one)};
+        return true;
+    }
+    SPANGLE_INLINE void step() { v.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.color_value[0]); }
+};
+
 /// In place of a primary colour that a texture replaces.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;

@@ -12,7 +12,12 @@ namespace spangle::raster {
 class GuardedRamp {
   public:
     SPANGLE_INLINE GuardedRamp(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
-        : at_(span.at(x, plane) << up), by_(plane.dx << up) {}
+        : by_(plane.dx << up) {
+        start(span, x, plane);
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane) {
+        at_ = span.at(x, plane) << up;
+    }
     /// unguarded().
     SPANGLE_INLINE std::int32_t value() const {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(at_ >> 32));
@@ -33,6 +38,21 @@ template <class N> struct Divide : StageBase {
         return true;
     }
     SPANGLE_INLINE void step() { q.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { q.start(s, x, s.q); }
+};
+
+/// GouraudGray.
+template <class N> struct GouraudGrayDivided : StageBase {
+    static constexpr unsigned out = field_color;
+    GuardedRamp v;
+    SPANGLE_INLINE GouraudGrayDivided(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.color_q[0]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::T c = N::from_units(detail::projective_color(v.value(), p.inverse));
+        p.color = {c, c, c, N::from_units(color_one)};
+        return true;
+    }
+    SPANGLE_INLINE void step() { v.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.color_q[0]); }
 };
 
 /// GouraudQ.
@@ -60,6 +80,13 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
         if constexpr (Alpha)
             a.step();
     }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+        r.start(s, x, s.color_q[0]);
+        g.start(s, x, s.color_q[1]);
+        b.start(s, x, s.color_q[2]);
+        if constexpr (Alpha)
+            a.start(s, x, s.color_q[3]);
+    }
 
   private:
     SPANGLE_INLINE static auto alpha(const Span<Fixed>& s, std::int32_t x) {
@@ -82,6 +109,7 @@ template <class N> struct FogCoordDivided : StageBase {
         return true;
     }
     SPANGLE_INLINE void step() { f.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { f.start(s, x, s.fog_q); }
 
   private:
     SPANGLE_INLINE std::uint32_t coordinate(const Inverse& inverse) const {
@@ -114,6 +142,11 @@ template <class T, int Unit> class NearestDivided : public T {
     SPANGLE_INLINE void step() {
         s_.step();
         t_.step();
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
+        x_ = x;
+        s_.start(span, x, span.unit[Unit].s);
+        t_.start(span, x, span.unit[Unit].t);
     }
 
   private:

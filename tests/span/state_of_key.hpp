@@ -49,6 +49,7 @@ struct StateOfKey {
 inline DrawState in_chain(DrawState state, Number number) {
     for (int i = 0; i < kind_count; ++i) {
         state.variant[i].run = chain_runner(number);
+        state.variant[i].gray = false;
         state.variant[i].walk = nullptr;
     }
     state.tiles = false;
