@@ -109,4 +109,8 @@ void bits(const Context& context, GLenum name, Param* out) {
         out[0] = integer(colors[name - GL_RED_BITS]);
 }
 
+void accum_bits(const Context& context, GLenum, Param* out) {
+    out[0] = integer(context.drawable.surface.accum != nullptr ? 16 : 0);
+}
+
 } // namespace spangle::gl::computed_state

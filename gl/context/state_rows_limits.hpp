@@ -73,10 +73,10 @@ inline constexpr auto limits_rows = std::to_array<StateRow>({
     computed(GL_INDEX_BITS, Kind::integer, 1, computed_state::index_mode),
     computed(GL_DEPTH_BITS, Kind::integer, 1, computed_state::bits),
     computed(GL_STENCIL_BITS, Kind::integer, 1, computed_state::bits),
-    constant(GL_ACCUM_RED_BITS, 0),
-    constant(GL_ACCUM_GREEN_BITS, 0),
-    constant(GL_ACCUM_BLUE_BITS, 0),
-    constant(GL_ACCUM_ALPHA_BITS, 0),
+    computed(GL_ACCUM_RED_BITS, Kind::integer, 1, computed_state::accum_bits),
+    computed(GL_ACCUM_GREEN_BITS, Kind::integer, 1, computed_state::accum_bits),
+    computed(GL_ACCUM_BLUE_BITS, Kind::integer, 1, computed_state::accum_bits),
+    computed(GL_ACCUM_ALPHA_BITS, Kind::integer, 1, computed_state::accum_bits),
 });
 
 #undef SELECTION_ROW

@@ -93,9 +93,7 @@ void release(Display& display, Surface* surface) {
     if (!surface->destroyed || surface->bindings != 0)
         return;
     unlink(display.surfaces, surface);
-    arena().free(surface->color);
-    arena().free(surface->depth);
-    arena().free(surface);
+    free_surface(surface);
 }
 
 void release(Display& display, Context* context) {

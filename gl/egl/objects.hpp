@@ -29,6 +29,7 @@ struct Surface {
     unsigned bindings = 0;         ///< contexts it is current to
     std::uint8_t* color = nullptr; ///< a pbuffer's own; a window's belongs to the display
     std::uint8_t* depth = nullptr;
+    std::int16_t* accum = nullptr;
     hal::Frame frame; ///< of a window
 };
 
@@ -67,6 +68,9 @@ Context* find_context(Display& display, EGLContext handle);
 
 /// The one memory of the program.
 gl::Arena& arena();
+
+/// A surface's memory.
+void free_surface(Surface* surface);
 
 /// Frees the object when nothing holds it any more.
 void release(Display& display, Surface* surface);

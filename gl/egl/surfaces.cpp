@@ -1,9 +1,11 @@
 // Windows, pbuffers, and what SwapBuffers does (EGL 1.4, 3.5, 3.9).
 #include "gl/context/error.hpp"
+#include "gl/context/features.hpp"
 #include "gl/context/limits.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
 
+#include <initializer_list>
 #include <new>
 
 namespace spangle::egl {
@@ -16,29 +18,51 @@ std::int32_t bytes_per_depth(DepthFormat format) {
     return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
 }
 
-/// A surface with its buffers, or null with nothing kept. `own_color`: the colour buffer comes from the
-/// arena.
-Surface* make(const Config& config, std::int32_t width, std::int32_t height, bool own_color) {
+constexpr EGLint accum_bits = 16;
+
+/// What a surface has beyond its config.
+struct Extras {
+    bool color = false; ///< a colour buffer from the arena
+    bool accum = false;
+};
+
+/// A surface with its buffers, or null with nothing kept.
+Surface* make(const Config& config, std::int32_t width, std::int32_t height, const Extras& extras) {
     gl::Arena& a = arena();
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     void* const memory = a.allocate(sizeof(Surface));
-    void* const color = own_color ? a.allocate(pixels * format_info(config.format).bytes_per_pixel) : nullptr;
-    const bool has_depth = config.depth != DepthFormat::none;
-    void* const depth =
-        has_depth ? a.allocate(pixels * static_cast<std::size_t>(bytes_per_depth(config.depth))) : nullptr;
-    if (memory == nullptr || (own_color && color == nullptr) || (has_depth && depth == nullptr)) {
-        a.free(depth);
-        a.free(color);
-        a.free(memory);
+    if (memory == nullptr)
         return nullptr;
-    }
     auto* const surface = new (memory) Surface;
     surface->config = config;
     surface->width = width;
     surface->height = height;
-    surface->color = static_cast<std::uint8_t*>(color);
-    surface->depth = static_cast<std::uint8_t*>(depth);
+    bool whole = true;
+    const auto plane = [&](bool wanted, std::int32_t bytes_per_pixel) -> void* {
+        void* const bytes = wanted ? a.allocate(pixels * static_cast<std::size_t>(bytes_per_pixel)) : nullptr;
+        whole = whole && wanted == (bytes != nullptr);
+        return bytes;
+    };
+    surface->color =
+        static_cast<std::uint8_t*>(plane(extras.color, format_info(config.format).bytes_per_pixel));
+    surface->depth =
+        static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, bytes_per_depth(config.depth)));
+    surface->accum = static_cast<std::int16_t*>(plane(extras.accum, 4 * accum_bits / 8));
+    if (!whole) {
+        free_surface(surface);
+        return nullptr;
+    }
     return surface;
+}
+
+/// False: not the attribute of accumulation buffers. A wish for more bits than there are is an error.
+bool read_accum(const EGLint* at, bool& accum, EGLint& problem) {
+    if (at[0] != EGL_ACCUM_SIZE_SPANGLE)
+        return false;
+    if (at[1] < 0 || at[1] > accum_bits || !SPANGLE_FEATURE_ACCUM)
+        problem = EGL_BAD_MATCH;
+    accum = at[1] > 0;
+    return true;
 }
 
 EGLSurface keep(Display& display, Surface* surface) {
@@ -60,25 +84,31 @@ bool next_frame(Display& display, Surface& surface) {
 }
 
 /// EGL_SUCCESS, or the error in the list. `single`: a window without a back buffer is wished.
-EGLint read_window(const EGLint* list, bool& single) {
+EGLint read_window(const EGLint* list, bool& single, bool& accum) {
+    EGLint problem = EGL_SUCCESS;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        if (read_accum(list, accum, problem))
+            continue;
         if (list[0] != EGL_RENDER_BUFFER)
             return EGL_BAD_ATTRIBUTE;
         if (list[1] != EGL_SINGLE_BUFFER && list[1] != EGL_BACK_BUFFER)
             return EGL_BAD_PARAMETER;
         single = list[1] == EGL_SINGLE_BUFFER;
     }
-    return EGL_SUCCESS;
+    return problem;
 }
 
 struct PbufferWish {
     EGLint width = 0, height = 0;
-    bool largest = false;
+    bool largest = false, accum = false;
 };
 
 /// 0, or the error in the list.
 EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
+    EGLint problem = 0;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        if (read_accum(list, out.accum, problem))
+            continue;
         switch (list[0]) {
         case EGL_WIDTH:
             out.width = list[1];
@@ -100,10 +130,16 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
             return EGL_BAD_ATTRIBUTE;
         }
     }
-    return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : 0;
+    return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
 } // namespace
+
+void free_surface(Surface* surface) {
+    for (void* const plane : {static_cast<void*>(surface->color), static_cast<void*>(surface->depth),
+                              static_cast<void*>(surface->accum), static_cast<void*>(surface)})
+        arena().free(plane);
+}
 
 bool present(Display& display, Surface& surface) {
     const hal::Result<void> shown = display.native->present();
@@ -153,6 +189,7 @@ raster::Surface pixels_of(const Surface& surface) {
         out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);
         out.depth = surface.depth - static_cast<std::intptr_t>(last) * out.depth_stride;
     }
+    out.accum = surface.accum;
     return out;
 }
 
@@ -173,9 +210,9 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         problem = EGL_BAD_MATCH;
     if (problem == EGL_SUCCESS && win != 0)
         problem = EGL_BAD_NATIVE_WINDOW;
-    bool single = false;
+    bool single = false, accum = false;
     if (problem == EGL_SUCCESS)
-        problem = read_window(attrib_list, single);
+        problem = read_window(attrib_list, single, accum);
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
         if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
@@ -185,7 +222,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         return EGL_NO_SURFACE;
     }
     const spangle::hal::DisplayInfo info = display->native->info();
-    Surface* const surface = make(found, info.width, info.height, false);
+    Surface* const surface = make(found, info.width, info.height, {false, accum});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC,
              SPANGLE_TEXT("eglCreateWindowSurface: no memory for the depth buffer; see spangle::memory"));
@@ -197,8 +234,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
     surface->back_buffered = !single || !info.keeps_buffer;
     if (!next_frame(*display, *surface)) {
         const EGLint error = thread().error;
-        arena().free(surface->depth);
-        arena().free(surface);
+        free_surface(surface);
         fail(error);
         return EGL_NO_SURFACE;
     }
@@ -219,7 +255,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
         return EGL_NO_SURFACE;
     }
     const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
-    Surface* const surface = make(found, cut(wish.width), cut(wish.height), true);
+    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreatePbufferSurface: not enough memory; see spangle::memory"));
         return EGL_NO_SURFACE;
@@ -260,6 +296,9 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         break;
     case EGL_RENDER_BUFFER:
         *value = s->window && !s->wants_single ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
+        break;
+    case EGL_ACCUM_SIZE_SPANGLE:
+        *value = s->accum != nullptr ? accum_bits : 0;
         break;
     case EGL_SWAP_BEHAVIOR:
         *value = EGL_BUFFER_DESTROYED;

@@ -4,8 +4,26 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "raster/surface/accum.hpp"
 
 namespace spangle::gl::cmd {
+
+namespace {
+
+/// Sees the scissor rectangle and nothing else.
+void clear_accum([[maybe_unused]] const Context& context, [[maybe_unused]] const spangle::Rect& area) {
+#if SPANGLE_FEATURE_ACCUM
+    if (context.drawable.surface.accum == nullptr)
+        return;
+    std::int16_t value[4];
+    for (int c = 0; c < 4; ++c) // k / 32767, halves away from zero
+        value[c] = static_cast<std::int16_t>(numeric::to_i32_round(
+            numeric::mul(context.fragment_ops.accum_clear[c], numeric::from_i32(raster::accum_one))));
+    raster::clear_accum(context.drawable.surface, area, value);
+#endif
+}
+
+} // namespace
 
 void Clear(Context& context, GLbitfield mask) {
     constexpr GLbitfield known =
@@ -28,6 +46,8 @@ void Clear(Context& context, GLbitfield mask) {
     request.z = static_cast<std::uint32_t>(numeric::to_fixed(ops.depth_clear, 30));
     request.stencil = static_cast<std::uint8_t>(ops.stencil_clear);
     raster::clear(context.drawable.surface, request);
+    if ((mask & GL_ACCUM_BUFFER_BIT) != 0)
+        clear_accum(context, request.area);
 }
 
 } // namespace spangle::gl::cmd

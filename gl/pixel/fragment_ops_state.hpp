@@ -41,6 +41,7 @@ struct FragmentOpsState {
     bool dither = true;
     bool color_mask[4] = {true, true, true, true};
     Real color_clear[4] = {};
+    Real accum_clear[4] = {};
     GLenum draw_buffer = GL_FRONT, read_buffer = GL_FRONT; ///< BACK when the first drawable has one
 };
 

@@ -122,14 +122,6 @@ void repeat(Pattern& p) {
         p.byte[i] = p.byte[i - p.period];
 }
 
-std::uint32_t component(std::uint32_t c, unsigned bits, bool dither, std::uint32_t threshold) {
-    if (bits == 8)
-        return color_to_8(c);
-    if (bits == 5)
-        return dither ? dithered<5>(c, threshold) : truncated<5>(c);
-    return dither ? dithered<6>(c, threshold) : truncated<6>(c);
-}
-
 /// One pixel as it lies in memory.
 struct Pixel {
     std::uint8_t byte[4];
@@ -137,9 +129,9 @@ struct Pixel {
 
 Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::uint32_t threshold) {
     const FormatInfo info = format_info(format);
-    const std::uint32_t r = component(color[0], info.red_bits, dither, threshold);
-    const std::uint32_t g = component(color[1], info.green_bits, dither, threshold);
-    const std::uint32_t b = component(color[2], info.blue_bits, dither, threshold);
+    const std::uint32_t r = stored_component(color[0], info.red_bits, dither, threshold);
+    const std::uint32_t g = stored_component(color[1], info.green_bits, dither, threshold);
+    const std::uint32_t b = stored_component(color[2], info.blue_bits, dither, threshold);
     const auto low = [](std::uint32_t v) { return static_cast<std::uint8_t>(v); };
     switch (format) {
     case PixelFormat::rgb565_be:
@@ -255,9 +247,9 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
     }
     std::uint32_t red = 0, green = 0, blue = 0;
     for (std::uint32_t threshold = 1; threshold < 32; threshold += 2) {
-        red += component(r.color[0], 5, r.dither, threshold);
-        green += component(r.color[1], 6, r.dither, threshold);
-        blue += component(r.color[2], 5, r.dither, threshold);
+        red += stored_component(r.color[0], 5, r.dither, threshold);
+        green += stored_component(r.color[1], 6, r.dither, threshold);
+        blue += stored_component(r.color[2], 5, r.dither, threshold);
     }
     return red | green << 9 | blue << 19;
 }

@@ -40,4 +40,14 @@ template <> constexpr std::uint32_t dithered<8>(std::uint32_t c, std::uint32_t) 
     return color_to_8(c);
 }
 
+/// A component as a format of `bits` bits stores it.
+constexpr std::uint32_t stored_component(std::uint32_t c, unsigned bits, bool dither,
+                                         std::uint32_t threshold) {
+    if (bits == 8)
+        return color_to_8(c);
+    if (bits == 5)
+        return dither ? dithered<5>(c, threshold) : truncated<5>(c);
+    return dither ? dithered<6>(c, threshold) : truncated<6>(c);
+}
+
 } // namespace spangle::raster

@@ -471,6 +471,51 @@ TEST_F(Surfaces, ExhaustionAtEveryPoint) {
     EXPECT_GT(contexts, 0u);
 }
 
+/// A buffer beside those of the config, on windows and pbuffers alike.
+TEST_F(Surfaces, AccumulationBuffers) {
+    const EGLConfig config = window_config(16);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    const std::size_t before = egl::arena().used();
+    for (const bool window : {false, true})
+        for (const EGLint bits : {0, 1, 16}) {
+            const EGLint window_list[] = {EGL_ACCUM_SIZE_SPANGLE, bits, EGL_NONE};
+            const EGLint list[] = {EGL_WIDTH, 12, EGL_ACCUM_SIZE_SPANGLE, bits, EGL_HEIGHT, 9, EGL_NONE};
+            const EGLSurface surface = window ? eglCreateWindowSurface(display, config, 0, window_list)
+                                              : eglCreatePbufferSurface(display, config, list);
+            ASSERT_NE(surface, EGL_NO_SURFACE);
+            EGLint size = -1;
+            EXPECT_EQ(eglQuerySurface(display, surface, EGL_ACCUM_SIZE_SPANGLE, &size), yes);
+            EXPECT_EQ(size, bits == 0 ? 0 : 16);
+            ASSERT_EQ(eglMakeCurrent(display, surface, surface, context), yes);
+            GLint of_gl[4] = {-1, -1, -1, -1};
+            for (const GLenum name :
+                 {GL_ACCUM_RED_BITS, GL_ACCUM_GREEN_BITS, GL_ACCUM_BLUE_BITS, GL_ACCUM_ALPHA_BITS}) {
+                glGetIntegerv(name, of_gl);
+                EXPECT_EQ(of_gl[0], size);
+            }
+            glClearAccum(0, 1, 0, 1);
+            glClear(GL_ACCUM_BUFFER_BIT);
+            glClear(GL_COLOR_BUFFER_BIT);
+            glAccum(GL_RETURN, 1);
+            EXPECT_EQ(glGetError(), bits == 0 ? GLenum{GL_INVALID_OPERATION} : GLenum{GL_NO_ERROR});
+            GLubyte pixel[4] = {};
+            glReadPixels(11, 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+            EXPECT_EQ(pixel[0], 0);
+            EXPECT_EQ(pixel[1], bits == 0 ? 0 : 255);
+            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            EXPECT_EQ(eglDestroySurface(display, surface), yes);
+            EXPECT_EQ(egl::arena().used(), before);
+        }
+    for (const EGLint bits : {-1, 17}) {
+        const EGLint window_list[] = {EGL_ACCUM_SIZE_SPANGLE, bits, EGL_NONE};
+        EXPECT_EQ(eglCreateWindowSurface(display, config, 0, window_list), EGL_NO_SURFACE);
+        EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
+        const EGLint list[] = {EGL_WIDTH, 12, EGL_HEIGHT, 9, EGL_ACCUM_SIZE_SPANGLE, bits, EGL_NONE};
+        EXPECT_EQ(eglCreatePbufferSurface(display, config, list), EGL_NO_SURFACE);
+        EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
+    }
+}
+
 /// A window that is drawn to while a pbuffer is read from, and the other way about: SwapBuffers changes the
 /// buffer of the one, ReadBuffer names that of the other.
 TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {

@@ -104,6 +104,7 @@ class Run {
         s.depth = reinterpret_cast<std::uint8_t*>(depth.get());
         s.depth_stride = width * (deep ? 4 : 2);
         s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
+        s.accum = accum.get();
         how_ = in.byte();
         surface_ = s;
         if ((how_ & 4) != 0)
@@ -267,6 +268,7 @@ class Run {
     GLuint called_in = 0;            ///< the list being compiled that has had its call
     std::vector<std::uint8_t> color;
     std::unique_ptr<std::uint32_t[]> depth;
+    std::unique_ptr<std::int16_t[]> accum{new std::int16_t[4 * width * height]()};
     std::vector<std::uint8_t> client = std::vector<std::uint8_t>(4096),
                               numbers = std::vector<std::uint8_t>(client_bytes),
                               result = std::vector<std::uint8_t>(client_bytes);

@@ -79,6 +79,7 @@ class RecordingContext : public ::testing::Test {
         raster::Surface s;
         s.color = color;
         s.depth = depth;
+        s.accum = accum;
         s.color_stride = width * 4;
         s.depth_stride = width * 4;
         s.width = width;
@@ -106,6 +107,7 @@ class RecordingContext : public ::testing::Test {
     gl::Arena arena;
     gl::Context* context = nullptr;
     alignas(4) std::uint8_t color[width * height * 4] = {}, depth[width * height * 4] = {};
+    std::int16_t accum[width * height * 4] = {};
 };
 
 } // namespace spangle::test

@@ -327,7 +327,7 @@ TEST(PixelIndex, ElementsShiftAndRound) {
     EXPECT_EQ(rounded(real(2.5f)), 3u);
     EXPECT_EQ(rounded(real(2.49f)), 2u);
     EXPECT_EQ(rounded(real(-1.0f)), 0xFFFFFFFFu);
-    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u);   // the fraction is not lost
+    EXPECT_EQ(rounded(shifted(real(1.25f), 2, 0)), 5u); // the fraction is not lost
     EXPECT_EQ(rounded(real(4000000000.0f)), 4000000000u);
     EXPECT_EQ(rounded(real(1e30f)), 0x80000000u); // saturated
     EXPECT_EQ(numeric::to_float(to_real(real(-7.5f))), -7.5f);

@@ -171,12 +171,35 @@ void blending(Random& random) {
     glRecti(0, 0, state_size, state_size);
 }
 
+/// A weighted sum of pictures and a value put on top; sums stay below 1, beyond which Mesa's wrap.
+void accumulation(Random& random) {
+    background(random);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_DEPTH_TEST);
+    const auto share = [&] { return static_cast<GLfloat>(random.below(257)) / 2048; };
+    glClearAccum(share(), -share(), share(), 0);
+    glClear(GL_ACCUM_BUFFER_BIT);
+    if (often(random, 2))
+        glAccum(GL_LOAD, share());
+    for (int i = 0; i < 3; ++i) {
+        rectangle(random);
+        toggle(random, GL_SCISSOR_TEST, 2);
+        glScissor(4, 4, 12, 15);
+        glAccum(GL_ACCUM, share());
+    }
+    glAccum(GL_MULT, 1 - share());
+    glAccum(GL_ADD, share() - 0.06f);
+    masks(random);
+    glAccum(GL_RETURN, 0.5f + 16 * share());
+}
+
 } // namespace
 
 void add_fragment_families(std::vector<Family>& all) {
     all.push_back({"tests", 1000, 0, 1, tests});
     all.push_back({"logic", 300, 0, 1, logic});
     all.push_back({"blending", 2000, 0, 1, blending});
+    all.push_back({"accumulation", 500, 1, 0.92, accumulation}); // Mesa cuts where we round
 }
 
 } // namespace spangle::oracle

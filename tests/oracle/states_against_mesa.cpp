@@ -51,7 +51,8 @@ struct StatesOf : testing::TestWithParam<Family> {
                                EGL_PRECISION_SPANGLE,
                                EGL_PRECISION_EXACT_SPANGLE,
                                EGL_NONE};
-        const EGLint size[] = {EGL_WIDTH, state_size, EGL_HEIGHT, state_size, EGL_NONE};
+        const EGLint size[] = {EGL_WIDTH, state_size, EGL_HEIGHT, state_size, EGL_ACCUM_SIZE_SPANGLE,
+                               16,        EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         eglChooseConfig(display, wish, &config, 1, &count);

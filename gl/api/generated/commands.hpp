@@ -132,6 +132,8 @@ void BlendFuncSeparate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum 
 void BlendEquation(Context& context, GLenum mode);
 void BlendEquationSeparate(Context& context, GLenum rgb, GLenum alpha);
 void BlendColor(Context& context, Real red, Real green, Real blue, Real alpha);
+void Accum(Context& context, GLenum op, Real value);
+void ClearAccum(Context& context, Real red, Real green, Real blue, Real alpha);
 void LogicOp(Context& context, GLenum opcode);
 void DrawBuffer(Context& context, GLenum mode);
 void ReadBuffer(Context& context, GLenum mode);
@@ -1038,6 +1040,20 @@ struct BlendColor {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glBlendColor between glBegin and glEnd");
+};
+struct Accum {
+    static constexpr auto run = &cmd::Accum;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glAccum between glBegin and glEnd");
+};
+struct ClearAccum {
+    static constexpr auto run = &cmd::ClearAccum;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glClearAccum between glBegin and glEnd");
 };
 struct LogicOp {
     static constexpr auto run = &cmd::LogicOp;

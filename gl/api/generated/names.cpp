@@ -16,6 +16,8 @@ struct Name {
 };
 
 const Name table[] = {
+    {"glAccum", reinterpret_cast<EntryPoint>(&glAccum)},
+    {"glAccumxOES", reinterpret_cast<EntryPoint>(&glAccumxOES)},
     {"glActiveTexture", reinterpret_cast<EntryPoint>(&glActiveTexture)},
     {"glAlphaFunc", reinterpret_cast<EntryPoint>(&glAlphaFunc)},
     {"glAlphaFuncxOES", reinterpret_cast<EntryPoint>(&glAlphaFuncxOES)},
@@ -37,6 +39,8 @@ const Name table[] = {
     {"glCallList", reinterpret_cast<EntryPoint>(&glCallList)},
     {"glCallLists", reinterpret_cast<EntryPoint>(&glCallLists)},
     {"glClear", reinterpret_cast<EntryPoint>(&glClear)},
+    {"glClearAccum", reinterpret_cast<EntryPoint>(&glClearAccum)},
+    {"glClearAccumxOES", reinterpret_cast<EntryPoint>(&glClearAccumxOES)},
     {"glClearColor", reinterpret_cast<EntryPoint>(&glClearColor)},
     {"glClearColorxOES", reinterpret_cast<EntryPoint>(&glClearColorxOES)},
     {"glClearDepth", reinterpret_cast<EntryPoint>(&glClearDepth)},

@@ -82,6 +82,38 @@ void GLAPIENTRY glBlendColorxOES(GLclampx red, GLclampx green, GLclampx blue, GL
 
 #endif
 
+#if SPANGLE_FEATURE_ACCUM
+
+void GLAPIENTRY glAccum(GLenum op, GLfloat value) {
+    issue<family::Accum>(op, convert::cast_f(value));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_ACCUM && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glAccumxOES(GLenum op, GLfixed value) {
+    issue<family::Accum>(op, convert::cast_x(value));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_ACCUM
+
+void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    issue<family::ClearAccum>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_ACCUM && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha) {
+    issue<family::ClearAccum>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+}
+
+#endif
+
 void GLAPIENTRY glLogicOp(GLenum opcode) {
     issue<family::LogicOp>(opcode);
 }
@@ -239,6 +271,42 @@ void GLAPIENTRY glFlush() {
 void GLAPIENTRY glFinish() {
     issue<family::Finish>();
 }
+
+#if !SPANGLE_FEATURE_ACCUM
+
+void GLAPIENTRY glAccum(GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glAccum: this build has no SPANGLE_FEATURE_ACCUM"));
+}
+
+void GLAPIENTRY glClearAccum(GLfloat, GLfloat, GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glClearAccum: this build has no SPANGLE_FEATURE_ACCUM"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_ACCUM
+
+void GLAPIENTRY glAccumxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glAccumxOES: this build has no SPANGLE_FEATURE_ACCUM"));
+}
+
+void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glClearAccumxOES: this build has no SPANGLE_FEATURE_ACCUM"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_ACCUM && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glAccumxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glClearAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 

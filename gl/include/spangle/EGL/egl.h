@@ -158,6 +158,11 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_PRECISION_SHADOW_BALANCED_SPANGLE 0x3F06
 #define EGL_PRECISION_SHADOW_FAST_SPANGLE 0x3F07
 
+/* EGL_SPANGLE_accum: an attribute of eglCreateWindowSurface, eglCreatePbufferSurface and eglQuerySurface,
+ * bits of a component of the accumulation buffer. There are 0 or 16: a wish gets at least what it asks for.
+ */
+#define EGL_ACCUM_SIZE_SPANGLE 0x3F08
+
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);

@@ -741,6 +741,12 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_OR_INVERTED 0x150D
 #define GL_NAND 0x150E
 #define GL_SET 0x150F
+#define GL_ACCUM 0x0100
+#define GL_LOAD 0x0101
+#define GL_RETURN 0x0102
+#define GL_MULT 0x0103
+#define GL_ADD 0x0104
+#define GL_ACCUM_CLEAR_VALUE 0x0B80
 #define GL_LOGIC_OP_MODE 0x0BF0
 #define GL_LOGIC_OP 0x0BF1
 #define GL_INDEX_LOGIC_OP 0x0BF1
@@ -926,6 +932,10 @@ GLAPI void GLAPIENTRY glBlendEquation(GLenum mode);
 GLAPI void GLAPIENTRY glBlendEquationSeparate(GLenum rgb, GLenum alpha);
 GLAPI void GLAPIENTRY glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 GLAPI void GLAPIENTRY glBlendColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha);
+GLAPI void GLAPIENTRY glAccum(GLenum op, GLfloat value);
+GLAPI void GLAPIENTRY glAccumxOES(GLenum op, GLfixed value);
+GLAPI void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+GLAPI void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
 GLAPI void GLAPIENTRY glLogicOp(GLenum opcode);
 GLAPI void GLAPIENTRY glDrawBuffer(GLenum mode);
 GLAPI void GLAPIENTRY glReadBuffer(GLenum mode);

@@ -14,6 +14,7 @@ struct Surface {
     std::uint8_t* depth = nullptr;
     std::int32_t color_stride = 0; ///< bytes from GL row y to y + 1
     std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
+    std::int16_t* accum = nullptr; ///< RGBA, k / 32767, from GL row 0 on without gaps; null: there is none
     RowExtents* extents = nullptr; ///< the same record whole, for full clears; null when nobody asks
     RowSpan* touched = nullptr;    ///< its element of GL row 0, or null when nobody asks
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1

@@ -1,0 +1,55 @@
+// The accumulation buffer (GL 1.3, 4.2.4).
+#include "raster/surface/accum.hpp"
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+
+namespace spangle::gl::cmd {
+
+namespace {
+
+/// What of `area` lies in a surface of the size given.
+spangle::Rect cut(const spangle::Rect& area, std::int32_t width, std::int32_t height) {
+    const std::int32_t w = width - area.x < area.w ? width - area.x : area.w;
+    const std::int32_t h = height - area.y < area.h ? height - area.y : area.h;
+    return {area.x, area.y, w, h};
+}
+
+} // namespace
+
+void Accum(Context& context, GLenum op, Real value) {
+    if (op < GL_ACCUM || op > GL_ADD)
+        return error(context, GL_INVALID_ENUM);
+    const raster::Surface &surface = context.drawable.surface, &read = context.drawable.read;
+    if (surface.accum == nullptr || context.drawable.index_bits != 0)
+        return error(
+            context, GL_INVALID_OPERATION,
+            SPANGLE_TEXT("glAccum: this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));
+    if (!context.render.draws())
+        return; // the framebuffer does not change (GL 1.3, 5.2)
+    const spangle::Rect area = drawing_rect(context);
+    const std::int32_t v = numeric::to_fixed(value, raster::accum_value_bits);
+    switch (op) {
+    case GL_ACCUM:
+    case GL_LOAD:
+        return raster::accumulate(surface, cut(area, read.width, read.height), read, v, op == GL_LOAD);
+    case GL_MULT:
+        return raster::multiply_accum(surface, area, v);
+    case GL_ADD:
+        return raster::add_accum(surface, area, v);
+    default: // RETURN
+        return raster::return_accum(surface, area, numeric::to_fixed(value, raster::accum_return_bits),
+                                    written_channels(context), context.fragment_ops.dither);
+    }
+}
+
+void ClearAccum(Context& context, Real red, Real green, Real blue, Real alpha) {
+    const Real given[4] = {red, green, blue, alpha};
+    for (int c = 0; c < 4; ++c)
+        context.fragment_ops.accum_clear[c] = given[c] < -numeric::one  ? -numeric::one
+                                              : numeric::one < given[c] ? numeric::one
+                                                                        : given[c];
+}
+
+} // namespace spangle::gl::cmd

@@ -1,0 +1,31 @@
+// The accumulation buffer (GL 1.3, 4.2.4): sums of pictures, k / 32767 in 16 bits, saturated.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/surface/surface.hpp"
+
+namespace spangle::raster {
+
+inline constexpr std::int32_t accum_one = 32767;
+
+/// v with the fraction bits given, as the functions below take their values: what the buffer or a colour can
+/// still show of it.
+inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
+
+/// All of these change the pixels of `area`, which lies in the surface.
+void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]);
+
+/// A := A + C v, or A := C v with `load`; C is the colour of `source`, 0 .. 1, within which `area` lies, too.
+void accumulate(const Surface& s, Rect area, const Surface& source, std::int32_t value, bool load);
+
+/// A := A v
+void multiply_accum(const Surface& s, Rect area, std::int32_t value);
+
+/// A := A + v
+void add_accum(const Surface& s, Rect area, std::int32_t value);
+
+/// Colour := A v (accum_return_bits), clamped to 0 .. 1, where `channels` (bit 0 red ...) are open.
+void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t channels, bool dither);
+
+} // namespace spangle::raster
