@@ -48,6 +48,8 @@ struct StateOfKey {
 /// The same state without fused spans.
 inline DrawState in_chain(DrawState state, Number number) {
     for (int i = 0; i < kind_count; ++i) {
+        if (state.variant[i].run == nullptr)
+            continue; // kinds that the state does without
         state.variant[i].run = chain_runner(number);
         state.variant[i].gray = false;
         state.variant[i].walk = nullptr;
