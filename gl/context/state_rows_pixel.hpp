@@ -12,6 +12,11 @@
 #define TRANSFER_ROW(NAME, MEMBER) of_pixel_transfer(constant(NAME, 0))
 #define PIXEL_MAP(NAME) of_pixel_transfer(constant(GL_PIXEL_MAP_##NAME##_SIZE, 1))
 #endif
+#if SPANGLE_FEATURE_DRAW_PIXELS
+#define ZOOM_ROW(NAME, MEMBER) STORED(NAME, pixel_mode.MEMBER)
+#else
+#define ZOOM_ROW(NAME, MEMBER) of_draw_pixels(constant(NAME, 1))
+#endif
 
 namespace spangle::gl {
 
@@ -49,6 +54,8 @@ inline constexpr auto pixel_rows = std::to_array<StateRow>({
     TRANSFER_ROW(GL_ALPHA_BIAS, bias[3]),
     TRANSFER_ROW(GL_DEPTH_SCALE, depth_scale),
     TRANSFER_ROW(GL_DEPTH_BIAS, depth_bias),
+    ZOOM_ROW(GL_ZOOM_X, zoom[0]),
+    ZOOM_ROW(GL_ZOOM_Y, zoom[1]),
     in(Group::none),
     PIXEL_MAP(I_TO_I),
     PIXEL_MAP(S_TO_S),
@@ -65,5 +72,6 @@ inline constexpr auto pixel_rows = std::to_array<StateRow>({
 
 #undef TRANSFER_ROW
 #undef PIXEL_MAP
+#undef ZOOM_ROW
 
 } // namespace spangle::gl

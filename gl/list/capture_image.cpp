@@ -12,14 +12,24 @@ namespace {
 
 struct Extent {
     std::size_t row_bytes, rows, images;
-    std::size_t bytes() const { return row_bytes * rows * images; }
+    bool is_empty() const { return row_bytes == 0 || rows == 0 || images == 0; }
+    /// What is more than any arena has is 1 GiB: the record fails as it should.
+    std::uint32_t words() const {
+        constexpr std::uint64_t most = std::uint64_t{1} << 30;
+        std::uint64_t bytes = row_bytes;
+        for (const std::uint64_t factor : {std::uint64_t{rows}, std::uint64_t{images}})
+            bytes = bytes >= most ? most : bytes * factor;
+        return static_cast<std::uint32_t>((bytes < most ? bytes + 3 : most) / 4);
+    }
 };
 
 Extent extent_of(const ListedImage& image, const PixelLayout& layout) {
-    const auto width = static_cast<std::size_t>(image.size[0]);
-    const std::size_t row =
+    const auto width = static_cast<std::uint64_t>(image.size[0]);
+    const std::uint64_t row =
         layout.kind == ElementKind::bitmap ? (width + 7) / 8 : width * layout.group_bytes();
-    return {row, static_cast<std::size_t>(image.size[1]), static_cast<std::size_t>(image.size[2])};
+    constexpr std::uint64_t most = SIZE_MAX; // what a client has is less
+    return {static_cast<std::size_t>(row < most ? row : most), static_cast<std::size_t>(image.size[1]),
+            static_cast<std::size_t>(image.size[2])};
 }
 
 bool sensible(const ListedImage& image, GLsizei most, PixelLayout& layout) {
@@ -72,7 +82,7 @@ void capture_image(Context& context, Player player, const ListedImage& image, GL
     PixelLayout layout;
     const bool keep = sensible(image, most, layout);
     const Extent extent = keep ? extent_of(image, layout) : Extent{0, 0, 0};
-    const auto data_words = static_cast<std::uint32_t>((extent.bytes() + 3) / 4);
+    const std::uint32_t data_words = extent.words();
     Word* to = record(context, player, fixed_words + data_words);
     if (to == nullptr)
         return;
@@ -85,7 +95,7 @@ void capture_image(Context& context, Player player, const ListedImage& image, GL
     *to++ = image.volume ? 1 : 0;
     *to++ = keep ? pixels_follow : no_pixels;
     *to++ = data_words;
-    if (extent.bytes() != 0)
+    if (!extent.is_empty())
         copy_image(context.pixel_store.unpack, layout, image, extent, reinterpret_cast<unsigned char*>(to));
 }
 

@@ -14,6 +14,7 @@ struct FragmentCache {
     bool count_passed = false;
     Drawn drawn = Drawn::pixels;       ///< what this was compiled for
     bool differs = false;              ///< for other things it would be another one
+    raster::Colors colors{};           ///< of what is drawn: compiled for these alone
     std::uint32_t texture_changes = 0; ///< of the share group, when this was compiled
     raster::Counters* counters = nullptr;
     raster::PrimitiveState primitive; ///< what `state` looks at beside planes

@@ -235,17 +235,19 @@ const raster::DrawState& draw_state_of(const Context& context, [[maybe_unused]] 
     return context.fragments.state;
 }
 
-const raster::DrawState& draw_state(Context& context, Drawn drawn) {
+const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Colors colors) {
     FragmentCache& cache = context.fragments;
     const std::uint32_t texture_changes = context.share->texture_changes;
     if ((context.dirty & dirty_fragment) != 0 || cache.texture_changes != texture_changes ||
-        (cache.differs && cache.drawn != drawn)) {
+        (cache.differs && cache.drawn != drawn) || cache.colors != colors) {
         cache.texture_changes = texture_changes;
         cache.drawn = drawn;
+        cache.colors = colors;
         cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context.polygon);
         raster::FragmentState fragment;
         fill(context, fragment);
         fill_modes(context.polygon, drawn, fragment);
+        fragment.colors = colors;
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = cache.counters;
         cache.state.primitive = &cache.primitive;

@@ -7,7 +7,8 @@
 namespace spangle::gl {
 
 /// What the next primitive is drawn with. Near-free while no state has changed.
-const raster::DrawState& draw_state(Context& context, Drawn drawn = Drawn::pixels);
+const raster::DrawState& draw_state(Context& context, Drawn drawn = Drawn::pixels,
+                                    raster::Colors colors = raster::Colors::of_vertices);
 
 /// Back faces have a stencil test of their own (GL 2.0, 4.1.5).
 bool stencil_sides(const Context& context);

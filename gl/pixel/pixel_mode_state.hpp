@@ -1,4 +1,4 @@
-// How groups of pixels are changed on their way (GL 1.3, 3.6.3, 3.6.5).
+// How groups of pixels are changed on their way, and where they land (GL 1.3, 3.6.3 to 3.6.5).
 #pragma once
 
 #include "gl/context/features.hpp"
@@ -33,6 +33,9 @@ struct PixelModeState {
     Real scale[4] = {numeric::one, numeric::one, numeric::one, numeric::one}, bias[4] = {};
     Real depth_scale = numeric::one, depth_bias = numeric::zero;
     PixelMap* map[pixel_maps] = {}; ///< null: one entry, 0
+#endif
+#if SPANGLE_FEATURE_DRAW_PIXELS
+    Real zoom[2] = {numeric::one, numeric::one};
 #endif
 };
 

@@ -7,12 +7,10 @@ namespace spangle::gl {
 
 namespace {
 
-enum class Source { color, depth, stencil };
-
 struct Read {
     const raster::Surface& surface;
     const PixelLayout& layout;
-    Source source;
+    Content content;
     Transfer transfer;
     bool swap_bytes, lsb_first;
 };
@@ -35,12 +33,12 @@ void read_stencil(const Read& r, std::int32_t x, std::int32_t y, unsigned char* 
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {
-        if (r.source == Source::stencil) {
+        if (r.content == Content::stencil) {
             read_stencil(r, x, y, row, group);
             continue;
         }
         Pixel pixel{};
-        if (r.source == Source::depth) {
+        if (r.content == Content::depth) {
             pixel.value[0] = r.transfer.depth(fetch_depth(r.surface, x, y));
         } else {
             pixel = fetch_color(r.surface, x, y);
@@ -74,12 +72,6 @@ void read(const Read& r, const PixelStore& pack, GLint x, GLint y, GLsizei width
     }
 }
 
-Source source_of(const PixelLayout& layout) {
-    return layout.channel[0] == Channel::depth     ? Source::depth
-           : layout.channel[0] == Channel::stencil ? Source::stencil
-                                                   : Source::color;
-}
-
 } // namespace
 
 namespace cmd {
@@ -96,16 +88,16 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
     const raster::Surface& surface = context.drawable.read;
-    const Source source = source_of(layout);
-    if ((source == Source::depth && surface.depth_format == DepthFormat::none) ||
-        (source == Source::stencil && surface.depth_format != DepthFormat::z24s8))
+    const Content content = content_of(layout);
+    if ((content == Content::depth && surface.depth_format == DepthFormat::none) ||
+        (content == Content::stencil && surface.depth_format != DepthFormat::z24s8))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glReadPixels: the surface has no such buffer"));
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glReadPixels: null pointer"));
     const gl::PixelStore& pack = context.pixel_store.pack;
-    read({surface, layout, source, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first}, pack, x, y,
-         width, height, static_cast<unsigned char*>(pixels));
+    read({surface, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first}, pack, x,
+         y, width, height, static_cast<unsigned char*>(pixels));
 }
 
 } // namespace cmd

@@ -239,6 +239,17 @@ struct DoubleMath {
     }
     static void set_index(Real index, unsigned bits, Window& out) { set_index(number(index), bits, out); }
     static Real index_of(const Window& v) { return numeric::from_double(v.color[0] * 255.0); }
+    static void set_raster(const RasterPosition& from, Window& out) {
+        out = Window{};
+        out.z = number(numeric::clamp01(from.position[2]));
+        out.inv_w = 1.0;
+        set_fog_coordinate(number(from.distance), out);
+        set_color(out, from.color);
+        for (int u = 0; u < texture_units; ++u) {
+            const Real(&v)[4] = from.tex_coord[u].v;
+            out.tex[u] = {number(v[0]), number(v[1]), number(v[3])};
+        }
+    }
 
   private:
     static std::int32_t snap(double v) {

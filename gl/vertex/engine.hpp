@@ -7,7 +7,7 @@
 
 #include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
-#include "raster/span/draw_state.hpp"
+#include "raster/primitive/draw.hpp"
 
 namespace spangle::gl {
 
@@ -26,6 +26,10 @@ struct Engine {
     void (*end)(Context&);
     /// Before a material changes inside Begin/End: vertices given so far get their colours.
     void (*settle_colors)(Context&);
+#if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
+    /// Fragments of a pixel rectangle or a bitmap, with the values of the current raster position.
+    void (*pixels)(Context&, const raster::DrawState&, raster::PixelSource&) = nullptr;
+#endif
 #if SPANGLE_FEATURE_RASTER_POS
     /// The current raster position from one in object space, with what is current.
     void (*raster_position)(Context&, const Real (&position)[4]) = nullptr;

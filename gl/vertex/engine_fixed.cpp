@@ -53,6 +53,12 @@ void settle_colors(Context& context) {
     pipeline(context).settle_colors();
 }
 
+#if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
+void pixels(Context& context, const raster::DrawState& state, raster::PixelSource& source) {
+    draw_at_raster_position<FixedMath>(context, state, source);
+}
+#endif
+
 #if SPANGLE_FEATURE_RASTER_POS
 void raster_position(Context& context, const Real (&position)[4]) {
     pipeline(context).raster_position(context, position);
@@ -62,7 +68,17 @@ void raster_position(Context& context, const Real (&position)[4]) {
 } // namespace
 
 const Engine fixed_engine = {
-    sizeof(FixedPipeline), construct, compile, begin, vertex, elements, end, settle_colors,
+    sizeof(FixedPipeline),
+    construct,
+    compile,
+    begin,
+    vertex,
+    elements,
+    end,
+    settle_colors,
+#if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
+    pixels,
+#endif
 #if SPANGLE_FEATURE_RASTER_POS
     raster_position,
 #endif

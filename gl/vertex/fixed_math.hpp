@@ -355,13 +355,15 @@ struct FixedMath {
             to.secondary[c] = from.secondary[c];
     }
 
+    /// As they are.
+    static void set_texture(const Real (&stq)[4], int unit, Window& out) {
+        const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
+        set_texture(out, unit, {{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
+        out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
+    }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
-        if (t.texture_is_identity[unit]) {
-            const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
-            set_texture(out, unit, {{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
-            out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
-            return;
-        }
+        if (t.texture_is_identity[unit])
+            return set_texture(stq, unit, out);
         const numeric::Block4 v = numeric::transform(t.texture[unit], stq);
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
         out.tex[unit].q_is_one = 0;
@@ -396,6 +398,18 @@ struct FixedMath {
             c = 0;
     }
     static Real index_of(const Window& v) { return real(numeric::make_block(v.color[0], -index_fraction)); }
+
+    /// What fragments of pixel rectangles and bitmaps have of the raster position: all but a place.
+    static void set_raster(const RasterPosition& from, Window& out) {
+        out = Window{};
+        out.z = static_cast<std::uint32_t>(numeric::to_fixed(numeric::clamp01(from.position[2]), 30));
+        out.w_mantissa = 1u << 31; // 1: texture coordinates are divided by their q alone
+        out.w_exponent = -31;
+        set_fog_coordinate(fog_coordinate(from.distance), out);
+        set_color(out, from.color);
+        for (int u = 0; u < texture_units; ++u)
+            set_texture(from.tex_coord[u].v, u, out);
+    }
 
     /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
     static std::uint32_t color_units(Real component) {

@@ -18,6 +18,17 @@
 
 namespace spangle::gl {
 
+/// Fragments that others place, with the values of the current raster position.
+template <class M>
+void draw_at_raster_position(const Context& context, const raster::DrawState& state,
+                             raster::PixelSource& source) {
+    typename M::Window at;
+    M::set_raster(context.current.raster, at);
+    if (SPANGLE_FEATURE_COLOR_INDEX && context.drawable.index_bits != 0)
+        M::set_index(context.current.raster.index, context.drawable.index_bits, at);
+    raster::draw_pixels(state, context.drawable.surface, at, source);
+}
+
 template <class M, class L> class Pipeline {
   public:
     using Window = typename M::Window;

@@ -177,6 +177,10 @@ struct ShadowMath {
         DoubleMath::set_texture(t.twin, stq, unit, out.twin);
         report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
     }
+    static void set_raster(const RasterPosition& from, Window& out) {
+        FixedMath::set_raster(from, out.fixed);
+        DoubleMath::set_raster(from, out.twin);
+    }
     static void set_fog(const Depth& eye_z, Window& out) {
         FixedMath::set_fog(eye_z.fixed, out.fixed);
         DoubleMath::set_fog(eye_z.twin, out.twin);

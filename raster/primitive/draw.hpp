@@ -64,4 +64,23 @@ void draw_smooth_polygon(const DrawState& state, const Surface& target, Primitiv
 template <class V>
 void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);
 
+/// Takes fragments that somebody else has placed.
+struct PixelSink {
+    /// Fragments [begin, end) of row y, cut by the scissor rectangle; `pixels` holds their colours where the
+    /// state asks for them (DrawState::pixels), behind words with room for `pixel_room` more.
+    void (*run)(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end, const void* pixels);
+    /// Those that follow have this depth, Q0.30.
+    void (*depth)(PixelSink& sink, std::uint32_t z);
+};
+inline constexpr int pixel_room = 16;
+
+struct PixelSource {
+    void (*emit)(PixelSource& source, PixelSink& sink);
+};
+
+/// Fragments of a pixel rectangle or bitmap: all but their place, colour and depth is that of `at`, whose x
+/// and y do not matter (GL 1.3, 3.6.4, 3.7).
+template <class V>
+void draw_pixels(const DrawState& state, const Surface& target, const V& at, PixelSource& source);
+
 } // namespace spangle::raster

@@ -1,4 +1,5 @@
 #include "raster/primitive/line.hpp"
+#include "raster/primitive/pixels.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/setup_double.hpp"
 #include "raster/primitive/smooth.hpp"
@@ -51,6 +52,12 @@ void draw_smooth_polygon<DoubleVertex>(const DrawState& state, const Surface& ta
                                        PrimitiveState& primitive, const DoubleVertex* const* corner,
                                        int corners, const DoubleVertex& provoking) {
     draw_smooth_polygon_of<Double>(state, target, primitive, corner, corners, provoking);
+}
+
+template <>
+void draw_pixels<DoubleVertex>(const DrawState& state, const Surface& target, const DoubleVertex& at,
+                               PixelSource& source) {
+    draw_pixels_of<Double>(state, target, at, source);
 }
 
 } // namespace spangle::raster

@@ -1,4 +1,5 @@
 #include "raster/primitive/line.hpp"
+#include "raster/primitive/pixels.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/setup_shadow.hpp"
 #include "raster/primitive/smooth.hpp"
@@ -51,6 +52,12 @@ void draw_smooth_polygon<ShadowVertex>(const DrawState& state, const Surface& ta
                                        PrimitiveState& primitive, const ShadowVertex* const* corner,
                                        int corners, const ShadowVertex& provoking) {
     draw_smooth_polygon_of<Shadow>(state, target, primitive, corner, corners, provoking);
+}
+
+template <>
+void draw_pixels<ShadowVertex>(const DrawState& state, const Surface& target, const ShadowVertex& at,
+                               PixelSource& source) {
+    draw_pixels_of<Shadow>(state, target, at, source);
 }
 
 } // namespace spangle::raster

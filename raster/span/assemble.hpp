@@ -13,6 +13,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_pixels.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_tests.hpp"
 #include "raster/span/stage_texture_lod.hpp"
@@ -132,7 +133,9 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
-    if (key.color) {
+    if (key.pixels) {
+        chain.template add<PixelColor<One>>();
+    } else if (key.color) {
         if (key.kind == Kind::full)
             chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
         else

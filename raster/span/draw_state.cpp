@@ -48,6 +48,10 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     ChainBuilder<Raw> chain(variant);
     add_tests(chain, key);
     const UnitKey& unit = key.unit[0];
+    if (key.pixels) {
+        chain.add<PixelWord<host_lanes>>();
+        return chain.add<Store>();
+    }
     if (!unit.on)
         return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
             key.kind == Kind::flat);
@@ -124,6 +128,8 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
                        : key.depth_format == DepthFormat::z16 ? 2
                                                               : 4;
     draw.nothing = draws_nothing(state, key);
+    draw.pixels = key.pixels;
+    draw.words = key.pixels && key.number == Number::raw565;
     draw.needs = needs_of(key);
     draw.textured_or_fogged = key.unit[0].on || key.unit[1].on || key.fog;
     draw.smooth_rgb = draw.needs.rgb && !draw.needs.alpha && !draw.needs.secondary &&

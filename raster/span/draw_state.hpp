@@ -91,6 +91,8 @@ struct DrawState {
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
     bool tiles = false;              ///< some variant draws tiles
+    bool pixels = false; ///< colours come with the fragments: four components each in colour units,
+    bool words = false;  ///< or the 16 bits R5 G6 B5 that are stored, in host order
     Tier tier = Tier::exact;
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};

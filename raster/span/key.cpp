@@ -87,7 +87,8 @@ bool raw(const Key& key, const FragmentState& state) {
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.unit[1].on)
-        return !state.dither && key.kind <= Kind::affine;
+        return (!state.dither || (key.pixels && state.colors == Colors::of_pixels_565)) &&
+               key.kind <= Kind::affine;
     if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
@@ -133,6 +134,10 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     key.color = key.combine || color_survives(state, false);
     key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
     key.color = key.color || key.color_alpha;
+    if (key.color && state.colors != Colors::of_vertices) {
+        key.pixels = true;
+        key.color = key.color_alpha = false;
+    }
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;

@@ -31,7 +31,8 @@ struct Key {
     DepthFormat depth_format{}; ///< none unless depth or stencil is used
     UnitKey unit[max_texture_units];
     bool combine = false;     ///< some unit combines: all of them are sampled first
-    bool color = true;        ///< a primary colour is looked at
+    bool pixels = false;      ///< the primary colour is that of an image, and looked at
+    bool color = true;        ///< a primary colour of vertices is looked at
     bool color_alpha = false; ///< and its alpha
     bool color_sum = false;
     bool fog = false;

@@ -72,6 +72,8 @@ template <class N> class Fragment {
     }
 
     void primary(const DrawState& state) {
+        if (state.pixels)
+            return static_cast<void>(run<PixelColor>());
         if (!state.needs.rgb)
             return static_cast<void>(run<White<N>, White<Reference>>());
         const bool alpha = state.needs.alpha;
@@ -203,6 +205,7 @@ template <class N, class Chain> void shadow_span(const Span<Shadow>& span) {
         twin.begin = span.begin;
         twin.end = span.end;
         twin.length = span.length;
+        twin.pixels = span.pixels;
         for (std::int32_t x = span.begin; x < span.end; ++x)
             Fragment<N>(span, twin, x, *report).compare_all();
     }

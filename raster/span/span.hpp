@@ -92,6 +92,7 @@ template <class P> struct Span {
     } unit[max_texture_units];
     typename P::Projective q_dy;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
+    const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
 
     /// A plane at pixel `column`.
     template <class T> constexpr T at(std::int32_t column, const Interpolant<T>& plane) const {

@@ -25,6 +25,18 @@ struct ShadowVertex {
     DoubleVertex twin;
 };
 
+/// Another depth, Q0.30.
+inline void set_depth(FixedVertex& v, std::uint32_t z) {
+    v.z = z;
+}
+inline void set_depth(DoubleVertex& v, std::uint32_t z) {
+    v.z = z / double{depth_one};
+}
+inline void set_depth(ShadowVertex& v, std::uint32_t z) {
+    set_depth(v.fixed, z);
+    set_depth(v.twin, z);
+}
+
 /// Where coverage sees a vertex, whatever the policy.
 struct Position {
     std::int32_t x, y;

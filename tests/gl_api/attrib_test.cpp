@@ -148,6 +148,8 @@ std::map<GLenum, GLbitfield> server_state() {
         for (GLenum name = GL_MAP_COLOR; name <= GL_DEPTH_BIAS; ++name)
             if (name != GL_ZOOM_X && name != GL_ZOOM_Y)
                 groups[name] = GL_PIXEL_MODE_BIT;
+    if (SPANGLE_FEATURE_DRAW_PIXELS)
+        groups[GL_ZOOM_X] = groups[GL_ZOOM_Y] = GL_PIXEL_MODE_BIT;
     if (SPANGLE_FEATURE_CLIP_PLANES)
         for (GLenum cap = GL_CLIP_PLANE0; cap <= GL_CLIP_PLANE5; ++cap)
             groups[cap] = GL_TRANSFORM_BIT | GL_ENABLE_BIT;
@@ -260,6 +262,9 @@ class Attrib : public RecordingContext {
             if ((groups & GL_ENABLE_BIT) != 0)
                 (k != 0 ? glEnable : glDisable)(name);
         glColor4f(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
+#if SPANGLE_FEATURE_DRAW_PIXELS
+        glPixelZoom(f(-1), f(2));
+#endif
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
         for (GLenum name = GL_MAP_COLOR; name <= GL_DEPTH_BIAS; ++name)
             if (name != GL_ZOOM_X && name != GL_ZOOM_Y)

@@ -50,6 +50,9 @@ inline const gl::Engine recording_engine = {
     },
     [](gl::Context&) { events().push_back({.what = Event::end}); },
     [](gl::Context&) {},
+#if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
+    [](gl::Context&, const raster::DrawState&, raster::PixelSource&) {},
+#endif
 #if SPANGLE_FEATURE_RASTER_POS
     [](gl::Context&, const gl::Real (&)[4]) {},
 #endif

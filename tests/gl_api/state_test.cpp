@@ -274,6 +274,8 @@ std::vector<Expected> initial_state() {
         table.insert(
             table.end(),
             {{GL_NAME_STACK_DEPTH, {0}}, {GL_MAX_NAME_STACK_DEPTH, {64}}, {GL_SELECTION_BUFFER_SIZE, {0}}});
+    if (SPANGLE_FEATURE_DRAW_PIXELS)
+        table.insert(table.end(), {{GL_ZOOM_X, {1}}, {GL_ZOOM_Y, {1}}});
     if (SPANGLE_FEATURE_PIXEL_TRANSFER) {
         for (GLenum name : {GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET, GL_RED_BIAS,
                             GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS})

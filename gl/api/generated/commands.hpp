@@ -148,6 +148,10 @@ void PixelStore(Context& context, GLenum pname, const Params& params);
 void PixelTransfer(Context& context, GLenum pname, const Params& params);
 void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
 void GetPixelMap(Context& context, GLenum map, const Values& values);
+void PixelZoom(Context& context, Real xfactor, Real yfactor);
+void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
+void Bitmap(Context& context, GLsizei width, GLsizei height, Real xorig, Real yorig, Real xmove, Real ymove, const GLubyte* bitmap);
 void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels);
 void Fog(Context& context, GLenum pname, const Params& params);
 void Hint(Context& context, GLenum target, GLenum mode);
@@ -239,6 +243,8 @@ void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GL
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices, GLsizei primcount);
 void PolygonStipple(Context& context, const GLubyte* pattern);
 void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values);
+void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void Bitmap(Context& context, GLsizei width, GLsizei height, Real xorig, Real yorig, Real xmove, Real ymove, const GLubyte* bitmap);
 void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
@@ -1152,6 +1158,34 @@ struct GetPixelMap {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetPixelMap between glBegin and glEnd");
+};
+struct PixelZoom {
+    static constexpr auto run = &cmd::PixelZoom;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPixelZoom between glBegin and glEnd");
+};
+struct DrawPixels {
+    static constexpr auto run = &cmd::DrawPixels;
+    static constexpr auto encode = &encode::DrawPixels;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glDrawPixels between glBegin and glEnd");
+};
+struct CopyPixels {
+    static constexpr auto run = &cmd::CopyPixels;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glCopyPixels between glBegin and glEnd");
+};
+struct Bitmap {
+    static constexpr auto run = &cmd::Bitmap;
+    static constexpr auto encode = &encode::Bitmap;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::client_data;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBitmap between glBegin and glEnd");
 };
 struct ReadPixels {
     static constexpr auto run = &cmd::ReadPixels;

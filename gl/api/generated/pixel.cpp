@@ -218,6 +218,30 @@ void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values) {
 
 #endif
 
+#if SPANGLE_FEATURE_DRAW_PIXELS
+
+void GLAPIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) {
+    issue<family::PixelZoom>(convert::cast_f(xfactor), convert::cast_f(yfactor));
+}
+
+void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
+    issue<family::DrawPixels>(width, height, format, type, pixels);
+}
+
+void GLAPIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+    issue<family::CopyPixels>(x, y, width, height, type);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_BITMAPS
+
+void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap) {
+    issue<family::Bitmap>(width, height, convert::cast_f(xorig), convert::cast_f(yorig), convert::cast_f(xmove), convert::cast_f(ymove), bitmap);
+}
+
+#endif
+
 void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
     issue<family::ReadPixels>(x, y, width, height, format, type, pixels);
 }
@@ -304,6 +328,30 @@ void GLAPIENTRY glAccumxOES(GLenum, GLfixed) {
 
 void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
     refuse_feature(SPANGLE_TEXT("glClearAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_BITMAPS
+
+void GLAPIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*) {
+    refuse_feature(SPANGLE_TEXT("glBitmap: this build has no SPANGLE_FEATURE_BITMAPS"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_DRAW_PIXELS
+
+void GLAPIENTRY glPixelZoom(GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glPixelZoom: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
+}
+
+void GLAPIENTRY glDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void*) {
+    refuse_feature(SPANGLE_TEXT("glDrawPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
+}
+
+void GLAPIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) {
+    refuse_feature(SPANGLE_TEXT("glCopyPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
 }
 
 #endif

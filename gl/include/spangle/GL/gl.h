@@ -959,6 +959,10 @@ GLAPI void GLAPIENTRY glPixelMapusv(GLenum map, GLsizei size, const GLushort* va
 GLAPI void GLAPIENTRY glGetPixelMapfv(GLenum map, GLfloat* values);
 GLAPI void GLAPIENTRY glGetPixelMapuiv(GLenum map, GLuint* values);
 GLAPI void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values);
+GLAPI void GLAPIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor);
+GLAPI void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+GLAPI void GLAPIENTRY glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
+GLAPI void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove, const GLubyte* bitmap);
 GLAPI void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels);
 GLAPI void GLAPIENTRY glFogf(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params);

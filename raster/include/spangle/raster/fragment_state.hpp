@@ -70,6 +70,9 @@ enum class CombineSource : std::uint8_t { texture, constant, primary_color, prev
 /// As GL's tokens stand: SRC_COLOR, ONE_MINUS_SRC_COLOR, SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 enum class CombineOperand : std::uint8_t { color, one_minus_color, alpha, one_minus_alpha };
 enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intensity, rgb, rgba };
+/// Where a fragment's primary colour comes from: its vertices, or the image that is drawn; with
+/// `of_pixels_565` one of k/31, k/63, k/31, so that nothing is lost in 16 bits.
+enum class Colors : std::uint8_t { of_vertices, of_pixels, of_pixels_565 };
 enum class FogMode : std::uint8_t { exp, exp2, linear };
 
 /// Accuracy tier (design 3). A tier never changes coverage or depth.
@@ -174,6 +177,7 @@ inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one
 
 struct FragmentState {
     TextureUnit unit[max_texture_units];
+    Colors colors = Colors::of_vertices;
     bool flat = false;       ///< colour of the provoking vertex
     bool color_sum = false;  ///< add the secondary colour after texturing
     bool perspective = true; ///< some w != 1 may occur; false lets 2D programs skip 1/w altogether

@@ -1,0 +1,160 @@
+// CopyPixels (GL 1.3, 4.3.3): as if all of the source were read before the first fragment is drawn.
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_DRAW_PIXELS
+
+#include <cstring>
+
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/context.hpp"
+#include "gl/pixel/fetch.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+#include "gl/pixel/rectangle.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// A rectangle of the framebuffer: group (n, m) is pixel (x + n, y + m). Those outside are undefined in GL;
+/// here they are no groups.
+struct BufferGroups : GroupSource {
+    BufferGroups(const Context& context, GLint left, GLint bottom, GLsizei width, GLsizei height)
+        : GroupSource{fill_groups<BufferGroups>, inside(left, width, context.drawable.read.width),
+                      inside(bottom, height, context.drawable.read.height)},
+          surface(context.drawable.read), x(left), y(bottom), transfer(context.pixel_mode) {}
+
+    static Interval inside(GLint at, GLsizei size, std::int32_t limit) {
+        const std::int64_t end = std::int64_t{limit} - at, begin = -std::int64_t{at};
+        const std::int64_t last = end < size ? end : size;
+        return {at < 0 ? static_cast<std::int32_t>(begin < size ? begin : size) : 0,
+                static_cast<std::int32_t>(last < 0 ? 0 : last)};
+    }
+
+    std::int32_t column(std::int32_t n) const { return static_cast<std::int32_t>(std::int64_t{x} + n); }
+    std::int32_t row(std::int32_t m) const { return static_cast<std::int32_t>(std::int64_t{y} + m); }
+
+    Pixel color(std::int32_t n, std::int32_t m) const {
+        Pixel pixel = fetch_color(surface, column(n), row(m));
+        transfer.apply(pixel);
+        return pixel;
+    }
+    Component depth(std::int32_t n, std::int32_t m) const {
+        return transfer.depth(fetch_depth(surface, column(n), row(m)));
+    }
+    Index stencil(std::int32_t n, std::int32_t m) const {
+        return transfer.stencil(whole_index(raster::read_stencil(surface, column(n), row(m))));
+    }
+
+    raster::Surface surface;
+    GLint x, y;
+    Transfer transfer;
+};
+
+/// The plane that is read.
+struct Plane {
+    std::uint8_t*& first;
+    std::int32_t& stride;
+    std::int32_t pixel;
+};
+Plane plane_of(raster::Surface& surface, Content content) {
+    if (content == Content::color)
+        return {surface.color, surface.color_stride, format_info(surface.format).bytes_per_pixel};
+    return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
+}
+
+/// What is read, apart from what is drawn; null without memory. The caller frees it.
+void* set_aside(Context& context, BufferGroups& source, Content content) {
+    const Plane plane = plane_of(source.surface, content);
+    const std::int32_t width = source.n.end - source.n.begin, height = source.m.end - source.m.begin;
+    const auto bytes = static_cast<std::size_t>(width * plane.pixel);
+    auto* const memory =
+        static_cast<std::uint8_t*>(context.arena->allocate(bytes * static_cast<std::size_t>(height)));
+    if (memory == nullptr)
+        return nullptr;
+    for (std::int32_t i = 0; i < height; ++i)
+        std::memcpy(memory + static_cast<std::size_t>(i) * bytes,
+                    plane.first + std::ptrdiff_t{source.row(source.m.begin + i)} * plane.stride +
+                        std::ptrdiff_t{source.column(source.n.begin)} * plane.pixel,
+                    bytes);
+    plane.first = memory;
+    plane.stride = static_cast<std::int32_t>(bytes);
+    source.x = -source.n.begin;
+    source.y = -source.m.begin;
+    return memory;
+}
+
+bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end) {
+    return a < b_end && b < a_end;
+}
+
+/// Some pixel may be drawn before it has been read.
+bool overlaps(const Context& context, BufferGroups source, Content content) {
+    raster::Surface drawn = context.drawable.surface;
+    if (plane_of(drawn, content).first != plane_of(source.surface, content).first)
+        return false;
+    const Real* const at = context.current.raster.position;
+    const Real* const zoom = context.pixel_mode.zoom;
+    const Rect area = drawing_rect(context);
+    const ZoomAxis::Range columns =
+        ZoomAxis(at[0], zoom[0]).covered(source.n.begin, source.n.end, area.x, area.x + area.w);
+    const ZoomAxis::Range rows =
+        ZoomAxis(at[1], zoom[1]).covered(source.m.begin, source.m.end, area.y, area.y + area.h);
+    return meet(columns.begin, columns.end, source.column(source.n.begin), source.column(source.n.end)) &&
+           meet(rows.begin, rows.end, source.row(source.m.begin), source.row(source.m.end));
+}
+
+/// Without zoom an order of columns and rows is enough, the one of memmove.
+RectangleOrder order_of(const Context& context, const BufferGroups& source) {
+    const Real* const at = context.current.raster.position;
+    return {numeric::from_i32(source.x) < at[0], numeric::from_i32(source.y) < at[1]};
+}
+
+bool is_color_565(const Context& context, const BufferGroups& source) {
+    return format_info(context.drawable.read.format).bytes_per_pixel == 2 &&
+           !source.transfer.changes_colors();
+}
+
+void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Content content) {
+    BufferGroups source(context, x, y, width, height);
+    if (source.n.begin >= source.n.end || source.m.begin >= source.m.end)
+        return;
+    const Real* const zoom = context.pixel_mode.zoom;
+    const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one;
+    const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
+    const bool exact = is_color_565(context, source);
+    void* aside = nullptr;
+    if (!moves && overlaps(context, source, content)) {
+        aside = set_aside(context, source, content);
+        if (aside == nullptr)
+            return error(context, GL_OUT_OF_MEMORY,
+                         SPANGLE_TEXT("glCopyPixels: no room in the arena to zoom what overlaps its copy"));
+    }
+    draw_rectangle(context, source, content,
+                   exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, order);
+    context.arena->free(aside);
+}
+
+} // namespace
+
+void cmd::CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+    if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL)
+        return error(context, GL_INVALID_ENUM);
+    if (width < 0 || height < 0)
+        return error(context, GL_INVALID_VALUE);
+    const DepthFormat from = context.drawable.read.depth_format, to = context.drawable.surface.depth_format;
+    if ((type == GL_DEPTH && from == DepthFormat::none) ||
+        (type == GL_STENCIL && (from != DepthFormat::z24s8 || to != DepthFormat::z24s8)))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glCopyPixels: the surface has no such buffer"));
+    if (!raster_position_draws(context, GL_COPY_PIXEL_TOKEN))
+        return;
+    copy(context, x, y, width, height,
+         type == GL_COLOR   ? Content::color
+         : type == GL_DEPTH ? Content::depth
+                            : Content::stencil);
+}
+
+} // namespace spangle::gl
+
+#endif

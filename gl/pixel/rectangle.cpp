@@ -1,0 +1,153 @@
+#include "gl/context/features.hpp"
+
+#if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
+
+#include "gl/context/context.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+#include "gl/pixel/rectangle.hpp"
+#include "gl/vertex/capture.hpp"
+#include "gl/vertex/engine.hpp"
+#include "raster/surface/pixel.hpp"
+
+namespace spangle::gl {
+
+bool raster_position_draws(Context& context, [[maybe_unused]] GLenum token) {
+    const RasterPosition& raster = context.current.raster;
+    if (!raster.valid)
+        return false;
+#if SPANGLE_FEATURE_FEEDBACK
+    if (context.render.mode == GL_FEEDBACK) {
+        FeedbackVertex v{};
+        v.colors = context.drawable.index_bits != 0 ? 1 : 4;
+        for (int c = 0; c < 4; ++c) {
+            v.window[c] = raster.position[c];
+            v.color[c] = raster.color[c];
+            v.texture[c] = raster.tex_coord[0].v[c];
+        }
+        if (v.colors == 1)
+            v.color[0] = raster.index;
+        feed_token(context, token);
+        feed_vertex(context, v);
+    }
+#endif
+    return context.render.draws();
+}
+
+#if SPANGLE_FEATURE_DRAW_PIXELS
+
+namespace {
+
+/// Chunks of columns, and the rows of each: a row of groups is filled once for all the rows of fragments that
+/// it covers.
+class Rectangle {
+  public:
+    Rectangle(const Context& context, const GroupSource& source, RowForm form, RectangleOrder order)
+        : source_(source), form_(form), order_(order),
+          x_(context.current.raster.position[0], context.pixel_mode.zoom[0]),
+          y_(context.current.raster.position[1], context.pixel_mode.zoom[1]) {
+        const Rect clip = drawing_rect(context);
+        if (x_.is_empty() || y_.is_empty())
+            return;
+        columns_ = x_.covered(source.n.begin, source.n.end, clip.x, clip.x + clip.w);
+        rows_ = y_.covered(source.m.begin, source.m.end, clip.y, clip.y + clip.h);
+    }
+
+    /// put(y, x, count, row) for each row of each chunk.
+    template <class Put> void each(Put put) {
+        if (rows_.begin >= rows_.end)
+            return;
+        for (std::int32_t done = 0, all = columns_.end - columns_.begin; done < all;
+             done += rectangle_chunk) {
+            const std::int32_t count = all - done < rectangle_chunk ? all - done : rectangle_chunk;
+            const std::int32_t x = order_.from_right ? columns_.end - done - count : columns_.begin + done;
+            chunk(x, count, put);
+        }
+    }
+
+  private:
+    template <class Put> void chunk(std::int32_t x, std::int32_t count, Put put) {
+        const ZoomAxis::Walk n = x_.from(x);
+        ZoomAxis::Walk m = y_.from(rows_.begin);
+        std::int32_t filled = -1;
+        for (std::int32_t i = 0; i < rows_.end - rows_.begin; ++i) {
+            const std::int32_t y = order_.from_top ? rows_.end - 1 - i : rows_.begin + i;
+            if (order_.from_top)
+                m = y_.from(y);
+            if (m.group() != filled)
+                source_.fill(source_, form_, m.group(), n, count, row_);
+            filled = m.group();
+            put(y, x, count, row_);
+            m.step();
+        }
+    }
+
+    const GroupSource& source_;
+    RowForm form_;
+    RectangleOrder order_;
+    ZoomAxis x_, y_;
+    ZoomAxis::Range columns_{0, 0}, rows_{0, 0};
+    RectangleRow row_;
+};
+
+struct Fragments : raster::PixelSource {
+    Rectangle& rectangle;
+    RowForm form;
+    bool colored; ///< the fragments bring their colours
+};
+
+/// Runs of one depth.
+void emit_depths(raster::PixelSink& sink, std::int32_t y, std::int32_t x, std::int32_t count,
+                 const std::uint32_t* depth) {
+    for (std::int32_t begin = 0, end; begin < count; begin = end) {
+        for (end = begin + 1; end < count && depth[end] == depth[begin];)
+            ++end;
+        sink.depth(sink, depth[begin]);
+        sink.run(sink, y, x + begin, x + end, nullptr);
+    }
+}
+
+void emit(raster::PixelSource& source, raster::PixelSink& sink) {
+    auto& fragments = static_cast<Fragments&>(source);
+    fragments.rectangle.each(
+        [&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
+            if (fragments.form == RowForm::depth)
+                return emit_depths(sink, y, x, count, row.depth);
+            sink.run(sink, y, x, x + count, fragments.colored ? &row : nullptr);
+        });
+}
+
+/// Neither textured nor tested: ownership, scissor and mask alone (GL 1.3, 4.3.1).
+void store_stencil(const Context& context, Rectangle& rectangle) {
+    const raster::Surface& surface = context.drawable.surface;
+    const auto mask = static_cast<std::uint8_t>(context.fragment_ops.stencil[0].write_mask);
+    rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
+        for (std::int32_t i = 0; i < count; ++i) {
+            const unsigned stored = raster::read_stencil(surface, x + i, y);
+            raster::write_stencil(surface, x + i, y,
+                                  static_cast<std::uint8_t>((row.stencil[i] & mask) | (stored & ~mask)));
+        }
+    });
+}
+
+} // namespace
+
+void draw_rectangle(Context& context, const GroupSource& source, Content content, raster::Colors colors,
+                    RectangleOrder order) {
+    if (content == Content::stencil) {
+        Rectangle rectangle(context, source, RowForm::stencil, order);
+        return store_stencil(context, rectangle);
+    }
+    const bool depth = content == Content::depth;
+    const raster::DrawState& state =
+        draw_state(context, Drawn::pixels, depth ? raster::Colors::of_vertices : colors);
+    const RowForm form = depth ? RowForm::depth : state.words ? RowForm::words : RowForm::color;
+    Rectangle rectangle(context, source, form, order);
+    Fragments fragments{{emit}, rectangle, form, state.pixels};
+    context.engine->pixels(context, state, fragments);
+}
+
+#endif
+
+} // namespace spangle::gl
+
+#endif

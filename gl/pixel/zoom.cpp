@@ -1,0 +1,92 @@
+#include "gl/pixel/zoom.hpp"
+
+#include "raster/numeric/bits.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+constexpr int fraction_bits = 32;
+constexpr std::int64_t one = std::int64_t{1} << fraction_bits, half = one / 2;
+constexpr int number_bits = 58; ///< 2^26 pixels: farther away nothing is seen
+constexpr std::int64_t farthest = std::int64_t{1} << 61;
+
+/// With 32 fraction bits, saturated.
+std::int64_t fixed(numeric::Real v) {
+    const numeric::detail::Unpacked u = numeric::detail::unpack(v);
+    const std::int32_t up = u.exponent + fraction_bits;
+    const std::uint64_t magnitude = up > number_bits - 24
+                                        ? (u.mantissa != 0 ? std::uint64_t{1} << number_bits : 0)
+                                    : up >= 0 ? std::uint64_t{u.mantissa} << up
+                                              : numeric::shift_right_even(u.mantissa, -up);
+    const auto bounded = static_cast<std::int64_t>(magnitude);
+    return u.negative ? -bounded : bounded;
+}
+
+/// a n, n >= 0, or +-farthest.
+std::int64_t times(std::int64_t a, std::int32_t n) {
+    const std::uint64_t low = (static_cast<std::uint64_t>(a) & (one - 1)) * static_cast<std::uint32_t>(n);
+    const std::int64_t high = (a >> fraction_bits) * n + static_cast<std::int64_t>(low >> fraction_bits);
+    constexpr std::int64_t most = farthest >> fraction_bits;
+    if (high >= most || high < -most)
+        return high < 0 ? -farthest : farthest;
+    return high * one + static_cast<std::int64_t>(low & (one - 1));
+}
+
+} // namespace
+
+std::int32_t whole_pixels(numeric::Real at, numeric::Real origin) {
+    constexpr numeric::Real limit = numeric::from_fixed(1, fraction_bits - number_bits);
+    const bool near = numeric::abs(at) < limit && numeric::abs(origin) < limit;
+    const std::int64_t corner = near ? fixed(at) - fixed(origin) : fixed(numeric::sub(at, origin));
+    constexpr std::int64_t nearly = one >> 13;
+    return static_cast<std::int32_t>((corner + nearly) >> fraction_bits);
+}
+
+ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom) : at_(fixed(at)), zoom_(fixed(zoom)) {}
+
+/// The first one whose centre is not before an edge.
+std::int32_t ZoomAxis::first_fragment(std::int64_t edge) const {
+    const std::int64_t fragment = (edge - half + (one - 1)) >> fraction_bits; // |edge| < 2^62
+    return numeric::saturate_i32(fragment);
+}
+
+ZoomAxis::Range ZoomAxis::covered(std::int32_t first, std::int32_t last, std::int32_t low,
+                                  std::int32_t high) const {
+    const std::int32_t a = first_fragment(at_ + times(zoom_, first)),
+                       b = first_fragment(at_ + times(zoom_, last));
+    const Range all = zoom_ < 0 ? Range{b, a} : Range{a, b};
+    return {all.begin > low ? all.begin : low, all.end < high ? all.end : high};
+}
+
+/// d zoom groups from the raster position are at its left, or with a negative zoom d - 2^-32: floor of a
+/// quotient of positive numbers, as the fragment is covered.
+ZoomAxis::Walk ZoomAxis::from(std::int32_t fragment) const {
+    const std::int64_t center = fragment * one + half;
+    const std::int64_t d = zoom_ < 0 ? at_ - center - 1 : center - at_;
+    Walk walk;
+    walk.by_ = zoom_ < 0 ? -zoom_ : zoom_;
+    walk.group_ = d / walk.by_;
+    walk.rest_ = d % walk.by_;
+    walk.whole_ = one / walk.by_;
+    walk.part_ = one % walk.by_;
+    if (zoom_ < 0) {
+        walk.whole_ = -walk.whole_;
+        walk.part_ = -walk.part_;
+    }
+    return walk;
+}
+
+void ZoomAxis::Walk::step() {
+    group_ += whole_;
+    rest_ += part_;
+    if (rest_ >= by_) {
+        rest_ -= by_;
+        ++group_;
+    } else if (rest_ < 0) {
+        rest_ += by_;
+        --group_;
+    }
+}
+
+} // namespace spangle::gl

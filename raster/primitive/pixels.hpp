@@ -1,0 +1,54 @@
+// Fragments whose place somebody else has found: those of pixel rectangles and bitmaps (GL 1.3, 3.6.4, 3.7).
+#pragma once
+
+#include "raster/primitive/draw.hpp"
+#include "raster/primitive/pen.hpp"
+
+namespace spangle::raster {
+
+template <class P> class PixelPen : public PixelSink {
+  public:
+    PixelPen(const DrawState& state, const Surface& target, const typename P::Vertex& at)
+        : PixelSink{run, depth}, pen_(state, target), at_(at) {
+        Setup<P>(pen_.span, at_);
+        pen_.begin();
+    }
+    ~PixelPen() { pen_.flush(); }
+    PixelPen(const PixelPen&) = delete;
+    PixelPen& operator=(const PixelPen&) = delete;
+
+  private:
+    static PixelPen& self(PixelSink& sink) { return static_cast<PixelPen&>(sink); }
+
+    static void run(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
+                    const void* pixels) {
+        Pen<P>& pen = self(sink).pen_;
+        if (y < pen.row_begin() || y >= pen.row_end() || begin >= end || !pen.sees(begin, end))
+            return;
+        pen.span.pixels = pixels;
+        pen.add(y, begin, end);
+        if (pixels != nullptr) // the next run has others
+            pen.flush();
+    }
+    static void depth(PixelSink& sink, std::uint32_t z) {
+        PixelPen& own = self(sink);
+        own.pen_.flush();
+        set_depth(own.at_, z);
+        Setup<P>(own.pen_.span, own.at_);
+    }
+
+    Pen<P> pen_;
+    typename P::Vertex at_;
+};
+
+template <class P>
+void draw_pixels_of(const DrawState& state, const Surface& target, const typename P::Vertex& at,
+                    PixelSource& source) {
+    observe_other(state);
+    if (state.nothing)
+        return;
+    PixelPen<P> pen(state, target, at);
+    source.emit(source, pen);
+}
+
+} // namespace spangle::raster
