@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/hal_kernel/files.hpp"
 
@@ -13,46 +14,53 @@ namespace {
 using spangle::sim::Time;
 
 const std::string tracing = "/sys/kernel/tracing/";
-constexpr char event[] = "gpio_value: ";
-/// The trace tells microseconds: what happened within one is spread by this, slower than any panel's clock.
-constexpr Time apart = 200;
+/// The trace tells microseconds, and how fast lines are clocked is what the machine's load leaves: nothing is
+/// nearer to what was before it than this, slower than any panel's clock. (Open drain is I2C: three changes a
+/// bit.)
+constexpr Time apart = 200, apart_open_drain = 1000;
 
 void set(const char* file, const char* text) {
     write_text(tracing + file, text);
 }
 
-/// "  test_hal_-34  [000] .....  12.345678: gpio_value: 512 set 1"; false: another event, or an input that
-/// was read.
-bool parse(const std::string& text, unsigned first, LineChange& change) {
-    const std::size_t at = text.find(event);
-    if (at == std::string::npos)
-        return false;
-    unsigned number, level;
-    char direction[4];
-    unsigned long long seconds, micros;
-    if (std::sscanf(text.c_str() + at + sizeof event - 1, "%u %3s %u", &number, direction, &level) != 3 ||
-        std::sscanf(text.c_str() + text.rfind(' ', at - 2), "%llu.%llu:", &seconds, &micros) != 2)
-        throw std::runtime_error("a trace of another form: " + text);
-    if (direction != std::string("set") || number < first)
-        return false;
-    change = {number - first, level != 0, (seconds * 1'000'000 + micros) * 1000};
-    return true;
-}
-
 } // namespace
 
-LineTrace::LineTrace(const SimChip& chip) : first_(chip.first_number()) {
+LineTrace::LineTrace(const SimChip& chip, std::vector<unsigned> open_drain)
+    : first_(chip.first_number()), open_drain_(std::move(open_drain)) {
     set("tracing_on", "0");
     set("trace_clock", "mono"); // the default counts ticks of 10 ms here
     set("buffer_size_kb", "24576");
     set("trace", "0");
     set("events/gpio/gpio_value/enable", "1");
+    set("events/gpio/gpio_direction/enable", open_drain_.empty() ? "0" : "1");
     set("tracing_on", "1");
 }
 
 LineTrace::~LineTrace() {
-    set("events/gpio/gpio_value/enable", "0");
+    set("events/gpio/enable", "0");
     set("buffer_size_kb", "4");
+}
+
+/// "  test_hal_-34  [000] .....  12.345678: gpio_value: 512 set 1", or "gpio_direction: 512  in (0)", which
+/// is all that an open-drain line shows. False: an input that was read, or nothing of a line.
+bool LineTrace::parse(const std::string& text, LineChange& change) const {
+    const std::size_t at = text.find(": gpio_");
+    if (at == std::string::npos)
+        return false;
+    char event[16], what[4];
+    unsigned number, level = 0;
+    unsigned long long seconds, micros;
+    if (std::sscanf(text.c_str() + at, ": %15[a-z_]: %u %3s %u", event, &number, what, &level) < 3 ||
+        std::sscanf(text.c_str() + text.rfind(' ', at), "%llu.%llu:", &seconds, &micros) != 2)
+        throw std::runtime_error("a trace of another form: " + text);
+    const std::string kind = event, word = what;
+    const bool direction = kind == "gpio_direction";
+    if (number < first_ || (!direction && word != "set"))
+        return false;
+    const unsigned line = number - first_;
+    const bool drains = std::find(open_drain_.begin(), open_drain_.end(), line) != open_drain_.end();
+    change = {line, direction ? word == "in" : level != 0, (seconds * 1'000'000 + micros) * 1000};
+    return direction == drains;
 }
 
 std::vector<LineChange> LineTrace::take() {
@@ -63,11 +71,12 @@ std::vector<LineChange> LineTrace::take() {
         throw std::runtime_error("the trace lost events:\n" + statistics);
     set("trace", "0");
     set("tracing_on", "1");
+    const Time least = open_drain_.empty() ? apart : apart_open_drain;
     std::vector<LineChange> changes;
     LineChange change;
     for (std::string line; std::getline(text, line);)
-        if (parse(line, first_, change)) {
-            change.time = last_ = std::max(change.time, last_ + apart);
+        if (parse(line, change)) {
+            change.time = last_ = std::max(change.time, last_ + least);
             changes.push_back(change);
         }
     return changes;

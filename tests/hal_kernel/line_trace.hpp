@@ -18,8 +18,8 @@ struct LineChange {
 
 class LineTrace {
   public:
-    /// From now on, of this chip.
-    explicit LineTrace(const SimChip& chip);
+    /// From now on, of this chip. Lines of `open_drain` are low, or let go of: then they are high.
+    explicit LineTrace(const SimChip& chip, std::vector<unsigned> open_drain = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
@@ -29,7 +29,10 @@ class LineTrace {
 
   private:
     unsigned first_;
+    std::vector<unsigned> open_drain_;
     spangle::sim::Time last_ = 0;
+
+    bool parse(const std::string& text, LineChange& change) const;
 };
 
 /// Lets what hangs on a header see the changes; `levels`: of all lines, before and after.

@@ -1,5 +1,6 @@
 #include "tests/hal_kernel/sim_chip.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -13,8 +14,21 @@ namespace {
 
 const std::string folder = "/sys/kernel/config/gpio-sim/chip";
 const std::string bank = folder + "/bank0";
-const std::string spi_driver = "/sys/bus/platform/drivers/spi_gpio/";
-const std::string spi_bus = "spi_gpio.0";
+struct LineBus {
+    std::string driver, device, file;
+};
+const LineBus buses[] = {{"/sys/bus/platform/drivers/spi_gpio/", "spi_gpio.0", "/dev/spidev0.0"},
+                         {"/sys/bus/platform/drivers/i2c-gpio/", "i2c-gpio.1", "/dev/i2c-1"}};
+
+/// Whose probe waited for the chip comes by itself; whom an earlier test unbound does not.
+void bind(const LineBus& bus) {
+    if (!exists(bus.driver + bus.device))
+        try {
+            write_text(bus.driver + "bind", bus.device);
+        } catch (const std::runtime_error&) { // it came in between
+        }
+    await("make the bus's device file", [&] { return exists(bus.file); });
+}
 
 } // namespace
 
@@ -28,15 +42,8 @@ SimChip::SimChip(const std::string& label, unsigned lines) : label_(label) {
     path_ = "/dev/" + name;
     lines_folder_ = "/sys/devices/platform/" + read_text(folder + "/dev_name") + "/" + name + "/sim_gpio";
     await("make the chip's device file", [&] { return exists(path_); });
-    if (!has_bus())
-        return;
-    // Whose probe waited for the chip comes by itself; whom an earlier test unbound does not.
-    if (!exists(spi_driver + spi_bus))
-        try {
-            write_text(spi_driver + "bind", spi_bus);
-        } catch (const std::runtime_error&) { // it came in between
-        }
-    await("make the SPI device", [] { return exists("/dev/spidev0.0"); });
+    if (has_buses())
+        std::for_each(std::begin(buses), std::end(buses), bind);
 }
 
 SimChip::~SimChip() {
@@ -48,8 +55,9 @@ SimChip::~SimChip() {
 
 void SimChip::remove() {
     present_ = false;
-    if (has_bus())
-        write_text(spi_driver + "unbind", spi_bus);
+    for (const LineBus& bus : buses)
+        if (has_buses())
+            write_text(bus.driver + "unbind", bus.device);
     write_text(folder + "/live", "0");
 }
 

@@ -8,7 +8,7 @@ namespace kernel_test {
 
 class SimChip {
   public:
-    /// `header_label` makes the machine's SPI bus come to life on lines 8 to 11 (board.c).
+    /// With this label the machine's buses come to life: SPI on lines 8 to 11, I2C on 2 and 3 (board.c).
     static constexpr char header_label[] = "display-header";
 
     SimChip(const std::string& label, unsigned lines);
@@ -32,7 +32,7 @@ class SimChip {
     std::string label_, path_, lines_folder_;
     bool present_ = true;
 
-    bool has_bus() const { return label_ == header_label; }
+    bool has_buses() const { return label_ == header_label; }
 };
 
 } // namespace kernel_test

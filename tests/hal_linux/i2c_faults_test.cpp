@@ -8,6 +8,7 @@
 
 #include "host_sim/board/module.hpp"
 #include "host_sim/linux/i2c_adapter.hpp"
+#include "tests/hal_linux/oled_picture.hpp"
 
 namespace {
 
@@ -49,38 +50,8 @@ struct I2cFaults : testing::Test {
         kernel.forget_all();
     }
 
-    /// Black and white, which dithering leaves alone.
-    bool draw(unsigned seed, Rect area) {
-        const auto frame = display->acquire();
-        if (!frame.ok())
-            return false;
-        for (int y = area.y; y < area.y + area.h; ++y) {
-            for (int x = area.x; x < area.x + area.w; ++x) {
-                const unsigned noise = (static_cast<unsigned>(x * 131 + y * 977) + seed) * 2654435761u;
-                const auto byte = static_cast<std::uint8_t>((noise >> 20 & 1) != 0 ? 0xFF : 0);
-                std::uint8_t* const at = frame.value().pixels + y * frame.value().stride + 2 * x;
-                at[0] = at[1] = byte;
-            }
-            RowSpan& row = frame.value().extents->rows[y];
-            row = {std::min(row.begin, static_cast<std::int16_t>(area.x)),
-                   std::max(row.end, static_cast<std::int16_t>(area.x + area.w))};
-        }
-        return true;
-    }
-    /// The first pixel that differs from the surface; empty: none.
-    std::string difference() {
-        const auto frame = display->acquire();
-        if (!frame.ok())
-            return frame.error().rule;
-        const auto glass = oled->glass(kernel.now());
-        for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 128; ++x) {
-                const bool wanted = frame.value().pixels[y * frame.value().stride + 2 * x] != 0;
-                if ((glass[static_cast<std::size_t>(y * 128 + x)].g != 0) != wanted)
-                    return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " differs";
-            }
-        return "";
-    }
+    bool draw(unsigned seed, Rect area) { return linux_test::draw_dots(*display, seed, area); }
+    std::string difference() { return linux_test::dots_difference(*display, *oled, kernel.now()); }
     /// A present, then another that waits for it.
     hal::Result<void> show() {
         const auto sent = display->present();

@@ -1,0 +1,122 @@
+// An I2C target at its two lines: what is a START, a bit, an address, and what is lost.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host_sim/bus/i2c_pins.hpp"
+
+namespace {
+
+using namespace spangle;
+using namespace spangle::sim;
+
+/// Writes down what reaches it.
+struct Heard final : Controller {
+    Heard() : Controller("I2C", {}) {}
+    std::string text;
+    unsigned period = 0;
+
+    void reset(bool, Time) override {}
+    void select(bool selected, Time) override { text += selected ? "[" : "]"; }
+    void write(std::uint8_t byte, bool data, Time, unsigned period_ns) override {
+        text += (data ? "d" : "c") + hex(byte) + " ";
+        period = period_ns;
+    }
+    std::vector<Rgb666> glass(Time) override { return {}; }
+    std::vector<Rgb666> cells() const override { return {}; }
+    MemorySize memory_size() const override { return {}; }
+    Time line_time() const override { return 1; }
+    Time refresh_time() const override { return 0; }
+};
+
+struct I2cLines : testing::Test {
+    Heard heard;
+    I2cTarget target{heard};
+    I2cPins pins{target, 0x3C};
+    Time now = 1000;
+    bool scl = true, sda = true;
+
+    void drive(bool clock, bool data) {
+        scl = clock, sda = data;
+        pins.set(scl, sda, now += 1250);
+    }
+    void start() {
+        drive(scl, true);
+        drive(true, true);
+        drive(true, false);
+        drive(false, false);
+    }
+    void bit(bool level) {
+        drive(false, level);
+        drive(true, level);
+        drive(true, level);
+        drive(false, level);
+    }
+    void byte(unsigned value) {
+        for (unsigned i = 8; i-- != 0;)
+            bit((value >> i & 1) != 0);
+        bit(false); // acknowledged
+    }
+    void stop() {
+        drive(false, false);
+        drive(true, false);
+        drive(true, true);
+    }
+};
+
+TEST_F(I2cLines, AMessageIsAddressedAndEnds) {
+    start();
+    byte(0x78);
+    byte(0x40);
+    byte(0xA5);
+    byte(0x5A);
+    stop();
+    start();
+    byte(0x78);
+    byte(0x00);
+    byte(0xAE);
+    stop();
+    EXPECT_EQ(heard.text, "[dA5h d5Ah ][cAEh ]");
+    EXPECT_EQ(heard.period, 5000u);
+    EXPECT_EQ(pins.strays(), 0u);
+}
+
+TEST_F(I2cLines, ARepeatedStartEndsTheMessageBefore) {
+    start();
+    byte(0x78);
+    byte(0x00);
+    byte(0xAE);
+    start();
+    byte(0x78);
+    byte(0x40);
+    byte(0x01);
+    stop();
+    EXPECT_EQ(heard.text, "[cAEh ][d01h ]");
+    EXPECT_EQ(pins.strays(), 0u);
+}
+
+TEST_F(I2cLines, OtherAddressesAndReadsAreNotItsOwn) {
+    for (const unsigned first : {0x7Au, 0x79u}) {
+        start();
+        byte(first);
+        byte(0x00);
+        byte(0xAE);
+        stop();
+    }
+    EXPECT_EQ(heard.text, "");
+    EXPECT_EQ(pins.strays(), 2u);
+}
+
+TEST_F(I2cLines, AByteThatIsCutShortIsAStray) {
+    start();
+    byte(0x78);
+    byte(0x40);
+    bit(true);
+    bit(false);
+    bit(true);
+    stop();
+    EXPECT_EQ(heard.text, "[]");
+    EXPECT_EQ(pins.strays(), 1u);
+}
+
+} // namespace
