@@ -71,6 +71,13 @@ inline constexpr auto fragment_rows = std::to_array<StateRow>({
     STORED(GL_POLYGON_SMOOTH_HINT, hint.polygon_smooth),
     STORED(GL_FOG_HINT, hint.fog),
     STORED(GL_TEXTURE_COMPRESSION_HINT, hint.texture_compression),
+    in(Group::multisample),
+    SWITCH(GL_MULTISAMPLE, fragment_ops.multisample),
+    SWITCH(GL_SAMPLE_ALPHA_TO_COVERAGE, fragment_ops.sample_alpha_to_coverage),
+    SWITCH(GL_SAMPLE_ALPHA_TO_ONE, fragment_ops.sample_alpha_to_one),
+    SWITCH(GL_SAMPLE_COVERAGE, fragment_ops.sample_coverage),
+    STORED(GL_SAMPLE_COVERAGE_VALUE, fragment_ops.sample_coverage_value),
+    STORED(GL_SAMPLE_COVERAGE_INVERT, fragment_ops.sample_coverage_invert),
 });
 
 } // namespace spangle::gl

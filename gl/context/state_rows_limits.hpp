@@ -62,6 +62,8 @@ inline constexpr auto limits_rows = std::to_array<StateRow>({
     constant(GL_MAX_ELEMENTS_INDICES, 65536),
     constant(GL_MAX_ELEMENTS_VERTICES, 65536),
     constant(GL_AUX_BUFFERS, 0),
+    constant(GL_SAMPLE_BUFFERS, 0),
+    constant(GL_SAMPLES, 0),
     computed(GL_RGBA_MODE, Kind::integer, 1, computed_state::index_mode),
     computed(GL_INDEX_MODE, Kind::integer, 1, computed_state::index_mode),
     STORED(GL_DOUBLEBUFFER, drawable.double_buffered),

@@ -60,6 +60,11 @@ void AlphaFunc(Context& context, GLenum func, Real ref) {
     context.changed(dirty_fragment);
 }
 
+void SampleCoverage(Context& context, Real value, bool invert) {
+    context.fragment_ops.sample_coverage_value = numeric::clamp01(value);
+    context.fragment_ops.sample_coverage_invert = invert;
+}
+
 void DepthFunc(Context& context, GLenum func) {
     if (!is_compare(func))
         return error(context, GL_INVALID_ENUM);

@@ -39,6 +39,11 @@ struct FragmentOpsState {
     bool color_logic_op = false, index_logic_op = false;
     GLenum logic_op = GL_COPY;
     bool dither = true;
+    // Without effect on surfaces that have no samples (GL 1.3, 4.1.3).
+    bool multisample = true, sample_alpha_to_coverage = false, sample_alpha_to_one = false,
+         sample_coverage = false;
+    Real sample_coverage_value = numeric::one;
+    bool sample_coverage_invert = false;
     bool color_mask[4] = {true, true, true, true};
     Real color_clear[4] = {};
     Real accum_clear[4] = {};

@@ -40,19 +40,22 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
 
 /// The stipple starts anew with each primitive, and with each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
-void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Window& provoking) {
+void Pipeline<M, L>::draw_modal_line([[maybe_unused]] const Window& a, [[maybe_unused]] const Window& b,
+                                     [[maybe_unused]] const Window& provoking) {
     if (stipple_starts_)
         stipple_.position = 0;
     stipple_starts_ = mode_ == GL_LINES;
-    const PolygonState& polygon = context_->polygon;
-    const raster::Surface& surface = context_->drawable.surface;
+    [[maybe_unused]] const raster::Surface& surface = context_->drawable.surface;
 #if SPANGLE_FEATURE_ANTIALIASING
+    const PolygonState& polygon = context_->polygon;
     if (polygon.line_smooth)
         return raster::draw_smooth_line(*state_, surface, context_->fragments.primitive, a, b, provoking,
                                         eighths(polygon.line_width),
                                         polygon.line_stipple ? &stipple_ : nullptr);
 #endif
+#if SPANGLE_FEATURE_STIPPLE
     raster::draw_stippled_line(*state_, surface, a, b, provoking, line_width_, stipple_);
+#endif
 }
 
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {

@@ -113,6 +113,10 @@ std::map<GLenum, GLbitfield> server_state() {
         groups[GL_EDGE_FLAG] = GL_CURRENT_BIT;
         groups[GL_POLYGON_MODE] = GL_POLYGON_BIT;
     }
+    for (GLenum cap :
+         {GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE})
+        groups[cap] = GL_MULTISAMPLE_BIT | GL_ENABLE_BIT;
+    groups[GL_SAMPLE_COVERAGE_VALUE] = groups[GL_SAMPLE_COVERAGE_INVERT] = GL_MULTISAMPLE_BIT;
     if (SPANGLE_FEATURE_ANTIALIASING) {
         groups[GL_POINT_SMOOTH] = GL_POINT_BIT | GL_ENABLE_BIT;
         groups[GL_LINE_SMOOTH] = GL_LINE_BIT | GL_ENABLE_BIT;
@@ -273,6 +277,7 @@ class Attrib : public RecordingContext {
         glNormal3f(f(0.5f), f(0.6f), f(0.7f));
         glTexCoord4f(f(1), f(2), f(3), f(4));
         glPointSize(f(2));
+        glSampleCoverage(f(0.5f), k != 0);
         glLineWidth(f(3));
         glCullFace(either(GL_FRONT, GL_BACK));
         glFrontFace(either(GL_CW, GL_CCW));

@@ -250,6 +250,20 @@ void arrays(Writer& w) {
     }
 }
 
+/// Primitives in every mode that has stages of its own.
+void modal(Writer& w) {
+    w.call("glEnable", {GL_BLEND});
+    for (const GLenum on : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH, GL_LINE_STIPPLE,
+                            GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL, GL_DEPTH_TEST, GL_STENCIL_TEST}) {
+        w.call("glEnable", {on});
+        for (const char* name : {"glLineStipple", "glPolygonOffset", "glLineWidth", "glPointSize",
+                                 "glPolygonStipple", "glGetPolygonStipple", "glPolygonMode"})
+            w.call(name);
+        w.primitive(modes[w.lot(10)], 6);
+        w.primitive(modes[w.lot(10)], 6);
+    }
+}
+
 /// Drawing into the buffers of selection and feedback, names between, stacks of attributes around.
 void captured(Writer& w) {
     for (int i = 0; i < 3; ++i) {
@@ -298,8 +312,8 @@ void anything(Writer& w) {
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> command_seeds() {
-    constexpr Fill fills[] = {shapes, lit,    textured, fragments, fused,
-                              lists,  arrays, captured, evaluated, anything};
+    constexpr Fill fills[] = {shapes, lit,      textured, fragments, fused,   lists,
+                              arrays, captured, modal,    evaluated, anything};
     std::vector<std::vector<std::uint8_t>> seeds;
     unsigned number = 0;
     for (int round = 0; round < 12; ++round)

@@ -217,6 +217,14 @@ std::vector<Expected> initial_state() {
                                    {GL_EDGE_FLAG, {1}},
                                    {GL_EDGE_FLAG_ARRAY, {0}},
                                    {GL_EDGE_FLAG_ARRAY_STRIDE, {0}}});
+    table.insert(table.end(), {{GL_MULTISAMPLE, {1}},
+                               {GL_SAMPLE_ALPHA_TO_COVERAGE, {0}},
+                               {GL_SAMPLE_ALPHA_TO_ONE, {0}},
+                               {GL_SAMPLE_COVERAGE, {0}},
+                               {GL_SAMPLE_COVERAGE_VALUE, {1}},
+                               {GL_SAMPLE_COVERAGE_INVERT, {0}},
+                               {GL_SAMPLE_BUFFERS, {0}},
+                               {GL_SAMPLES, {0}}});
     if (SPANGLE_FEATURE_ANTIALIASING)
         for (GLenum name : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH})
             table.push_back({name, {0}});
@@ -371,16 +379,17 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
                 EXPECT_EQ(n[i], static_cast<GLint>(v)) << std::hex << e.name;
             }
 #if SPANGLE_FEATURE_FIXED_POINT
-            const bool real =
-                linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
-                e.name == GL_LINE_WIDTH || e.name == GL_POINT_SIZE_GRANULARITY ||
-                e.name == GL_LINE_WIDTH_GRANULARITY || e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
-                e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN || e.name == GL_FOG_END ||
-                e.name == GL_FOG_INDEX || e.name == GL_CURRENT_FOG_COORDINATE ||
-                e.name == GL_CURRENT_TEXTURE_COORDS || e.name == GL_CURRENT_INDEX ||
-                e.name == GL_CURRENT_RASTER_POSITION || e.name == GL_CURRENT_RASTER_DISTANCE ||
-                e.name == GL_CURRENT_RASTER_INDEX || e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
-                (e.name >= GL_RED_SCALE && e.name <= GL_DEPTH_BIAS);
+            const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
+                              e.name == GL_LINE_WIDTH || e.name == GL_POINT_SIZE_GRANULARITY ||
+                              e.name == GL_SAMPLE_COVERAGE_VALUE || e.name == GL_LINE_WIDTH_GRANULARITY ||
+                              e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||
+                              e.name == GL_MAP1_GRID_DOMAIN || e.name == GL_MAP2_GRID_DOMAIN ||
+                              e.name == GL_FOG_END || e.name == GL_FOG_INDEX ||
+                              e.name == GL_CURRENT_FOG_COORDINATE || e.name == GL_CURRENT_TEXTURE_COORDS ||
+                              e.name == GL_CURRENT_INDEX || e.name == GL_CURRENT_RASTER_POSITION ||
+                              e.name == GL_CURRENT_RASTER_DISTANCE || e.name == GL_CURRENT_RASTER_INDEX ||
+                              e.name == GL_CURRENT_RASTER_TEXTURE_COORDS ||
+                              (e.name >= GL_RED_SCALE && e.name <= GL_DEPTH_BIAS);
             EXPECT_EQ(x[i], real ? std::lround(v * 65536) : static_cast<long>(v)) << std::hex << e.name;
 #endif
         }
@@ -404,6 +413,15 @@ TEST_F(State, QueriesReturnWhatWasSet) {
     EXPECT_EQ(f[0], 3.5f);
     EXPECT_EQ(f[1], -2.25f);
     EXPECT_EQ(f[2], 1e-30f);
+    for (const auto& [given, kept] :
+         {std::pair{0.75f, 0.75f}, {-1.0f, 0.0f}, {2.0f, 1.0f}}) { // clamped when set
+        glSampleCoverage(given, GL_TRUE);
+        glGetFloatv(GL_SAMPLE_COVERAGE_VALUE, f);
+        EXPECT_EQ(f[0], kept);
+        GLint inverted = 0;
+        glGetIntegerv(GL_SAMPLE_COVERAGE_INVERT, &inverted);
+        EXPECT_EQ(inverted, 1);
+    }
     glPointSize(2.75f);
     glGetFloatv(GL_POINT_SIZE, f);
     EXPECT_EQ(f[0], 2.75f);
@@ -452,7 +470,7 @@ TEST_F(State, EveryCapabilityToggles) {
         for (GLenum other : caps)
             others.push_back(glIsEnabled(other));
         const bool before = glIsEnabled(cap);
-        EXPECT_EQ(before, cap == GL_DITHER);
+        EXPECT_EQ(before, cap == GL_DITHER || cap == GL_MULTISAMPLE);
         (before ? glDisable : glEnable)(cap);
         GLint value = -1;
         glGetIntegerv(cap, &value);

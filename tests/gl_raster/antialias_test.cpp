@@ -259,25 +259,26 @@ TEST_F(Antialias, NothingIsExtrapolated) {
     }
 }
 
-/// A fragment has the colours of a place less than two pixels away, where its centre is outside, too.
+/// A fragment has the colours of a place less than two pixels away, where its centre is outside, too: the
+/// gradients end at both ends of their range on the edges.
 TEST_F(Antialias, EdgesContinueGradients) {
     for (int n = 0; n < 100; ++n) {
-        const GLfloat low = 8 + place() / 64, high = 40 + place() / 8;
+        const GLfloat low = 8 + place() / 64, high = 40 + place() / 8, range = high + 2 - low;
         const auto got = drawn([&] {
             glBegin(GL_QUADS);
             for (const auto& [x, y] :
-                 {std::pair{low, low}, {high, low + 2}, {high + 2, high}, {low + 1, high + 1}}) {
-                const GLfloat c = x / size;
-                glColor4f(c, y / size, 0, 1);
+                 {std::pair{low, low}, {high, low + 2}, {high + 2, high + 2}, {low + 1, high + 1}}) {
+                glColor4f((x - low) / range, (y - low) / range, 0, 1);
                 glVertex2f(x, y);
             }
             glEnd();
         });
+        const auto expected = [&](double at) { return 255 * std::clamp((at + 0.5 - low) / range, 0.0, 1.0); };
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
                 if (const Rgba& p = got[static_cast<std::size_t>(y * size + x)]; p[3] != 0) {
-                    ASSERT_NEAR(p[0], 255 * (x + 0.5) / size, 9) << n;
-                    ASSERT_NEAR(p[1], 255 * (y + 0.5) / size, 9) << n;
+                    ASSERT_NEAR(p[0], expected(x), 2 * 255 / range + 1) << n;
+                    ASSERT_NEAR(p[1], expected(y), 2 * 255 / range + 1) << n;
                 }
     }
 }

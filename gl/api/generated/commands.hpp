@@ -126,6 +126,7 @@ void StencilOp(Context& context, GLenum fail, GLenum zfail, GLenum zpass);
 void StencilFuncSeparate(Context& context, GLenum face, GLenum func, GLint ref, GLuint mask);
 void StencilOpSeparate(Context& context, GLenum face, GLenum fail, GLenum zfail, GLenum zpass);
 void StencilMaskSeparate(Context& context, GLenum face, GLuint mask);
+void SampleCoverage(Context& context, Real value, bool invert);
 void DepthFunc(Context& context, GLenum func);
 void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor);
 void BlendFuncSeparate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha);
@@ -1004,6 +1005,13 @@ struct StencilMaskSeparate {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glStencilMaskSeparate between glBegin and glEnd");
+};
+struct SampleCoverage {
+    static constexpr auto run = &cmd::SampleCoverage;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glSampleCoverage between glBegin and glEnd");
 };
 struct DepthFunc {
     static constexpr auto run = &cmd::DepthFunc;

@@ -412,6 +412,8 @@ const Name table[] = {
     {"glRotated", reinterpret_cast<EntryPoint>(&glRotated)},
     {"glRotatef", reinterpret_cast<EntryPoint>(&glRotatef)},
     {"glRotatexOES", reinterpret_cast<EntryPoint>(&glRotatexOES)},
+    {"glSampleCoverage", reinterpret_cast<EntryPoint>(&glSampleCoverage)},
+    {"glSampleCoveragexOES", reinterpret_cast<EntryPoint>(&glSampleCoveragexOES)},
     {"glScaled", reinterpret_cast<EntryPoint>(&glScaled)},
     {"glScalef", reinterpret_cast<EntryPoint>(&glScalef)},
     {"glScalexOES", reinterpret_cast<EntryPoint>(&glScalexOES)},

@@ -50,6 +50,18 @@ void GLAPIENTRY glStencilMaskSeparate(GLenum face, GLuint mask) {
 
 #endif
 
+void GLAPIENTRY glSampleCoverage(GLclampf value, GLboolean invert) {
+    issue<family::SampleCoverage>(convert::cast_f(value), invert != 0);
+}
+
+#if SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glSampleCoveragexOES(GLclampx value, GLboolean invert) {
+    issue<family::SampleCoverage>(convert::cast_x(value), invert != 0);
+}
+
+#endif
+
 void GLAPIENTRY glDepthFunc(GLenum func) {
     issue<family::DepthFunc>(func);
 }
@@ -360,6 +372,10 @@ void GLAPIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) {
 
 void GLAPIENTRY glAlphaFuncxOES(GLenum, GLclampx) {
     refuse_feature(SPANGLE_TEXT("glAlphaFuncxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glSampleCoveragexOES(GLclampx, GLboolean) {
+    refuse_feature(SPANGLE_TEXT("glSampleCoveragexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 void GLAPIENTRY glBlendColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {

@@ -802,6 +802,14 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_ACCUM_GREEN_BITS 0x0D59
 #define GL_ACCUM_BLUE_BITS 0x0D5A
 #define GL_ACCUM_ALPHA_BITS 0x0D5B
+#define GL_MULTISAMPLE 0x809D
+#define GL_SAMPLE_ALPHA_TO_COVERAGE 0x809E
+#define GL_SAMPLE_ALPHA_TO_ONE 0x809F
+#define GL_SAMPLE_COVERAGE 0x80A0
+#define GL_SAMPLE_BUFFERS 0x80A8
+#define GL_SAMPLES 0x80A9
+#define GL_SAMPLE_COVERAGE_VALUE 0x80AA
+#define GL_SAMPLE_COVERAGE_INVERT 0x80AB
 #define GL_KEEP 0x1E00
 #define GL_INCR 0x1E02
 #define GL_DECR 0x1E03
@@ -925,6 +933,8 @@ GLAPI void GLAPIENTRY glStencilOp(GLenum fail, GLenum zfail, GLenum zpass);
 GLAPI void GLAPIENTRY glStencilFuncSeparate(GLenum face, GLenum func, GLint ref, GLuint mask);
 GLAPI void GLAPIENTRY glStencilOpSeparate(GLenum face, GLenum fail, GLenum zfail, GLenum zpass);
 GLAPI void GLAPIENTRY glStencilMaskSeparate(GLenum face, GLuint mask);
+GLAPI void GLAPIENTRY glSampleCoverage(GLclampf value, GLboolean invert);
+GLAPI void GLAPIENTRY glSampleCoveragexOES(GLclampx value, GLboolean invert);
 GLAPI void GLAPIENTRY glDepthFunc(GLenum func);
 GLAPI void GLAPIENTRY glBlendFunc(GLenum sfactor, GLenum dfactor);
 GLAPI void GLAPIENTRY glBlendFuncSeparate(GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha, GLenum dst_alpha);
