@@ -209,6 +209,8 @@ EGLBoolean eglBindAPI(EGLenum api) {
     return api == EGL_OPENGL_API ? succeed() : fail(EGL_BAD_PARAMETER);
 }
 
+/// OpenGL from the start: EGL 1.4, 3.7 begins with NONE where there is no OpenGL ES, which would only ask
+/// programs of the one API there is to bind it.
 EGLenum eglQueryAPI() {
     return EGL_OPENGL_API;
 }

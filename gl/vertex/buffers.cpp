@@ -109,6 +109,12 @@ bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            static_cast<std::size_t>(size) <= buffer.size - static_cast<std::size_t>(offset);
 }
 
+/// Some byte of the range, which is in_range(), is mapped.
+bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
+    const auto begin = static_cast<std::size_t>(offset), end = begin + static_cast<std::size_t>(size);
+    return buffer.mapped && begin < buffer.map_offset + buffer.map_length && end > buffer.map_offset;
+}
+
 bool is_usage(GLenum usage) { // STREAM, STATIC, DYNAMIC; each DRAW, READ, COPY
     return usage >= GL_STREAM_DRAW && usage <= GL_DYNAMIC_COPY && (usage & 3) != 3;
 }
@@ -248,7 +254,7 @@ void BufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr 
         return;
     if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
         return error(context, GL_INVALID_VALUE);
-    if (buffer->mapped || buffer->constant)
+    if (is_mapped(*buffer, offset, size) || buffer->constant)
         return error(context, GL_INVALID_OPERATION);
     if (size != 0)
         std::memcpy(buffer->bytes + offset, data, static_cast<std::size_t>(size));
@@ -260,7 +266,7 @@ void GetBufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeip
         return;
     if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
         return error(context, GL_INVALID_VALUE);
-    if (buffer->mapped)
+    if (is_mapped(*buffer, offset, size))
         return error(context, GL_INVALID_OPERATION);
     if (size != 0)
         std::memcpy(data, buffer->bytes + offset, static_cast<std::size_t>(size));

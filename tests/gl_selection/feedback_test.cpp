@@ -2,7 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "gl/context/features.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/create.hpp"
+#include "gl/vertex/engine.hpp"
 #include "tests/gl_vertex/canvas.hpp"
 
 namespace spangle::test {
@@ -139,6 +141,34 @@ TEST_F(Feedback, APolygonIsOnePolygon) {
                     glVertex2f(1, 0);
                     glEnd();
                 }).empty());
+}
+
+/// A context may end while a polygon has not, and a polygon that the arena cannot hold is an error.
+TEST_F(Feedback, PolygonsAndTheirMemory) {
+    std::vector<std::uint64_t> memory(128 * 1024);
+    gl::Arena arena;
+    arena.give(memory.data(), 8 * memory.size());
+    gl::Context* const before = gl::current_context();
+    gl::Context* const context =
+        gl::create_context(arena, {.tier = raster::Tier::exact, .engine = &gl::fixed_engine}, nullptr);
+    gl::make_current(context, before->drawable.surface, false);
+    const std::size_t used = arena.used();
+    const Words all = feed(GL_2D, quad);
+    const auto corners = [](int n) {
+        glBegin(GL_POLYGON);
+        for (int i = 0; i < n; ++i)
+            glVertex2f(0, 0);
+    };
+    EXPECT_EQ(feed(GL_2D, [&] { corners(20), glEnd(); }).size(), 42u);
+    EXPECT_EQ(arena.used(), used) << "as before";
+    EXPECT_TRUE(feed(GL_2D, [&] { corners(1 << 16), glEnd(); }).empty());
+    EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
+    EXPECT_EQ(feed(GL_2D, quad), all) << "the next one is whole again";
+    glRenderMode(GL_FEEDBACK);
+    corners(9);
+    gl::destroy_context(context);
+    EXPECT_EQ(arena.used(), 0u);
+    gl::set_current_context(before);
 }
 
 /// Cut as one, culled and coloured as one: flat colours are those of its first corner, also where that is cut

@@ -5,9 +5,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
+#include "tests/headless_gl.hpp"
 #include "tests/oracle/answers.hpp"
 
 namespace {
@@ -36,31 +36,9 @@ Answers ask_mesa(const char* id) {
 }
 
 Answers ask_spangle(const Questions& questions) {
-    const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    eglInitialize(display, nullptr, nullptr);
-    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_SURFACE_TYPE,
-                           EGL_PBUFFER_BIT,
-                           EGL_ALPHA_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           24,
-                           EGL_STENCIL_SIZE,
-                           8,
-                           EGL_NONE};
-    const EGLint size[] = {EGL_WIDTH, spangle::oracle::answer_size, EGL_HEIGHT, spangle::oracle::answer_size,
-                           EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    eglChooseConfig(display, wish, &config, 1, &count);
-    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    EXPECT_TRUE(eglMakeCurrent(display, surface, surface,
-                               eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr)));
-    const Answers answers = questions.ask();
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglTerminate(display);
-    return answers;
+    const spangle::test::HeadlessGl current(spangle::oracle::answer_size, spangle::oracle::answer_size,
+                                            {EGL_STENCIL_SIZE, 8});
+    return questions.ask();
 }
 
 class AnswersOf : public testing::TestWithParam<Questions> {};

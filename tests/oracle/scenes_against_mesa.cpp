@@ -12,9 +12,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
+#include "tests/headless_gl.hpp"
 #include "tests/oracle/probes.hpp"
 
 namespace {
@@ -42,26 +42,8 @@ Picture draw_with_mesa(const char* scene, const char* driver) {
 }
 
 Picture draw_with_spangle(const spangle::scenes::Scene& scene) {
-    const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    eglInitialize(display, nullptr, nullptr);
-    const EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_SURFACE_TYPE,
-                           EGL_PBUFFER_BIT,
-                           EGL_ALPHA_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           24,
-                           EGL_PRECISION_SPANGLE,
-                           EGL_PRECISION_EXACT_SPANGLE,
-                           EGL_NONE};
-    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    eglChooseConfig(display, wish, &config, 1, &count);
-    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-    EXPECT_TRUE(eglMakeCurrent(display, surface, surface, context));
+    const spangle::test::HeadlessGl current(width, height,
+                                            {EGL_PRECISION_SPANGLE, EGL_PRECISION_EXACT_SPANGLE});
     glDisable(GL_DITHER);
     scene.setup(width, height);
     scene.draw(frame);
@@ -71,8 +53,6 @@ Picture draw_with_spangle(const spangle::scenes::Scene& scene) {
     for (int y = 0; y < height; ++y)
         std::copy_n(&rows[static_cast<std::size_t>(height - 1 - y) * width * 4], width * 4,
                     &out[static_cast<std::size_t>(y) * width * 4]);
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglTerminate(display);
     return out;
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
+#include "tests/headless_gl.hpp"
 #include "tests/oracle/states.hpp"
 
 namespace {
@@ -35,35 +35,11 @@ Planes draw_with_mesa(const Family& family) {
 }
 
 struct StatesOf : testing::TestWithParam<Family> {
-    EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    void SetUp() override {
-        eglInitialize(display, nullptr, nullptr);
-        const EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                               EGL_OPENGL_BIT,
-                               EGL_SURFACE_TYPE,
-                               EGL_PBUFFER_BIT,
-                               EGL_ALPHA_SIZE,
-                               8,
-                               EGL_DEPTH_SIZE,
-                               24,
-                               EGL_STENCIL_SIZE,
-                               8,
-                               EGL_PRECISION_SPANGLE,
-                               EGL_PRECISION_EXACT_SPANGLE,
-                               EGL_NONE};
-        const EGLint size[] = {EGL_WIDTH, state_size, EGL_HEIGHT, state_size, EGL_ACCUM_SIZE_SPANGLE,
-                               16,        EGL_NONE};
-        EGLConfig config = nullptr;
-        EGLint count = 0;
-        eglChooseConfig(display, wish, &config, 1, &count);
-        const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-        ASSERT_TRUE(eglMakeCurrent(display, surface, surface,
-                                   eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr)));
-    }
-    void TearDown() override {
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglTerminate(display);
-    }
+    spangle::test::HeadlessGl current{
+        state_size,
+        state_size,
+        {EGL_STENCIL_SIZE, 8, EGL_PRECISION_SPANGLE, EGL_PRECISION_EXACT_SPANGLE},
+        {EGL_ACCUM_SIZE_SPANGLE, 16}};
 };
 
 TEST_P(StatesOf, LookLikeMesa) {
