@@ -89,7 +89,7 @@ class LineBatch {
         const bool flat = state_.fragment.flat;
         bool one_color = walk_of(Kind::flat) != nullptr, inside = true;
         const FixedVertex* last = vertex[0];
-        std::uint32_t word = word565(last->color);
+        std::uint32_t word = flat_word(state_, last->color);
         for (int i = 0; i < n; ++i) {
             const FixedVertex& v = *vertex[i];
             const int at = apart == 0 ? i : (i >> 1) + (i & 1) * b;
@@ -99,7 +99,7 @@ class LineBatch {
             depth_.at[at] = depth_code(v.z, 16);
             if (!same_color(*last, v)) {
                 one_color = one_color & (flat || at < b); // else within a line
-                word = word565(v.color);
+                word = flat_word(state_, v.color);
             }
             word_.at[at] = word;
             last = &v;
@@ -110,7 +110,7 @@ class LineBatch {
             x_.at[count_ + b + k] = y_.at[count_ + b + k] = 0;
         }
         if (provoking_ != nullptr && flat)
-            word_.at[b] = word565(provoking_->color);
+            word_.at[b] = flat_word(state_, provoking_->color);
         inside_ = inside;
         return one_color & inside;
     }

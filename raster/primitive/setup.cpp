@@ -276,7 +276,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
     if (kind == Kind::full)
         span_.q_dy = add_projective(span_.q, q_);
     if (kind == Kind::flat)
-        span_.flat_word = word565(painted.color);
+        span_.flat_word = flat_word(state_, painted.color);
     else if (bits == 0)
         constant_colors(painted);
     else if constexpr (Rgb)

@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/span/draw_state.hpp"
+#include "raster/span/number.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -50,6 +52,20 @@ SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
         return (color[i] + (1u << (color_fraction_bits - 1))) >> color_fraction_bits;
     };
     return (to8(0) >> 3) << 11 | (to8(1) >> 2) << 5 | to8(2) >> 3;
+}
+
+/// The same under dithering (DitheredWord), in the numbers of the tier.
+template <class N> [[gnu::noinline]] inline std::uint32_t dithered_word(const std::uint32_t (&color)[4]) {
+    return N::template steps32<5>(N::from_units(color[0])) << 21 |
+           N::template steps32<6>(N::from_units(color[1])) << 10 |
+           N::template steps32<5>(N::from_units(color[2]));
+}
+
+/// What Kind::flat hands to the stages.
+SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32_t (&color)[4]) {
+    if (!state.fragment.dither)
+        return word565(color);
+    return state.tier == Tier::exact ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
 }
 
 /// What a difference between two ends is worth per pixel of the axis along which they lie apart.

@@ -52,6 +52,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }
+    if (!unit.on && key.dither)
+        return chain.add<Seq<Raw, FlatDithered<host_lanes>, Store>>();
     if (!unit.on)
         return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
             key.kind == Kind::flat);

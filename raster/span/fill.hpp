@@ -27,4 +27,20 @@ SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t co
         *reinterpret_cast<Half*>(to) = half;
 }
 
+/// The same of four words in turn, from `column` on.
+inline void fill_columns(std::uint8_t* at, const std::uint16_t (&words)[4], std::int32_t column,
+                         std::int32_t count) {
+    const auto word = [&](std::int32_t i) { return words[(column + i) & 3]; };
+    const auto put = [&](std::int32_t i) {
+        const std::uint16_t v = word(i);
+        __builtin_memcpy(at + 2 * i, &v, 2);
+    };
+    const std::uint16_t four[4] = {word(0), word(1), word(2), word(3)};
+    std::int32_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        __builtin_memcpy(at + 2 * i, four, 8);
+    for (; i < count; ++i)
+        put(i);
+}
+
 } // namespace spangle::raster

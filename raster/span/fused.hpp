@@ -7,6 +7,7 @@
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
+#include "raster/span/stage_raw.hpp"
 
 namespace spangle::raster {
 
@@ -291,9 +292,24 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
+/// Where the first fragment of a path lies, and what its steps change (DitheredWord).
+struct PathPlace {
+    std::uint32_t first = 0, along = 0, aside = 0;
+    PathPlace() = default;
+    /// `row`: pixels from row to row.
+    PathPlace(const Paths& paths, int i, std::int32_t row) {
+        const std::int32_t pixel = paths.first.at[i], y = (row > 0 ? pixel : pixel + row + 1) / row;
+        first = DitheredWord::place(pixel - y * row, y);
+        const bool along_x = paths.along.at[i] == 1;
+        along = along_x ? DitheredWord::column : 1;
+        const std::uint32_t across = along_x ? 1 : DitheredWord::column;
+        aside = paths.aside.at[i] == (along_x ? row : 1) ? across : 0 - across;
+    }
+};
+
 /// The fragments of path i; the list and the pixel are at the first.
 template <class List, class N>
-SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i) {
+SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i, PathPlace place) {
     const std::int32_t along = paths.along.at[i], aside = paths.aside.at[i], rise = paths.rise.at[i],
                        denominator = paths.denominator.at[i];
     std::int32_t count = paths.count.at[i], rest = paths.rest.at[i];
@@ -302,15 +318,18 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i) {
         list.step();
         rest += rise;
         p.i += along;
+        p.place += place.along;
         if constexpr (numeric::cheap_branches) {
             if (rest >= 0) {
                 rest -= denominator;
                 p.i += aside;
+                p.place += place.aside;
             }
         } else {
             const std::int32_t reached = ~(rest >> 31);
             rest -= denominator & reached;
             p.i += aside & reached;
+            p.place += place.aside & static_cast<std::uint32_t>(reached);
         }
     } while (--count != 0);
 }
@@ -319,7 +338,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i) {
 template <class Case>
 [[gnu::noinline]] void fused_paths(const DrawState& state, const Surface& target, const Paths& paths,
                                    int count) {
-    static_assert(!Case::key.dither && format_info(Case::key.format).bytes_per_pixel == 2 &&
+    static_assert(format_info(Case::key.format).bytes_per_pixel == 2 &&
                   Case::key.depth_format != DepthFormat::z24s8);
     using N = typename Case::template System<1>;
     Span<Fixed> span;
@@ -338,9 +357,13 @@ template <class Case>
         span.z = {paths.z.value[i], paths.z.step[i], 0};
         for (int c = 0; c < 3; ++c)
             span.color_value[c] = {paths.color[c].value[i], paths.color[c].step[i], 0};
-        typename Case::template List<1> list(span, 0);
+        typename Case::PathList list(span, 0);
         p.i = paths.first.at[i];
-        walk_path(list, p, paths, i);
+        PathPlace place{};
+        if constexpr (Case::key.dither)
+            place = PathPlace(paths, i, target.color_stride / 2);
+        p.place = place.first;
+        walk_path(list, p, paths, i, place);
     }
 }
 

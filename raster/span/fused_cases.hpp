@@ -57,7 +57,7 @@ template <Key K, bool Gray = false> class FusedCase {
     template <int L>
     using ExactSystem =
         std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>, Exact>;
-    template <int L> struct Stages {
+    template <int L, bool Path = false> struct Stages {
         using N =
             std::conditional_t<raw, Raw565<L>,
                                std::conditional_t<exact, ExactSystem<L>,
@@ -78,7 +78,8 @@ template <Key K, bool Gray = false> class FusedCase {
             if constexpr ((raw && textured) || is_packed<N>)
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
-                return std::type_identity<FlatWord<L>>{};
+                return std::type_identity<std::conditional_t<
+                    !K.dither, FlatWord<L>, std::conditional_t<Path, PathDithered, FlatDithered<L>>>>{};
             else if constexpr (Gray)
                 return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
             else if constexpr (K.color && full)
@@ -146,6 +147,7 @@ template <Key K, bool Gray = false> class FusedCase {
     static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
+    using PathList = typename Stages<1, true>::List;
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
@@ -156,7 +158,7 @@ template <Key K, bool Gray = false> class FusedCase {
     }
 
     static constexpr TileFunction tile() {
-        if constexpr (plain && wide && host_lanes == 8)
+        if constexpr (plain && wide && !K.dither && host_lanes == 8)
             return &fused_tile<FusedCase>;
         else
             return nullptr;
@@ -171,16 +173,31 @@ template <Key K, bool Gray = false> class FusedCase {
     }
 
     static void run(Span<Fixed>& span, const Row* row, const Row* end) {
-        if constexpr (K.number == Number::raw565 && K.kind == Kind::flat && !tested) {
-            using Out = StoreRaw<1, K.format>;
-            const std::uint32_t word = Out::swaps ? Lanes<1>::swap_bytes(span.flat_word) : span.flat_word;
+        if constexpr (plain && K.kind == Kind::flat && !tested) {
             do {
                 point_at(span.color, span.depth, *span.target, row->first, row->y,
                          format_info(K.format).bytes_per_pixel, 1);
-                fill16(span.color, word, row->last - row->first);
+                fill(span, *row);
             } while (++row != end);
         } else {
             run_lanes<host_lanes>(span, row, end);
+        }
+    }
+
+  private:
+    /// A row of one colour, the span points to its first pixel.
+    SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row) {
+        using Words = Words565<Lanes<1>, K.format>;
+        const auto stored = [](std::uint32_t word) {
+            return static_cast<std::uint16_t>(Words::swaps ? Lanes<1>::swap_bytes(word) : word);
+        };
+        if constexpr (K.dither) {
+            std::uint16_t words[4];
+            for (std::int32_t i = 0; i < 4; ++i)
+                words[i] = stored(DitheredWord{span.flat_word}.at(DitheredWord::place(i, row.y)));
+            fill_columns(span.color, words, row.first, row.last - row.first);
+        } else {
+            fill16(span.color, stored(span.flat_word), row.last - row.first);
         }
     }
 };

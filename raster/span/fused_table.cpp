@@ -87,6 +87,9 @@ constexpr FusedSpan table[] = {
     entry<flat>(),
     entry<flat.depth(less)>(),
     entry<flat.depth(lequal)>(),
+    entry<flat.dither()>(),
+    entry<flat.depth(less).dither()>(),
+    entry<flat.depth(lequal).dither()>(),
     // Smooth shading (S3, S5, S6).
     entry<smooth>(),
     entry<smooth.depth(less)>(),

@@ -87,8 +87,9 @@ bool raw(const Key& key, const FragmentState& state) {
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.unit[1].on)
-        return (!state.dither || (key.pixels && state.colors == Colors::of_pixels_565)) &&
-               key.kind <= Kind::affine;
+        return key.pixels
+                   ? key.kind <= Kind::affine && (!state.dither || state.colors == Colors::of_pixels_565)
+                   : key.kind == Kind::flat || (key.kind == Kind::affine && !state.dither);
     if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
@@ -141,6 +142,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;
+        key.dither = state.dither && key.kind == Kind::flat && !key.pixels; // else dithering changes nothing
         key.cubic = key.unit[0].on && key.kind == Kind::textured && state.tier == Tier::exact;
     } else {
         key.number = state.tier == Tier::exact ? Number::exact : Number::balanced;

@@ -101,14 +101,21 @@ struct Exact {
     }
     /// floor(v (2^Bits - 1) + t), t given in 32nds, odd: exact steps stay (GL 1.3, 4.1.8).
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
-        // Up to 2^Bits - 1 steps of 2^(32 - Bits); the threshold is at most 31/32 of one, so nothing wraps.
-        constexpr std::uint64_t factor =
-            ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
-        const auto steps = static_cast<std::uint32_t>((v * factor) >> 32);
-        return (steps + (threshold32 << (27 - Bits))) >> (32 - Bits);
+        // The threshold is at most 31/32 of a step, so nothing wraps.
+        return (steps<Bits>(v) + (threshold32 << (27 - Bits))) >> (32 - Bits);
+    }
+    /// v (2^Bits - 1) in whole 32nds.
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps32(T v) {
+        return steps<Bits>(v) >> (27 - Bits);
     }
 
   private:
+    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits).
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
+        constexpr std::uint64_t factor =
+            ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
+        return static_cast<std::uint32_t>((v * factor) >> 32);
+    }
     static constexpr ColorSteps<32> steps5{};
     static constexpr ColorSteps<64> steps6{};
 };
@@ -165,10 +172,16 @@ template <int Count> struct Balanced {
     /// For `mix`: min(max(v, 0), 1), v signed with 24 fraction bits.
     SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
+        return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
+    }
+    template <unsigned Bits> SPANGLE_INLINE static T steps32(T v) { return steps<Bits>(v) >> (11 - Bits); }
+
+  private:
+    template <unsigned Bits> SPANGLE_INLINE static T steps(T v) {
         // Steps of 2^(16 - Bits). Exact steps come out at most 3 too small; the least threshold is 32 or
         // more.
         constexpr std::uint32_t factor = (((1u << Bits) - 1) << 16 << (16 - Bits)) / one + 1;
-        return (L::mul_high(v, L::splat(factor)) + (threshold32 << (11 - Bits))) >> (16 - Bits);
+        return L::mul_high(v, L::splat(factor));
     }
 };
 

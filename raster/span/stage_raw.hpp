@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/span/stage.hpp"
+#include <spangle/dither.hpp>
 
 namespace spangle::raster {
 
@@ -13,6 +14,83 @@ template <int Count> struct FlatWord : StageBase {
     template <class S> SPANGLE_INLINE FlatWord(const S& s, std::int32_t) : word(N::L::splat(s.flat_word)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = word;
+        return true;
+    }
+};
+
+namespace detail {
+
+/// One threshold added to all three components of a DitheredWord, by y & 3, x & 3.
+struct DitherSums {
+    std::uint32_t at[16];
+    constexpr DitherSums() : at{} {
+        for (std::int32_t i = 0; i < 16; ++i)
+            at[i] = dither_threshold(dither_row(i >> 2), i) * (1u << 21 | 1u << 10 | 1);
+    }
+};
+inline constexpr DitherSums dither_sums;
+
+} // namespace detail
+
+/// One colour, dithered. Its components are given in 32nds of a step, whole ones, 10 bits at 21, 11 at 10 and
+/// 10 at 0: no more of them tells, thresholds being whole 32nds.
+struct DitheredWord {
+    std::uint32_t components;
+    /// Of the fragment in that place: y + (x << 30), mod 2^32.
+    SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
+        const std::uint32_t sum = components + detail::dither_sums.at[std::rotl(place, 2) & 15];
+        return ((sum >> 15) & 0xF800) | ((sum >> 10) & 0x07E0) | ((sum >> 5) & 0x1F);
+    }
+    static constexpr std::uint32_t column = 1u << 30; ///< from place to place
+    static constexpr std::uint32_t place(std::int32_t x, std::int32_t y) {
+        return static_cast<std::uint32_t>(y) + static_cast<std::uint32_t>(x) * column;
+    }
+};
+
+/// The same as a stage along rows.
+template <int Count> struct FlatDithered : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<Count>;
+    DitheredWord word;
+    std::uint32_t place;
+    template <class S>
+    SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
+        : word{s.flat_word}, place(DitheredWord::place(s.x + x, s.y)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = word.at(place);
+        return true;
+    }
+    SPANGLE_INLINE void step() { place += DitheredWord::column; }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        place = DitheredWord::place(s.x + x, s.y);
+    }
+};
+/// Eight columns are two periods: nothing to walk.
+template <> struct FlatDithered<8> : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<8>;
+    N::T words;
+    template <class S> SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x) { start(s, x); }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = words;
+        return true;
+    }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        const DitheredWord word{s.flat_word};
+        std::uint16_t of[4];
+        for (std::int32_t i = 0; i < 4; ++i)
+            of[i] = static_cast<std::uint16_t>(word.at(DitheredWord::place(s.x + x + i, s.y)));
+        words = N::T{of[0], of[1], of[2], of[3], of[0], of[1], of[2], of[3]};
+    }
+};
+/// Along paths, which say where the fragment lies.
+struct PathDithered : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<1>;
+    DitheredWord word;
+    template <class S> SPANGLE_INLINE PathDithered(const S& s, std::int32_t) : word{s.flat_word} {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = word.at(p.place);
         return true;
     }
 };

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/setup_math.hpp"
+#include "raster/span/stage_raw.hpp"
 #include "tests/span/sweep.hpp"
 
 namespace spangle::raster::test {
@@ -48,7 +50,7 @@ FixedVertex random_end(std::mt19937& random, bool same_w, int beyond) {
 }
 
 struct Case {
-    bool flat, same_w, depth;
+    bool flat, same_w, depth, dither;
     Rect scissor;
 };
 
@@ -56,7 +58,7 @@ long compare(const Case& c, bool& walks) {
     FragmentState fragment;
     fragment.scissor = c.scissor;
     fragment.tier = Tier::balanced;
-    fragment.dither = false;
+    fragment.dither = c.dither;
     fragment.flat = c.flat;
     fragment.depth_test = c.depth;
     fragment.depth_func = Compare::less;
@@ -90,11 +92,12 @@ TEST(Paths, AreTheirRows) {
     for (const bool flat : {false, true})
         for (const bool same_w : {false, true})
             for (const bool depth : {false, true})
-                for (const Rect scissor : {Rect{0, 0, width, height}, Rect{5, 7, 30, 21}}) {
-                    bool walks = false;
-                    EXPECT_GT(compare({flat, same_w, depth, scissor}, walks), 10000);
-                    EXPECT_TRUE(walks) << "a state with a loop over paths";
-                }
+                for (const bool dither : {false, true})
+                    for (const Rect scissor : {Rect{0, 0, width, height}, Rect{5, 7, 30, 21}}) {
+                        bool walks = false;
+                        EXPECT_GT(compare({flat, same_w, depth, dither, scissor}, walks), 10000);
+                        EXPECT_TRUE(walks) << "a state with a loop over paths";
+                    }
 }
 
 /// Lines of all kinds and places, many at once: each is drawn as if it were alone, in the order they came.
@@ -103,33 +106,57 @@ TEST(Paths, ManyAreOneAfterTheOther) {
     FragmentState fragment;
     fragment.scissor = {5, 7, 36, 27};
     fragment.tier = Tier::balanced;
-    fragment.dither = false;
     fragment.depth_test = true;
     fragment.depth_func = Compare::lequal;
-    Drawn many(fragment, DepthFormat::z16, true), single(fragment, DepthFormat::z16, true);
-    for (int round = 0; round < 400; ++round) {
-        std::vector<FixedVertex> v;
-        std::vector<const FixedVertex*> at;
-        at.reserve(41);
-        const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8; // or all of them inside
-        for (int i = 0; i < 41; ++i) {
-            v.push_back(random_end(random, true, beyond));
-            v.back().z = v[0].z; // the last line to come is seen
-            if (i > 0 && (round % 5 != 0 || random() % 2 != 0))
-                std::copy_n(v[v.size() - 2].color, 4, v.back().color);
+    for (const bool dither : {false, true}) {
+        fragment.dither = dither;
+        Drawn many(fragment, DepthFormat::z16, true), single(fragment, DepthFormat::z16, true);
+        for (int round = 0; round < 400; ++round) {
+            std::vector<FixedVertex> v;
+            std::vector<const FixedVertex*> at;
+            at.reserve(41);
+            const int step = 1 + round % 2, beyond = round % 3 == 0 ? 1 : -8; // or all of them inside
+            for (int i = 0; i < 41; ++i) {
+                v.push_back(random_end(random, true, beyond));
+                v.back().z = v[0].z; // the last line to come is seen
+                if (i > 0 && (round % 5 != 0 || random() % 2 != 0))
+                    std::copy_n(v[v.size() - 2].color, 4, v.back().color);
+            }
+            for (const FixedVertex& vertex : v)
+                at.push_back(&vertex);
+            many.state.fragment.flat = single.state.fragment.flat = round % 7 == 0;
+            draw_lines<FixedVertex>(many.state, many.canvas.surface, at.data(), 41, step, 1);
+            for (int i = 0; i + 1 < 41; i += step)
+                draw_line<FixedVertex>(single.state, single.canvas.surface, *at[i], *at[i + 1], *at[i + 1],
+                                       1);
+            ASSERT_EQ(many.canvas.color, single.canvas.color) << "round " << round;
+            ASSERT_EQ(many.canvas.depth, single.canvas.depth) << "round " << round;
         }
-        for (const FixedVertex& vertex : v)
-            at.push_back(&vertex);
-        many.state.fragment.flat = single.state.fragment.flat = round % 7 == 0;
-        draw_lines<FixedVertex>(many.state, many.canvas.surface, at.data(), 41, step, 1);
-        for (int i = 0; i + 1 < 41; i += step)
-            draw_line<FixedVertex>(single.state, single.canvas.surface, *at[i], *at[i + 1], *at[i + 1], 1);
-        ASSERT_EQ(many.canvas.color, single.canvas.color) << "round " << round;
-        ASSERT_EQ(many.canvas.depth, single.canvas.depth) << "round " << round;
+        EXPECT_EQ(many.touched, single.touched);
+        EXPECT_EQ(many.counters.fragments, single.counters.fragments);
+        EXPECT_EQ(many.counters.triangles, single.counters.triangles);
     }
-    EXPECT_EQ(many.touched, single.touched);
-    EXPECT_EQ(many.counters.fragments, single.counters.fragments);
-    EXPECT_EQ(many.counters.triangles, single.counters.triangles);
+}
+
+TEST(Paths, OneColorIsDitheredAsItsTierDithersColors) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 20000; ++i) {
+        std::uint32_t color[4];
+        for (auto& c : color)
+            c = i % 3 == 0 ? random() % 256 << color_fraction_bits : random() % (color_one + 1);
+        const auto same = [&]<class N>(N) {
+            const auto x = static_cast<std::int32_t>(random() % 64),
+                       y = static_cast<std::int32_t>(random() % 64);
+            const std::uint32_t t = dither_threshold(dither_row(y), x);
+            const auto c = [&](int k) { return N::from_units(color[k]); };
+            const std::uint32_t want = N::template dithered<5>(c(0), t) << 11 |
+                                       N::template dithered<6>(c(1), t) << 5 |
+                                       N::template dithered<5>(c(2), t);
+            ASSERT_EQ(DitheredWord{dithered_word<N>(color)}.at(DitheredWord::place(x, y)), want);
+        };
+        same(Exact{});
+        same(Balanced<1>{});
+    }
 }
 
 } // namespace
