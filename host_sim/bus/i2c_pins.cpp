@@ -5,7 +5,7 @@
 namespace spangle::sim {
 
 void I2cPins::set(bool scl, bool sda, Time now) {
-    const bool condition = scl_ && scl && sda != sda_; // data stand still while SCL is high
+    const bool condition = scl && sda != sda_; // data stand still while SCL is high
     const bool clocked = scl && !scl_;
     scl_ = scl;
     sda_ = sda;
