@@ -13,6 +13,7 @@
 #include "gl/pixel/hint_state.hpp"
 #include "gl/pixel/pixel_mode_state.hpp"
 #include "gl/pixel/pixel_store_state.hpp"
+#include "gl/pixel/query_state.hpp"
 #include "gl/texture/texture_state.hpp"
 #include "gl/vertex/arrays_state.hpp"
 #include "gl/vertex/current_state.hpp"
@@ -68,6 +69,7 @@ struct Context {
     PolygonState polygon;
     FragmentOpsState fragment_ops;
     FogState fog;
+    QueryState query;
     TextureState texture;
     PixelStoreState pixel_store;
     PixelModeState pixel_mode;

@@ -93,6 +93,7 @@ void destroy_context(Context* context) {
     release_vertex_arrays(*context);
     release_evaluators(*context);
     release_pixel_maps(*context);
+    release_queries(*context);
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);

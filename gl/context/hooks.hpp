@@ -6,6 +6,10 @@
 
 #include "gl/context/types.hpp"
 
+namespace spangle::raster {
+struct Counters;
+}
+
 namespace spangle::gl {
 
 class Arena;
@@ -31,6 +35,15 @@ void release_evaluators(Context& context);
 // gl/pixel
 /// Entries of the map that GL_PIXEL_MAP_I_TO_I_SIZE... names.
 GLint pixel_map_size(const Context& context, GLenum pname);
+/// Where passing fragments are counted: a tool's counters, or the context's own while a query is active, or
+/// nowhere.
+raster::Counters* counters_of(Context& context);
+/// A tool brings counters, or takes them back (null): what a query counted so far is kept.
+void change_counters(Context& context, raster::Counters* counters);
+/// Fragments that pass must be counted.
+bool counts_passed(const Context& context);
+/// Frees the query objects.
+void release_queries(Context& context);
 /// Frees the pixel maps.
 void release_pixel_maps(Context& context);
 

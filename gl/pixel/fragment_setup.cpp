@@ -1,6 +1,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 
 #include "gl/context/features.hpp"
+#include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
@@ -172,7 +173,7 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.color_mask = written_channels(context);
     out.scissor = drawing_rect(context);
     out.tier = tier_of(context, context.hint.perspective_correction);
-    out.count = context.fragments.count_passed;
+    out.count = counts_passed(context);
 }
 
 } // namespace
@@ -213,7 +214,7 @@ raster::Tier tier_of(const Context& context, GLenum hint) {
 }
 
 void observe(Context& context, raster::Counters* counters, bool count_passed) {
-    context.fragments.counters = counters;
+    change_counters(context, counters);
     context.fragments.count_passed = count_passed;
     context.changed(dirty_fragment);
 }
@@ -249,13 +250,13 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         fill_modes(context.polygon, drawn, fragment);
         fragment.colors = colors;
         context.engine->compile(fragment, context.drawable.surface, cache.state);
-        cache.state.counters = cache.counters;
+        cache.state.counters = counters_of(context);
         cache.state.primitive = &cache.primitive;
 #if SPANGLE_FEATURE_STENCIL_SIDES
         if (stencil_sides(context)) {
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);
             context.engine->compile(fragment, context.drawable.surface, cache.back);
-            cache.back.counters = cache.counters;
+            cache.back.counters = cache.state.counters;
             cache.back.primitive = &cache.primitive;
         }
 #endif

@@ -135,6 +135,14 @@ void BlendEquationSeparate(Context& context, GLenum rgb, GLenum alpha);
 void BlendColor(Context& context, Real red, Real green, Real blue, Real alpha);
 void Accum(Context& context, GLenum op, Real value);
 void ClearAccum(Context& context, Real red, Real green, Real blue, Real alpha);
+void GenQueries(Context& context, GLsizei n, GLuint* ids);
+void DeleteQueries(Context& context, GLsizei n, const GLuint* ids);
+GLboolean IsQuery(Context& context, GLuint id);
+void BeginQuery(Context& context, GLenum target, GLuint id);
+void EndQuery(Context& context, GLenum target);
+void GetQueryiv(Context& context, GLenum target, GLenum pname, GLint* params);
+void GetQueryObjectiv(Context& context, GLuint id, GLenum pname, GLint* params);
+void GetQueryObjectuiv(Context& context, GLuint id, GLenum pname, GLuint* params);
 void LogicOp(Context& context, GLenum opcode);
 void DrawBuffer(Context& context, GLenum mode);
 void ReadBuffer(Context& context, GLenum mode);
@@ -1068,6 +1076,62 @@ struct ClearAccum {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glClearAccum between glBegin and glEnd");
+};
+struct GenQueries {
+    static constexpr auto run = &cmd::GenQueries;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGenQueries between glBegin and glEnd");
+};
+struct DeleteQueries {
+    static constexpr auto run = &cmd::DeleteQueries;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glDeleteQueries between glBegin and glEnd");
+};
+struct IsQuery {
+    static constexpr auto run = &cmd::IsQuery;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIsQuery between glBegin and glEnd");
+};
+struct BeginQuery {
+    static constexpr auto run = &cmd::BeginQuery;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glBeginQuery between glBegin and glEnd");
+};
+struct EndQuery {
+    static constexpr auto run = &cmd::EndQuery;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glEndQuery between glBegin and glEnd");
+};
+struct GetQueryiv {
+    static constexpr auto run = &cmd::GetQueryiv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetQueryiv between glBegin and glEnd");
+};
+struct GetQueryObjectiv {
+    static constexpr auto run = &cmd::GetQueryObjectiv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetQueryObjectiv between glBegin and glEnd");
+};
+struct GetQueryObjectuiv {
+    static constexpr auto run = &cmd::GetQueryObjectuiv;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glGetQueryObjectuiv between glBegin and glEnd");
 };
 struct LogicOp {
     static constexpr auto run = &cmd::LogicOp;

@@ -126,6 +126,42 @@ void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfix
 
 #endif
 
+#if SPANGLE_FEATURE_QUERIES
+
+void GLAPIENTRY glGenQueries(GLsizei n, GLuint* ids) {
+    issue<family::GenQueries>(n, ids);
+}
+
+void GLAPIENTRY glDeleteQueries(GLsizei n, const GLuint* ids) {
+    issue<family::DeleteQueries>(n, ids);
+}
+
+GLboolean GLAPIENTRY glIsQuery(GLuint id) {
+    return ask<family::IsQuery>(id);
+}
+
+void GLAPIENTRY glBeginQuery(GLenum target, GLuint id) {
+    issue<family::BeginQuery>(target, id);
+}
+
+void GLAPIENTRY glEndQuery(GLenum target) {
+    issue<family::EndQuery>(target);
+}
+
+void GLAPIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params) {
+    issue<family::GetQueryiv>(target, pname, params);
+}
+
+void GLAPIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params) {
+    issue<family::GetQueryObjectiv>(id, pname, params);
+}
+
+void GLAPIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params) {
+    issue<family::GetQueryObjectuiv>(id, pname, params);
+}
+
+#endif
+
 void GLAPIENTRY glLogicOp(GLenum opcode) {
     issue<family::LogicOp>(opcode);
 }
@@ -468,6 +504,43 @@ void GLAPIENTRY glGetPixelMapuiv(GLenum, GLuint*) {
 
 void GLAPIENTRY glGetPixelMapusv(GLenum, GLushort*) {
     refuse_feature(SPANGLE_TEXT("glGetPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_QUERIES
+
+void GLAPIENTRY glGenQueries(GLsizei, GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glGenQueries: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+void GLAPIENTRY glDeleteQueries(GLsizei, const GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glDeleteQueries: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+GLboolean GLAPIENTRY glIsQuery(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glIsQuery: this build has no SPANGLE_FEATURE_QUERIES"));
+    return 0;
+}
+
+void GLAPIENTRY glBeginQuery(GLenum, GLuint) {
+    refuse_feature(SPANGLE_TEXT("glBeginQuery: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+void GLAPIENTRY glEndQuery(GLenum) {
+    refuse_feature(SPANGLE_TEXT("glEndQuery: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+void GLAPIENTRY glGetQueryiv(GLenum, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetQueryiv: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+void GLAPIENTRY glGetQueryObjectiv(GLuint, GLenum, GLint*) {
+    refuse_feature(SPANGLE_TEXT("glGetQueryObjectiv: this build has no SPANGLE_FEATURE_QUERIES"));
+}
+
+void GLAPIENTRY glGetQueryObjectuiv(GLuint, GLenum, GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glGetQueryObjectuiv: this build has no SPANGLE_FEATURE_QUERIES"));
 }
 
 #endif

@@ -747,6 +747,11 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_MULT 0x0103
 #define GL_ADD 0x0104
 #define GL_ACCUM_CLEAR_VALUE 0x0B80
+#define GL_QUERY_COUNTER_BITS 0x8864
+#define GL_CURRENT_QUERY 0x8865
+#define GL_QUERY_RESULT 0x8866
+#define GL_QUERY_RESULT_AVAILABLE 0x8867
+#define GL_SAMPLES_PASSED 0x8914
 #define GL_LOGIC_OP_MODE 0x0BF0
 #define GL_LOGIC_OP 0x0BF1
 #define GL_INDEX_LOGIC_OP 0x0BF1
@@ -946,6 +951,14 @@ GLAPI void GLAPIENTRY glAccum(GLenum op, GLfloat value);
 GLAPI void GLAPIENTRY glAccumxOES(GLenum op, GLfixed value);
 GLAPI void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 GLAPI void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
+GLAPI void GLAPIENTRY glGenQueries(GLsizei n, GLuint* ids);
+GLAPI void GLAPIENTRY glDeleteQueries(GLsizei n, const GLuint* ids);
+GLAPI GLboolean GLAPIENTRY glIsQuery(GLuint id);
+GLAPI void GLAPIENTRY glBeginQuery(GLenum target, GLuint id);
+GLAPI void GLAPIENTRY glEndQuery(GLenum target);
+GLAPI void GLAPIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint* params);
+GLAPI void GLAPIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint* params);
+GLAPI void GLAPIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint* params);
 GLAPI void GLAPIENTRY glLogicOp(GLenum opcode);
 GLAPI void GLAPIENTRY glDrawBuffer(GLenum mode);
 GLAPI void GLAPIENTRY glReadBuffer(GLenum mode);
