@@ -1,4 +1,4 @@
-#include "raster/primitive/setup.hpp"
+#include "raster/primitive/setup_planes.hpp"
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/setup_math.hpp"
@@ -60,17 +60,10 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
 
 // --- planes
 
-/// Differences counted in 2^(exponent - up) of the unit of d.
-SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(std::int32_t d1, std::int32_t d2) const {
-    return {std::int64_t{d1} * by_.dx[0] + std::int64_t{d2} * by_.dx[1],
-            std::int64_t{d1} * by_.dy[0] + std::int64_t{d2} * by_.dy[1],
-            std::int64_t{d1} * by_.center[0] + std::int64_t{d2} * by_.center[1]};
-}
-
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint32_t>& at,
                                                            std::uint32_t first, std::int32_t d1,
                                                            std::int32_t d2, int up) const {
-    const Gradient g = gradient(d1, d2);
+    const Gradient g = gradient(by_, d1, d2);
     const int n = by_.exponent - up;
     at.value = first + scaled_word(g.center, n);
     at.dx = scaled_word(g.dx, n);
@@ -101,16 +94,6 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
     at.value = first + lifted_word(a, b, by.center);
 }
 
-std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {
-    const Gradient g = gradient(v[1] - v[0], v[2] - v[0]);
-    const int n = by_.exponent - guard_bits;
-    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) +
-               static_cast<std::uint64_t>(scaled(g.center, n));
-    at.dx = static_cast<std::uint64_t>(scaled(g.dx, n));
-    at.dy = static_cast<std::uint64_t>(scaled(g.dy, n));
-    return at.dy;
-}
-
 // --- attributes
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
@@ -139,36 +122,9 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     add_steep(span_.z, first, d1, d2, 1);
 }
 
-/// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
-/// is smooth_rgb.
-template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
-    const Needs& needs = state_.needs;
-    if (Rgb || needs.rgb) {
-        const int some = !Rgb && state_.textured_or_fogged && span_.gray ? 1 : 3;
-#pragma GCC unroll 3
-        for (int i = 0; i < some; ++i)
-            add(primary(), i, span_.color_value[i], span_.color_q[i]);
-    }
-    if (!Rgb && needs.alpha)
-        add(primary(), 3, span_.color_value[3], span_.color_q[3]);
-    if (!Rgb && needs.secondary)
-        for (int i = 0; i < 3; ++i)
-            add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
-}
-
-void Setup<Fixed>::projective_colors() {
-    each_color([&](const ColorSource& from, int i, auto&, Interpolant<std::uint64_t>& at) {
-        std::int32_t over_w[3];
-        for (int k = 0; k < 3; ++k)
-            over_w[k] = mul30(static_cast<std::int32_t>(from.of[k][i] << 2), q_[k]);
-        add_projective(at, over_w);
-    });
-}
-
 constexpr int color_up = 24 - color_fraction_bits;
 
-void Setup<Fixed>::steep_colors() {
-    const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
+void Setup<Fixed>::steep_colors(std::uint32_t bias) {
     each_color([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
         add_steep(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i),
                   color_up);
@@ -178,40 +134,36 @@ void Setup<Fixed>::steep_colors() {
 /// Colours that differ in `bits`.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     if (span_.kind == Kind::full)
-        return projective_colors();
+        projective_colors();
+    else
+        affine_colors<Rgb>(bits, state_.variant[static_cast<unsigned>(span_.kind)].color_bias);
+}
+
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients by = by_;
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
     if (liftable(bits, lift)) [[likely]] {
-        const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
         return each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
             add_lifted(at, (from.first(i) << color_up) + bias, from.difference(1, i), from.difference(2, i),
                        lift, by);
         });
     }
-    steep_colors();
+    steep_colors(bias);
 }
 
-/// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
-bool Setup<Fixed>::weights() {
-    const int e0 = v_[0]->w_exponent, e1 = v_[1]->w_exponent, e2 = v_[2]->w_exponent;
-    const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
-    if (e0 == e1 && e0 == e2) { // mantissas have their top bit
-        for (int i = 0; i < 3; ++i)
-            q_[i] = static_cast<std::int32_t>(v_[i]->w_mantissa >> 2);
-    } else {
-        const auto scaled = [&](int i, int e) {
-            const int down = 2 + highest - e;
-            const std::uint32_t q = down < 32 ? v_[i]->w_mantissa >> down : 0;
-            return static_cast<std::int32_t>(q != 0 ? q : 1);
-        };
-        q_[0] = scaled(0, e0);
-        q_[1] = scaled(1, e1);
-        q_[2] = scaled(2, e2);
-    }
-    q_range_ = range_of(q_[0], q_[1], q_[2]);
-    const std::int32_t least = q_[0] < q_[1] ? q_[0] : q_[1];
-    q_least_ = static_cast<std::uint32_t>(least < q_[2] ? least : q_[2]);
-    return q_range_ == 0;
+/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded()), and by what set-up loses:
+/// 2^-18 of 255 in affine colours, thrice that in planes over w where 1/w varies by no more than twice, which
+/// is 2^-8 of a 255th.
+void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
+    constexpr std::uint32_t lost = 1u << 17; // 8.24
+    const std::uint64_t product = numeric::mul_u32(widest_, q_range_);
+    if (q_least_ < 1u << 28 || product >> 52 != 0)
+        return divided_colors();
+    // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
+    const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
+    const std::uint32_t off = error + lost;
+    affine_colors<true>(bits, state_.variant[static_cast<unsigned>(Kind::full)].color_bias - off);
+    span_.guess = {2 * off, &project, {v_[0]->color, v_[1]->color, v_[2]->color}, {q_[0], q_[1], q_[2]}, by_};
 }
 
 SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& painted) {
@@ -224,12 +176,6 @@ SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& painted) {
 }
 
 // --- the cheapest kind within the tier's bounds
-
-/// |error| of the affine form over a triangle is at most range(c) range(q) / (4 min(q)): the covariance of c
-/// and q under any weights, over the mean of q.
-bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {
-    return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
-}
 
 /// In what the colours of the three vertices differ (difference_bits).
 template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
@@ -253,18 +199,6 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
 }
 
-bool Setup<Fixed>::colors_affine(std::uint32_t bits) const {
-    const std::uint32_t four = state_.four_color_tolerances;
-    if (state_.tier == Tier::fast || bounded(2 * bits, four))
-        return true;
-    std::uint32_t widest = 0;
-    each_color([&](const ColorSource& from, int i, auto&, auto&) {
-        const std::uint32_t range = range_of(0, from.difference(1, i), from.difference(2, i));
-        widest = range > widest ? range : widest;
-    });
-    return bounded(widest, four);
-}
-
 /// With neither textures nor fog.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
@@ -273,12 +207,12 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
     else if (state_.fragment.perspective && !nearly_affine(bits) && !weights() && !colors_affine(bits))
         kind = Kind::full;
     span_.kind = kind;
-    if (kind == Kind::full)
-        span_.q_dy = add_projective(span_.q, q_);
     if (kind == Kind::flat)
         span_.flat_word = flat_word(state_, painted.color);
     else if (bits == 0)
         constant_colors(painted);
+    else if (kind == Kind::full)
+        Rgb&& state_.guesses ? guessed_colors(bits) : divided_colors();
     else if constexpr (Rgb)
         varying_colors<Rgb>(bits);
     else

@@ -76,14 +76,17 @@ template <> class Setup<Fixed> {
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
     template <bool Rgb> std::uint32_t color_bits() const;
     bool nearly_affine(std::uint32_t bits) const;
-    bool colors_affine(std::uint32_t bits) const;
+    bool colors_affine(std::uint32_t bits);
+    std::uint32_t widest_range() const;
     bool grays(std::uint32_t color_bits, const Vertex& painted) const;
     ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
     ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
     Kind choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
-                     const std::int32_t fog[3]) const;
+                     const std::int32_t fog[3]);
 
-    Gradient gradient(std::int32_t d1, std::int32_t d2) const;
+    static Gradient gradient(const Coefficients& by, std::int32_t d1, std::int32_t d2);
+    static std::uint64_t projective(const Coefficients& by, Interpolant<std::uint64_t>& at,
+                                    const std::int32_t v[3]);
     Gradient affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
                     int up) const;
     void add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
@@ -95,23 +98,22 @@ template <> class Setup<Fixed> {
     void colors(std::uint32_t bits, const Vertex& painted);
     template <bool Rgb> void varying_colors(std::uint32_t bits);
     template <bool Rgb = false, class F> void each_color(F add) const;
-    void steep_colors();
+    void steep_colors(std::uint32_t bias);
     void projective_colors();
+    void guessed_colors(std::uint32_t bits);
+    void divided_colors();
+    template <bool Rgb> void affine_colors(std::uint32_t bits, std::uint32_t bias);
+    static void project(Span<Fixed>& span);
     void add_unit(int unit, const UnitValues& u);
 
     Span<Fixed>& span_;
     const DrawState& state_;
     const Vertex* v_[3]; ///< reference vertices; values start at v_[0]
-    /// d/dx = (d1 dx[0] + d2 dx[1]) 2^-exponent, with d1 = v1 - v0 and d2 = v2 - v0; d/dy likewise. One
-    /// exponent: thin_aspect bounds what the smaller coefficients lose.
-    struct Coefficients {
-        std::int32_t dx[2], dy[2];
-        std::int32_t center[2]; ///< from v_[0] to the centre of its pixel, likewise
-        int exponent;
-    };
+    /// With d1 = v1 - v0 and d2 = v2 - v0.
     Coefficients by_;
     std::int32_t q_[3]; ///< 1/w of v_, largest in [2^29, 2^30)
     std::uint32_t q_least_, q_range_;
+    std::uint32_t widest_; ///< range of a colour, where colors_affine() asked for it
 };
 
 } // namespace spangle::raster

@@ -174,7 +174,7 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
 
 /// Affine where the bounds of the tier allow it, textured where only colours are, else full.
 Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
-                               const std::int32_t fog[3]) const {
+                               const std::int32_t fog[3]) {
     const Needs& needs = state_.needs;
     if (!same_w && color_bits != 0 && !colors_affine(color_bits))
         return Kind::full;

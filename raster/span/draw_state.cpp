@@ -68,7 +68,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
+/// True where colours are guessed.
+bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     switch (key.number) {
     case Number::raw565:
@@ -82,12 +83,16 @@ void choose_span(Variant& variant, const Key& key, const FragmentState& state) {
         assemble<Exact>(variant, key, state);
         break;
     }
-    if (const FusedSpan* const fused = find_fused(key); fused != nullptr) {
-        variant.run = reinterpret_cast<AnyFunction>(fused->run);
-        variant.gray = fused->gray;
-        variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
-        variant.tile = fused->tile;
-    }
+    const FusedSpan* const fused = find_fused(key);
+    if (fused == nullptr)
+        return false;
+    variant.run = reinterpret_cast<AnyFunction>(fused->run);
+    variant.gray = fused->gray;
+    variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
+    variant.tile = fused->tile;
+    if (fused->guesses)
+        variant.color_bias = 1u << 23;
+    return fused->guesses;
 }
 
 /// Where one offset finds a fragment in both planes, and the pixels beside those of the ends, which a line
@@ -165,7 +170,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (kind == Kind::textured && plain)
             continue;
-        choose_span(draw.variant[i], key, state);
+        draw.guesses = choose_span(draw.variant[i], key, state);
         walks = walks || draw.variant[i].walk != nullptr;
         draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
     }

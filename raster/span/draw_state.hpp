@@ -38,7 +38,7 @@ struct Counters {
 
 struct Tile;
 /// Draws a tile (tile.hpp) with the planes of the span.
-using TileFunction = void (*)(const Span<Fixed>&, const Tile&);
+using TileFunction = void (*)(Span<Fixed>&, const Tile&);
 
 /// A function of some signature: RowsFunction<P> to draw rows, PathFunction to draw paths,
 /// void(Packet<N>&, const Span<P>&) for a stage of the chain. Whoever fills it in and whoever calls it agree
@@ -91,8 +91,9 @@ struct DrawState {
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
     bool tiles = false;              ///< some variant draws tiles
-    bool pixels = false; ///< colours come with the fragments: four components each in colour units,
-    bool words = false;  ///< or the 16 bits R5 G6 B5 that are stored, in host order
+    bool pixels = false;  ///< colours come with the fragments: four components each in colour units,
+    bool words = false;   ///< or the 16 bits R5 G6 B5 that are stored, in host order
+    bool guesses = false; ///< colours of Kind::full may be guessed (Span::guess)
     Tier tier = Tier::exact;
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};

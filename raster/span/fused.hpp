@@ -7,6 +7,7 @@
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
+#include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_raw.hpp"
 
 namespace spangle::raster {
@@ -144,14 +145,16 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
 }
 
 /// The fragments of a row one by one, counted up to 0: the last index needs no register.
-template <class Case> SPANGLE_INLINE void fused_plain_row(const Span<Fixed>& span, const Row& row) {
+template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row) {
     const Surface& target = *span.target;
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
         // One word before the loop, not a sum in it.
         return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{row.last} * bytes));
     };
-    PlaneRow at{span, place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
-                nullptr, row.first, row.y};
+    PlaneRow at{
+        span,    place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
+        nullptr, row.first,
+        row.y,   row.last};
     if constexpr (Case::tested)
         at.depth = place(target.depth, target.depth_stride, 2);
     typename Case::template List<1> list(at, 0);
@@ -238,14 +241,16 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     const Surface& target = *span.target;
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8; // of the last group
-    PlaneRow at{span, nullptr, nullptr, row->first, row->y};
+    PlaneRow at{span, nullptr, nullptr, row->first, row->y, row->first};
     typename Case::template List<8> list(at, 0);
     do {
         at.x = row->first < room ? row->first : room;
         at.y = row->y;
+        at.counted_from = at.x;
         point_at(at.color, at.depth, target, at.x, at.y, format_info(Case::key.format).bytes_per_pixel, 1);
         list.start(at, 0);
         Px<N> p(at);
+        p.open = Lanes<8>::Mask{};
         std::int32_t first = row->first - at.x;
         const std::int32_t last = row->last - at.x, most = room - at.x;
         for (p.i = 0;; p.i += 8) {
@@ -256,6 +261,9 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
             }
             p.live = some_lanes(first, last - p.i < 8 ? last - p.i : 8);
             list(p);
+            if constexpr (Case::guessed)
+                if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
+                    divide_open<Case::key.format>(span, p.color_plane + 2 * p.i, p.open, at.x + p.i, at.y);
             if (p.i + 8 >= last)
                 break;
             list.step();

@@ -12,6 +12,7 @@
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
@@ -35,11 +36,18 @@ constexpr bool fusible(const Key& key) {
            key.depth_format != DepthFormat::z24s8;
 }
 
+/// Perspective-correct colours that nothing else is done with.
+constexpr bool is_guessed(const Key& key) {
+    return key.number == Number::exact && key.kind == Kind::full && !key.unit[0].on && !key.fog &&
+           !key.blend && !key.dither && is_565(key.format);
+}
+
 /// Gray: for primitives whose colours are, only.
 template <Key K, bool Gray = false> class FusedCase {
     static_assert(fusible(K));
-    static constexpr bool raw = K.number == Number::raw565, exact = K.number == Number::exact;
     static constexpr bool textured = K.unit[0].on;
+    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K),
+                          exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
         K.unit[0] ==
@@ -47,7 +55,7 @@ template <Key K, bool Gray = false> class FusedCase {
         K.blend && !K.fog && !K.dither && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
-    static constexpr bool divided = divides(K.kind, K.fog);
+    static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs =
@@ -80,6 +88,8 @@ template <Key K, bool Gray = false> class FusedCase {
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>, std::conditional_t<Path, PathDithered, FlatDithered<L>>>>{};
+            else if constexpr (is_guessed(K))
+                return std::type_identity<GouraudGuessed<L>>{};
             else if constexpr (Gray)
                 return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
             else if constexpr (K.color && full)
@@ -134,6 +144,7 @@ template <Key K, bool Gray = false> class FusedCase {
 
   public:
     static constexpr Key key = K;
+    static constexpr bool guessed = is_guessed(K);
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;
@@ -151,7 +162,7 @@ template <Key K, bool Gray = false> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (plain)
+        if constexpr (plain && !guessed)
             return &fused_paths<FusedCase>;
         else
             return nullptr;

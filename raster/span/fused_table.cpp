@@ -60,10 +60,10 @@ struct Say {
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
 #ifdef SPANGLE_FIRMWARE
-    return {Case::key, &Case::run, Case::splits_gray, Case::walk(), nullptr, nullptr};
+    return {Case::key, &Case::run, Case::splits_gray, Case::walk(), nullptr, Case::guessed, nullptr};
 #else
-    return {Case::key,    &Case::run,   Case::splits_gray,
-            Case::walk(), Case::tile(), &Case::template run_lanes<1>};
+    return {Case::key,    &Case::run,    Case::splits_gray,           Case::walk(),
+            Case::tile(), Case::guessed, &Case::template run_lanes<1>};
 #endif
 }
 

@@ -16,6 +16,7 @@ struct FusedSpan {
     bool gray;                  ///< Variant::gray
     PathFunction walk;          ///< null where paths are drawn as rows
     TileFunction tile;          ///< null where tiles are drawn as rows
+    bool guesses;               ///< colours are (Span::guess)
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 

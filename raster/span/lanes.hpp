@@ -100,6 +100,12 @@ template <> struct Lanes<8> {
         SPANGLE_INLINE friend U32 operator-(const U32& a, const U32& b) {
             return {a.even - b.even, a.odd - b.odd};
         }
+        SPANGLE_INLINE friend U32 operator|(const U32& a, const U32& b) {
+            return {a.even | b.even, a.odd | b.odd};
+        }
+        SPANGLE_INLINE friend U32 operator^(const U32& a, const U32& b) {
+            return {a.even ^ b.even, a.odd ^ b.odd};
+        }
         SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
             return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
         }

@@ -30,9 +30,10 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
 /// A row as the stages of a list see it that looks at depth and colours only: the planes are the span's, the
 /// place is in registers.
 struct PlaneRow {
-    const Span<Fixed>& planes;
-    std::uint8_t *color, *depth; ///< of the fragments that the list counts from
+    Span<Fixed>& planes;
+    std::uint8_t *color, *depth; ///< of the fragment that the list counts from
     std::int32_t x, y;           ///< window position of pixel 0
+    std::int32_t counted_from;   ///< and column of the fragment that the list counts from
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
     std::uint32_t flat_word = planes.flat_word;

@@ -42,6 +42,15 @@ template <class T> struct Interpolant {
     }
 };
 
+/// How attributes vary over a primitive, per unit of their differences d1 and d2 from a reference vertex to
+/// two others: d/dx = (d1 dx[0] + d2 dx[1]) 2^-exponent, d/dy likewise. One exponent: thin_aspect (setup.hpp)
+/// bounds what the smaller coefficients lose.
+struct Coefficients {
+    std::int32_t dx[2], dy[2];
+    std::int32_t center[2]; ///< from the reference vertex to the centre of its pixel, likewise
+    int exponent;
+};
+
 /// Which attributes vary how over a primitive. Every stage list exists once per kind; set-up picks the
 /// cheapest kind whose error is within the bounds of the tier (design 3).
 enum class Kind : std::uint8_t {
@@ -91,6 +100,16 @@ template <class P> struct Span {
         bool shares_q = true; ///< q is 1 at every vertex: use Span::q
     } unit[max_texture_units];
     typename P::Projective q_dy;
+    /// Colours of Kind::full, where they are guessed (stage_guess.hpp): color_value is at most the colour,
+    /// and the colour at most `doubt` more. Their projective planes exist when `project` is null; until then
+    /// it makes them of what stands here.
+    struct Guess {
+        std::uint32_t doubt;
+        void (*project)(Span&);
+        const std::uint32_t* color[3]; ///< of the reference vertices
+        std::int32_t q[3];             ///< 1/w of these
+        Coefficients by;
+    } guess;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
     const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
 

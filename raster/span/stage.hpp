@@ -47,7 +47,8 @@ template <class N> struct Px {
     std::uint8_t *color_plane, *depth_plane; ///< where pixel 0 of the group's count lies
     std::int32_t i;                          ///< first pixel of the group
     typename N::L::Mask live;
-    bool row = false; ///< Seq::row said so; a constant of the loop
+    typename N::L::Mask open; ///< colours that a guess did not decide, dead ones among them (stage_guess.hpp)
+    bool row = false;         ///< Seq::row said so; a constant of the loop
     /// One lane, too, stores what was there where it is not alive; a constant of the loop, whose stages all
     /// can.
     bool selects = false;

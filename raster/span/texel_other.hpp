@@ -1,5 +1,5 @@
-// Texels of the formats that have no loops of their own: 16-bit colours with alpha, palettes, ETC1 blocks. Sampled
-// where they lie, without expansion.
+// Texels of the formats that have no loops of their own: 16-bit colours with alpha, palettes, ETC1 blocks.
+// Sampled where they lie, without expansion.
 #pragma once
 
 #include "raster/span/texel.hpp"
@@ -36,7 +36,8 @@ constexpr TexelWords words_of(const Texture& texture) {
 }
 
 /// R, G, B of one texel of an ETC1 image, R lowest (OES_compressed_ETC1_RGB8_texture).
-inline std::uint32_t etc1_word(const std::uint8_t* blocks, std::int32_t width, std::int32_t i, std::int32_t j) {
+inline std::uint32_t etc1_word(const std::uint8_t* blocks, std::int32_t width, std::int32_t i,
+                               std::int32_t j) {
     constexpr std::uint8_t steps[8][2] = {{2, 8},   {5, 17},  {9, 29},   {13, 42},
                                           {18, 60}, {24, 80}, {33, 106}, {47, 183}};
     const std::int32_t x = i & 3, y = j & 3;
@@ -67,15 +68,15 @@ inline const std::uint8_t* palette_entry(const Texture& texture, const TextureLe
                                          std::int32_t j) {
     const std::int32_t n = j * image.width + i;
     const std::int32_t index = texture.format == TexelFormat::p8 ? image.texels[n]
-                               : (n & 1) == 0                   ? image.texels[n >> 1] >> 4
-                                                                : image.texels[n >> 1] & 15;
+                               : (n & 1) == 0                    ? image.texels[n >> 1] >> 4
+                                                                 : image.texels[n >> 1] & 15;
     return texture.palette + index * texel_bytes(texture.palette_format);
 }
 
 /// A texel of an indirect format.
 template <class N>
-[[gnu::noinline]] typename N::Color read_indirect(const Texture& texture, const TextureLevel& image, std::int32_t i,
-                                                  std::int32_t j) {
+[[gnu::noinline]] typename N::Color read_indirect(const Texture& texture, const TextureLevel& image,
+                                                  std::int32_t i, std::int32_t j) {
     if (texture.format != TexelFormat::etc1)
         return read_texel<N>(texture.palette_format, palette_entry(texture, image, i, j));
     const std::uint32_t word = etc1_word(image.texels, image.width, i, j);
@@ -88,7 +89,8 @@ inline std::uint32_t word_4444(const std::uint8_t* at) {
 }
 
 /// RGBA bytes of a texel of TexelWords::bytes that is not common; s and t as find_texels left them.
-inline std::uint32_t other_word(const Texture& texture, const TextureLevel& image, std::int32_t s, std::int32_t t) {
+inline std::uint32_t other_word(const Texture& texture, const TextureLevel& image, std::int32_t s,
+                                std::int32_t t) {
     constexpr std::uint32_t opaque = 0xFF000000;
     if constexpr (has_compressed_textures) {
         if (texture.format == TexelFormat::etc1)

@@ -54,7 +54,16 @@ inline DrawState in_chain(DrawState state, Number number) {
         state.variant[i].gray = false;
         state.variant[i].walk = nullptr;
     }
-    state.tiles = false;
+    state.tiles = state.guesses = false;
+    return state;
+}
+
+/// The same of one kind: others may have other numbers.
+inline DrawState in_chain(DrawState state, const Key& key) {
+    Variant& variant = state.variant[static_cast<unsigned>(key.kind)];
+    variant.run = chain_runner(key.number);
+    variant.walk = nullptr;
+    state.tiles = state.guesses = false;
     return state;
 }
 

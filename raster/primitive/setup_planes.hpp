@@ -1,0 +1,33 @@
+// What the files of set-up share in line: gradients, and the walk over the colours that are looked at.
+#pragma once
+
+#include "raster/primitive/setup.hpp"
+
+namespace spangle::raster {
+
+/// Differences counted in 2^(exponent - up) of the unit of d.
+SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients& by, std::int32_t d1,
+                                                             std::int32_t d2) {
+    return {std::int64_t{d1} * by.dx[0] + std::int64_t{d2} * by.dx[1],
+            std::int64_t{d1} * by.dy[0] + std::int64_t{d2} * by.dy[1],
+            std::int64_t{d1} * by.center[0] + std::int64_t{d2} * by.center[1]};
+}
+
+/// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
+/// is smooth_rgb.
+template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
+    const Needs& needs = state_.needs;
+    if (Rgb || needs.rgb) {
+        const int some = !Rgb && state_.textured_or_fogged && span_.gray ? 1 : 3;
+#pragma GCC unroll 3
+        for (int i = 0; i < some; ++i)
+            add(primary(), i, span_.color_value[i], span_.color_q[i]);
+    }
+    if (!Rgb && needs.alpha)
+        add(primary(), 3, span_.color_value[3], span_.color_q[3]);
+    if (!Rgb && needs.secondary)
+        for (int i = 0; i < 3; ++i)
+            add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,21 @@
+#include "raster/span/stage_guess.hpp"
+
+#include "raster/span/stage_store.hpp"
+
+namespace spangle::raster {
+
+std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
+    if (span.guess.project != nullptr)
+        span.guess.project(span);
+    span.guess.project = nullptr;
+    const auto at = [&](const Span<Fixed>::Projective& plane) {
+        return plane.at(x - span.anchor_x, y - span.anchor_y);
+    };
+    const Inverse inverse(unguarded(at(span.q)));
+    const auto component = [&](int i) {
+        return detail::projective_color(unguarded(at(span.color_q[i])), inverse);
+    };
+    return truncated565<Exact>({component(0), component(1), component(2), color_one});
+}
+
+} // namespace spangle::raster
