@@ -40,6 +40,9 @@ struct TextureUnitState {
     TexGenState gen[4];
 };
 
+/// Bits of units: bit u, unit u is on; bit u + third_coordinate, what it samples looks at r.
+inline constexpr int third_coordinate = 8;
+
 /// Bindings, environments and what a program has enabled.
 struct TextureState {
     TextureUnitState unit[texture_units];
@@ -82,6 +85,26 @@ struct TextureState {
     }
     const TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) const {
         return const_cast<TextureState*>(this)->bound(u, kind);
+    }
+    unsigned units_in_use() const {
+        unsigned bits = 0;
+        for (unsigned u = 0; u < texture_units; ++u)
+            if (unit[u].on())
+                bits |= (wants_r(u) ? 1u << third_coordinate | 1u : 1u) << u;
+        return bits;
+    }
+
+  private:
+    bool wants_r(unsigned u) const {
+        const bool* const on = unit[u].enabled;
+        if (on[index_of(TextureKind::cube)] || on[index_of(TextureKind::three)])
+            return true;
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+        const TextureKind kind = on[index_of(TextureKind::two)] ? TextureKind::two : TextureKind::one;
+        return bound(u, kind).parameters.compare_mode != GL_NONE;
+#else
+        return false;
+#endif
     }
 };
 

@@ -134,6 +134,7 @@ struct DoubleMath {
             out.tex[u].s = mix(a.tex[u].s, b.tex[u].s, t);
             out.tex[u].t = mix(a.tex[u].t, b.tex[u].t, t);
             out.tex[u].q = mix(a.tex[u].q, b.tex[u].q, t);
+            out.tex[u].r = mix(a.tex[u].r, b.tex[u].r, t);
         }
     }
 
@@ -171,7 +172,7 @@ struct DoubleMath {
 
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool, Window& out) {
         const Clip v = texture_of(t, strq, unit);
-        out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
+        out.tex[unit] = {v.v[0], v.v[1], v.v[3], v.v[2]};
     }
     static Eye texture_of(const Transforms& t, const Scalar (&strq)[4], int unit) {
         return times(t.texture[unit], strq);
@@ -222,7 +223,7 @@ struct DoubleMath {
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
         const Clip v = times(t.texture[unit], stq);
-        out.tex[unit] = {v.v[0], v.v[1], v.v[3]};
+        out.tex[unit] = {v.v[0], v.v[1], v.v[3], v.v[2]};
     }
     static void set_fog(Depth eye_z, Window& out) { out.fog = std::fabs(eye_z); }
     static void set_fog_coordinate(Depth coordinate, Window& out) { out.fog = coordinate; }
@@ -247,7 +248,7 @@ struct DoubleMath {
         set_color(out, from.color);
         for (int u = 0; u < texture_units; ++u) {
             const Real(&v)[4] = from.tex_coord[u].v;
-            out.tex[u] = {number(v[0]), number(v[1]), number(v[3])};
+            out.tex[u] = {number(v[0]), number(v[1]), number(v[3]), number(v[2])};
         }
     }
 

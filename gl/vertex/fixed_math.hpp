@@ -215,7 +215,8 @@ struct FixedMath {
                                  mix(numeric::component(a, 3), numeric::component(b, 3), t));
     }
 
-    /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use.
+    /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use,
+    /// bit u + third_coordinate: their r, too.
     static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
         mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
@@ -225,9 +226,17 @@ struct FixedMath {
                 return mix(numeric::make_block(a.tex[u].*m, a.tex[u].exponent),
                            numeric::make_block(b.tex[u].*m, b.tex[u].exponent), t);
             };
-            const numeric::Block3 stq = numeric::to_block(
-                part(&Window::TexCoord::s), part(&Window::TexCoord::t), part(&Window::TexCoord::q));
-            set_texture(out, u, stq);
+            if ((units >> (u + third_coordinate) & 1) != 0) {
+                const numeric::Block r = mix(numeric::make_block(a.r[u], a.tex[u].exponent),
+                                             numeric::make_block(b.r[u], b.tex[u].exponent), t);
+                set_texture(out, u,
+                            numeric::to_block(part(&Window::TexCoord::s), part(&Window::TexCoord::t), r,
+                                              part(&Window::TexCoord::q)));
+            } else {
+                set_texture(out, u,
+                            numeric::to_block(part(&Window::TexCoord::s), part(&Window::TexCoord::t),
+                                              part(&Window::TexCoord::q)));
+            }
             out.tex[u].q_is_one = a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0 ? 1 : 0;
         }
     }
@@ -318,11 +327,11 @@ struct FixedMath {
         for (int c = 0; c < 4; ++c)
             out[c] = real(numeric::mul(numeric::make_block(v.color[c], 0), unit));
     }
-    /// Generated coordinates. Where q is what was given, 1 and not generated, it stays 1.
+    /// Generated coordinates, or those of a unit that looks at r. Where q is what was given, 1 and not
+    /// generated, it stays 1.
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
                             Window& out) {
-        const numeric::Block4 v = texture_of(t, strq, unit);
-        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
+        set_texture(out, unit, texture_of(t, strq, unit));
         out.tex[unit].q_is_one = q_is_one && t.texture_is_identity[unit] ? 1 : 0;
     }
     /// Behind the matrix of the unit, all four.
@@ -358,7 +367,7 @@ struct FixedMath {
     /// As they are.
     static void set_texture(const Real (&stq)[4], int unit, Window& out) {
         const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
-        set_texture(out, unit, {{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
+        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
         out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
@@ -407,8 +416,13 @@ struct FixedMath {
         out.w_exponent = -31;
         set_fog_coordinate(fog_coordinate(from.distance), out);
         set_color(out, from.color);
-        for (int u = 0; u < texture_units; ++u)
-            set_texture(from.tex_coord[u].v, u, out);
+        for (int u = 0; u < texture_units; ++u) {
+            const Real(&v)[4] = from.tex_coord[u].v;
+            set_texture(
+                out, u,
+                numeric::to_block(v[0], v[1], v[2], v[3])); // of all four: who looks at r is not known
+            out.tex[u].q_is_one = v[3] == numeric::one ? 1 : 0;
+        }
     }
 
     /// A real component, clamped, in 255ths with 20 fraction bits. c * 255 in Q.30 is exact.
@@ -503,6 +517,10 @@ struct FixedMath {
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
     }
 
+    static void set_texture(Window& out, int unit, const numeric::Block4& strq) {
+        set_texture(out, unit, numeric::Block3{{strq.m[0], strq.m[1], strq.m[3]}, strq.e});
+        out.r[unit] = strq.m[2];
+    }
     static void set_texture(Window& out, int unit, const numeric::Block3& stq) {
         out.tex[unit].s = stq.m[0];
         out.tex[unit].t = stq.m[1];

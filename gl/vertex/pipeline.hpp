@@ -132,7 +132,8 @@ template <class M, class L> class Pipeline {
     int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
-    unsigned units_ = 0;          ///< bit u: texture unit u is on
+    unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it looks at r
+    unsigned thirds_ = 0;         ///< the latter of the vertices that are kept
     bool fog_given_ = false;      ///< by fog coordinates
     unsigned index_bits_ = 0;     ///< of an index framebuffer; 0: colours
     bool each_vertex_ = false;    ///< something more happens to vertices when they are given
@@ -187,9 +188,11 @@ template <class M, class L> class Pipeline {
         index_bits_ = context.drawable.index_bits;
         lit_ = context.lighting.lighting;
         two_sided_ = lighting_.two_sided();
-        units_ = 0;
-        for (int u = 0; u < texture_units; ++u)
-            units_ |= context.texture.unit[u].on() ? 1u << u : 0u;
+        units_ = context.texture.units_in_use();
+        if (const unsigned thirds = units_ >> third_coordinate; thirds != thirds_) {
+            thirds_ = thirds;
+            forget();
+        }
         const PolygonState& polygon = context.polygon;
         flat_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;

@@ -103,19 +103,22 @@ typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Ve
     const Real(&given)[4] = current.tex_coord[unit].v;
     typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
                                   M::scalar(given[3])};
-    if (generates(unit))
+    if ((texgen_.units() >> unit & 1) != 0)
         texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
     return M::texture_of(transforms_, strq, unit);
 }
 
+/// More is made of its coordinates than s, t and q as they are given.
 template <class M, class L> inline bool Pipeline<M, L>::generates(int unit) const {
-    return (texgen_.units() >> unit & 1) != 0;
+    return ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
 }
 
 template <class M, class L> void Pipeline<M, L>::generated(const CurrentState& current, Vertex& v, int unit) {
     const Real(&given)[4] = current.tex_coord[unit].v;
-    typename M::Scalar strq[4];
-    texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
+    typename M::Scalar strq[4] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2]),
+                                  M::scalar(given[3])};
+    if ((texgen_.units() >> unit & 1) != 0)
+        texgen_.generate(transforms_, unit, v.position, v.normal, given, strq);
     M::set_texture(transforms_, strq, unit, texgen_.keeps_q(unit) && given[3] == numeric::one, v.window);
 }
 

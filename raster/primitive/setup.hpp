@@ -55,7 +55,7 @@ template <> class Setup<Fixed> {
     };
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
-        std::int32_t s[3], t[3], q[3];
+        std::int32_t s[3], t[3], q[3], r[3];
         std::int64_t s0, t0; ///< at v_[0], repeats with 32 fraction bits
         int shift;           ///< s[i] counts 2^(shift - 32) repeats
         bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid

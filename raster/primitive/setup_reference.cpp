@@ -74,6 +74,7 @@ void Setup<Double>::attributes(const Vertex& provoking) {
         unit.shares_q = false;
         over_w(unit.s, v_[0]->tex[i].s, v_[1]->tex[i].s, v_[2]->tex[i].s, &unit.s_dy);
         over_w(unit.t, v_[0]->tex[i].t, v_[1]->tex[i].t, v_[2]->tex[i].t, &unit.t_dy);
+        over_w(unit.r, v_[0]->tex[i].r, v_[1]->tex[i].r, v_[2]->tex[i].r, &unit.r_dy);
         over_w(unit.q, v_[0]->tex[i].q, v_[1]->tex[i].q, v_[2]->tex[i].q, &unit.q_dy);
     }
 }

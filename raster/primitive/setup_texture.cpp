@@ -30,7 +30,7 @@ std::int64_t least_of(const std::int64_t v[3]) {
 } // namespace
 
 void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
-    u.homogeneous = false;
+    u.homogeneous = state_.needs.r[unit]; // three coordinates are divided at every fragment
     for (int i = 0; i < 3; ++i)
         u.homogeneous = u.homogeneous || v_[i]->tex[unit].q_is_one == 0;
     if (u.homogeneous) {
@@ -67,7 +67,7 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
 void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
-    std::int64_t s[3], t[3], q[3];
+    std::int64_t s[3], t[3], q[3], r[3] = {};
     const auto halves = state_.halves[unit];
     int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
     const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
@@ -77,16 +77,20 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
         const bool is_one = c.q_is_one != 0;
         s[i] = c.s * w >> halves.s;
         t[i] = c.t * w >> halves.t;
+        if (state_.needs.r[unit])
+            r[i] = v_[i]->r[unit] * w;
         q[i] = (is_one ? 1 << 30 : c.q) * w;
         exponent[i] = v_[i]->w_exponent + c.exponent;
         exponent_q[i] = v_[i]->w_exponent + (is_one ? -30 : c.exponent);
-        const int st = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
+        const int highest = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
+        const int st = highest > height(r[i]) ? highest : height(r[i]);
         top_st = exponent[i] + st > top_st ? exponent[i] + st : top_st;
         top_q = exponent_q[i] + height(q[i]) > top_q ? exponent_q[i] + height(q[i]) : top_q;
     }
     for (int i = 0; i < 3; ++i) {
         u.s[i] = static_cast<std::int32_t>(shift(s[i], top_st - 29 - exponent[i]));
         u.t[i] = static_cast<std::int32_t>(shift(t[i], top_st - 29 - exponent[i]));
+        u.r[i] = static_cast<std::int32_t>(shift(r[i], top_st - 29 - exponent[i]));
         u.q[i] = static_cast<std::int32_t>(shift(q[i], top_q - 29 - exponent_q[i]));
     }
     u.shift = top_st - top_q + 32;
@@ -161,6 +165,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
         at.s_dy = add_projective(at.s, u.s);
         at.t_dy = add_projective(at.t, u.t);
         at.q_dy = add_projective(at.q, u.q);
+        if (state_.needs.r[unit])
+            at.r_dy = add_projective(at.r, u.r);
         return;
     }
     std::int32_t s[3], t[3];

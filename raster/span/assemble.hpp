@@ -73,6 +73,8 @@ template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::P
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     using One = OneLane<N>;
+    if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
+        return; // the texture function finds them itself
     if (key.kind < Kind::textured)
         chain.template add<Coord<N, Unit, false>>();
     else if constexpr (std::is_same_v<N, Exact>)

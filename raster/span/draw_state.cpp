@@ -148,8 +148,11 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
             continue;
         const Texture& texture = *state.unit[i].texture;
         const auto wraps = [](Wrap wrap) { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; };
+        draw.needs.r[i] = has_third_coordinates && wants_r(texture);
         draw.wraps[i] = {wraps(texture.wrap_s), wraps(texture.wrap_t)};
-        draw.halves[i] = {texture.wrap_s == Wrap::mirrored_repeat, texture.wrap_t == Wrap::mirrored_repeat};
+        if (!draw.needs.r[i])
+            draw.halves[i] = {texture.wrap_s == Wrap::mirrored_repeat,
+                              texture.wrap_t == Wrap::mirrored_repeat};
         draw.log2_width[i] =
             static_cast<std::uint8_t>(ceil_log2_of(texture.level[0].width) + draw.halves[i].s);
         draw.log2_height[i] =

@@ -61,6 +61,7 @@ struct Variant {
 struct Needs {
     bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
     bool unit[max_texture_units] = {};
+    bool r[max_texture_units] = {}; ///< of a unit that is on: the third coordinate, too
 };
 
 constexpr Needs needs_of(const Key& key) {

@@ -123,7 +123,7 @@ template <class N> class Fragment {
     }
 
     template <int Unit> void place(const DrawState& state, ShadowStage coord_stage, ShadowStage lod) {
-        if (!state.needs.unit[Unit])
+        if (!state.needs.unit[Unit] || state.needs.r[Unit])
             return;
         coord<Unit>(state, coord_stage);
         if (!wants_lod(*state.fragment.unit[Unit].texture))

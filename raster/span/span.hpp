@@ -98,6 +98,8 @@ template <class P> struct Span {
         std::int32_t s_base,
             t_base;           ///< whole repeats taken off before interpolation (clamping wraps add them back)
         bool shares_q = true; ///< q is 1 at every vertex: use Span::q
+        Projective r;         ///< r/w, where Needs::r
+        typename P::Projective r_dy;
     } unit[max_texture_units];
     typename P::Projective q_dy;
     /// Colours of Kind::full, where they are guessed (stage_guess.hpp): color_value is at most the colour,

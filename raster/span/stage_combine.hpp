@@ -2,7 +2,7 @@
 // may ask for that of another.
 #pragma once
 
-#include "raster/span/stage_texture.hpp"
+#include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
 namespace spangle::raster {

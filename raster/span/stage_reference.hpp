@@ -8,8 +8,8 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
-#include "raster/span/stage_texture.hpp"
 #include "raster/span/stage_texture_lod.hpp"
+#include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texture_combine.hpp"
 
 namespace spangle::raster {
@@ -172,6 +172,9 @@ struct ReferenceSampler {
     using Color = Reference::Color;
     const Texture& texture;
 
+    unsigned face = 0; ///< of a cube map
+    double r = 0;      ///< of a volume, or what depths are compared with
+
     Color sample(double s, double t, std::int32_t lod8) const {
         const double lambda = std::fmin(std::fmax(lod8, texture.min_lod), texture.max_lod) / 256;
         const bool late =
@@ -235,15 +238,43 @@ struct ReferenceSampler {
     }
 
     Color level(int d, Filter filter, double s, double t) const {
-        const TextureLevel& image = texture.level[d];
+        TextureLevel image = texture.level[d];
+        if (texture.shape == TextureShape::cube)
+            image.texels = texture.faces->texels[face][d];
+        if (texture.shape != TextureShape::volume)
+            return image_at(image, filter, s, t);
+        const int depth = texture.depth >> d > 1 ? texture.depth >> d : 1;
+        const double w = depth * wrapped(texture.wrap_r, r, depth);
+        if (filter == Filter::nearest)
+            return slice(image, index(texture.wrap_r, w, depth), depth, filter, s, t);
+        const int fixed = static_cast<int>(std::floor((w - 0.5) * 256)), k = fixed >> 8;
+        const Color a = slice(image, k, depth, filter, s, t), b = slice(image, k + 1, depth, filter, s, t);
+        const double weight = (fixed & 255) / 256.0;
+        const auto mix = [&](double v, double u) { return (1 - weight) * v + weight * u; };
+        return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b), mix(a.a, b.a)};
+    }
+    Color slice(TextureLevel image, int k, int depth, Filter filter, double s, double t) const {
+        k = equivalent(texture.wrap_r, k, depth);
+        if (texture.border_texels == 0 && (k < 0 || k >= depth))
+            return border();
+        image.texels +=
+            k * static_cast<std::ptrdiff_t>(image.stride) * (image.height + 2 * texture.border_texels);
+        return image_at(image, filter, s, t);
+    }
+    static int index(Wrap wrap, double at, int n) {
+        const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
+        const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
+        return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
+    }
+    Color border() const {
+        const std::uint8_t* const c = texture.border_color;
+        return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0, c[3] / 255.0};
+    }
+
+    Color image_at(const TextureLevel& image, Filter filter, double s, double t) const {
         const double u = image.width * wrapped(texture.wrap_s, s, image.width);
         const double v = image.height * wrapped(texture.wrap_t, t, image.height);
         if (filter == Filter::nearest) {
-            const auto index = [](Wrap wrap, double at, int n) {
-                const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
-                const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
-                return !wraps && i == n && at <= n ? n - 1 : i; // s = 1 is the last texel
-            };
             return texel(image, index(texture.wrap_s, u, image.width),
                          index(texture.wrap_t, v, image.height));
         }
@@ -258,10 +289,19 @@ struct ReferenceSampler {
         i = equivalent(texture.wrap_s, i, image.width);
         j = equivalent(texture.wrap_t, j, image.height);
         const bool outside = i < 0 || j < 0 || i >= image.width || j >= image.height;
-        if (outside && texture.border_texels == 0) {
-            const std::uint8_t* const c = texture.border_color;
-            return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0, c[3] / 255.0};
-        }
+        if (texture.compares)
+            return compared(outside && texture.border_texels == 0 ? border().r : stored(image, i, j).r);
+        return outside && texture.border_texels == 0 ? border() : stored(image, i, j);
+    }
+    /// r counts in the steps of the depth.
+    Color compared(double depth) const {
+        const double most = texture.format == TexelFormat::z16 ? 65535 : 16777215;
+        const auto code = [&](double v) { return static_cast<std::uint32_t>(clamp01(v) * most + 0.5); };
+        const double v =
+            compare(texture.compare, code(r), static_cast<std::uint32_t>(depth * most + 1e-6)) ? 1 : 0;
+        return {v, v, v, v};
+    }
+    Color stored(const TextureLevel& image, int i, int j) const {
         if (is_indirect(texture.format))
             return read_indirect<Reference>(texture, image, i, j);
         return read_texel<Reference>(texture.format, image.texels +
@@ -282,11 +322,57 @@ template <int Unit, bool HasLod> struct Texture2D<Reference, Unit, HasLod> : Ref
     }
     Reference::Color texel(const Px<Reference>& p) const {
         const TextureUnit& unit = span.state->fragment.unit[Unit];
+        if (wants_r(*unit.texture))
+            return in_volume(unit);
         const ReferenceSampler sampler{*unit.texture};
         return sampler.sample(p.coord[Unit].s[0], p.coord[Unit].t[0],
                               HasLod ? p.lod[Unit][0] + unit.lod_bias : 0);
     }
+
+  private:
+    Reference::Color in_volume(const TextureUnit& unit) const;
 };
+
+/// Three coordinates, divided, and lambda of all of them, by the formulas of GL 1.3, 3.8.6 and 3.8.8.
+template <int Unit, bool HasLod>
+Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit& unit) const {
+    const Texture& texture = *unit.texture;
+    const auto& at = span.unit[Unit];
+    const struct {
+        double v, dx, dy;
+    } of[3] = {{span.at(x, at.s), at.s.dx, at.s_dy},
+               {span.at(x, at.t), at.t.dx, at.t_dy},
+               {span.at(x, at.r), at.r.dx, at.r_dy}},
+      w = {span.at(x, at.q), at.q.dx, at.q_dy};
+    const auto slope = [](const auto& v, const auto& q) {
+        return std::fmax(std::fabs(v.dx * q.v - v.v * q.dx), std::fabs(v.dy * q.v - v.v * q.dy)) /
+               (q.v * q.v);
+    };
+    const TextureLevel& base = texture.level[0];
+    ReferenceSampler sampler{texture};
+    double s, t, rho;
+    if (texture.shape == TextureShape::cube) {
+        const CubeFace<double> face(of[0].v, of[1].v, of[2].v);
+        const double along = of[face.major].v;
+        sampler.face = face.face;
+        s = ((face.s_back ? -1 : 1) * of[face.s].v / std::fabs(along) + 1) / 2;
+        t = ((face.t_back ? -1 : 1) * of[face.t].v / std::fabs(along) + 1) / 2;
+        rho =
+            base.width * std::fmax(slope(of[face.s], of[face.major]), slope(of[face.t], of[face.major])) / 2;
+    } else {
+        s = tame(of[0].v / w.v);
+        t = tame(of[1].v / w.v);
+        sampler.r = tame(of[2].v / w.v);
+        rho = base.width * slope(of[0], w);
+        if (texture.shape != TextureShape::line)
+            rho = std::fmax(rho, base.height * slope(of[1], w));
+        if (texture.shape == TextureShape::volume)
+            rho = std::fmax(rho, texture.depth * slope(of[2], w));
+    }
+    const double lambda = std::log2(std::fmin(std::fmax(rho, 0x1p-60), 0x1p60));
+    return sampler.sample(
+        s, t, HasLod ? static_cast<std::int32_t>(std::floor(256 * lambda + 0.5)) + unit.lod_bias : 0);
+}
 
 template <> struct CombineMath<Reference> {
     static constexpr double half = 0.5;

@@ -74,7 +74,7 @@ template <class N> struct TextureFunction {
         return how;
     }
 
-  private:
+    // Of one level; also what is behind three coordinates (stage_texture_volume.hpp).
     [[gnu::noinline]] Color minified(std::int32_t lod, std::uint32_t s, std::uint32_t t) const {
         const Sampling how = sampling(lod);
         const Color a = filtered(how.level, how.filter, s, t);
@@ -136,24 +136,6 @@ template <class N> struct TextureFunction {
             if (is_indirect(texture.format))
                 return read_indirect<N>(texture, image, i, j);
         return read_texel<N>(texture.format, address(image, i, j));
-    }
-};
-
-/// The chain's texture stage. HasLod: a stage before it writes p.lod.
-template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
-    static_assert(N::lanes == 1);
-    static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
-    static constexpr unsigned out = field_color;
-    TextureFunction<N> function;
-    const TextureUnit& unit;
-    SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t)
-        : function(s.state->fragment.unit[Unit]), unit(s.state->fragment.unit[Unit]) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        apply_env<N>(unit.env, function.texture.base, p.color, texel(p), env_color<N>(unit));
-        return true;
-    }
-    typename N::Color texel(const Px<N>& p) const {
-        return function.sample(p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0);
     }
 };
 

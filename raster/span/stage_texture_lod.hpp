@@ -3,6 +3,7 @@
 #pragma once
 
 #include "raster/span/stage_coord.hpp"
+#include "raster/span/texel.hpp"
 
 namespace spangle::raster {
 

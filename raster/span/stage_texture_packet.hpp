@@ -2,7 +2,7 @@
 // texels are combined in lanes.
 #pragma once
 
-#include "raster/span/stage_texture.hpp"
+#include "raster/span/stage_texture_one.hpp"
 #include "raster/span/texel_packet.hpp"
 #include "raster/span/texture_combine.hpp"
 
@@ -17,7 +17,7 @@ template <class N> class PacketTexture {
 
   public:
     template <int Unit> static void run(Packet<N>& k, const Span<typename N::Policy>& span) {
-        apply(k, span.state->fragment.unit[Unit], Unit);
+        apply(k, span, Unit);
     }
     /// All units that are on, when one of them combines.
     static void combined(Packet<N>& k, const Span<typename N::Policy>& span) {
@@ -25,7 +25,7 @@ template <class N> class PacketTexture {
         Color texels[max_texture_units][Packet<N>::groups];
         for (int u = 0; u < max_texture_units; ++u)
             if (state.unit[u].texture != nullptr)
-                sample(k, state.unit[u], u, texels[u]);
+                sample(k, span, u, texels[u]);
         for (std::int32_t i = 0; i < k.n; ++i) {
             typename One::Color texel[max_texture_units]{}, color;
             for (int u = 0; u < max_texture_units; ++u)
@@ -49,17 +49,31 @@ template <class N> class PacketTexture {
         : k_(k), unit_(unit), texture_(*unit.texture), function_(unit), n_((k.n + lanes - 1) & -lanes),
           which_(which) {}
 
-    [[gnu::noinline]] static void apply(Packet<N>& k, const TextureUnit& unit, int which) {
+    using Span = raster::Span<typename N::Policy>;
+
+    [[gnu::noinline]] static void apply(Packet<N>& k, const Span& span, int which) {
+        const TextureUnit& unit = span.state->fragment.unit[which];
         Color texels[Packet<N>::groups];
-        sample(k, unit, which, texels);
+        sample(k, span, which, texels);
         const Color constant = env_color<N>(unit);
         for (std::int32_t g = 0; g * lanes < k.n; ++g)
             apply_env<N>(unit.env, unit.texture->base, k.color[g], texels[g], constant);
     }
-    [[gnu::noinline]] static void sample(Packet<N>& k, const TextureUnit& unit, int which, Color* texels) {
+    [[gnu::noinline]] static void sample(Packet<N>& k, const Span& span, int which, Color* texels) {
+        const TextureUnit& unit = span.state->fragment.unit[which];
+        if constexpr (has_third_coordinates)
+            if (wants_r(*unit.texture))
+                return in_volume(k, span, which, texels);
         const PacketTexture stage(k, unit, which);
         if (!stage.together(texels))
             stage.one_by_one(texels);
+    }
+
+    [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
+        const VolumeCoords coords(span, which);
+        const VolumeFunction<One> function(span.state->fragment.unit[which]);
+        for (std::int32_t i = 0; i < k.n; ++i)
+            set_lane(texels[i / lanes], i % lanes, function.sample(coords.at(k.x + i)));
     }
 
     /// False: not all fragments take the same levels by the same filter, or some see the border colour.

@@ -14,7 +14,7 @@ struct DoubleVertex {
     double z, inv_w, fog;
     double color[4], secondary[3];
     struct TexCoord {
-        double s, t, q;
+        double s, t, q, r;
     } tex[max_texture_units];
     double x_exact, y_exact; ///< window position before snapping, for the coverage_unsnapped report
 };

@@ -87,7 +87,7 @@ inline DoubleVertex double_vertex(const Point& p) {
     std::memcpy(v.color, p.color, sizeof v.color);
     std::memcpy(v.secondary, p.secondary, sizeof v.secondary);
     for (auto& unit : v.tex)
-        unit = {p.s, p.t, p.q};
+        unit = {p.s, p.t, p.q, 0};
     v.x_exact = p.x;
     v.y_exact = p.y;
     return v;

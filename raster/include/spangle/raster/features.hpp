@@ -31,6 +31,8 @@ namespace spangle::raster {
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
 inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;
+inline constexpr bool has_third_coordinates =
+    SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES;
 inline constexpr bool has_compressed_textures = SPANGLE_FEATURE_COMPRESSED_TEXTURES != 0;
 inline constexpr bool has_depth_textures = SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
 

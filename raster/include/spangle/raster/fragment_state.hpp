@@ -141,6 +141,11 @@ struct Texture {
     std::uint8_t border_color[4] = {0, 0, 0, 0};              ///< RGBA, 255ths
 };
 
+/// The third coordinate is looked at: it is interpolated, and every fragment divides.
+constexpr bool wants_r(const Texture& texture) {
+    return texture.shape >= TextureShape::volume || texture.compares;
+}
+
 inline constexpr int max_texture_units = 2;
 
 /// What becomes of RGB or of alpha with COMBINE (GL 1.3, tables 3.24 to 3.26).

@@ -27,6 +27,8 @@ struct FixedVertex {
         std::int16_t exponent;
         std::int16_t q_is_one; ///< nonzero: q is exactly 1 (and its mantissa is not looked at)
     } tex[max_texture_units];
+    std::int32_t
+        r[max_texture_units]; ///< with the exponent of its unit; of textures that look at it (wants_r)
 };
 
 } // namespace spangle::raster

@@ -1,0 +1,31 @@
+// The texture function of one unit, a fragment at a time.
+#pragma once
+
+#include "raster/span/stage_texture_volume.hpp"
+
+namespace spangle::raster {
+
+/// Of three coordinates, or of two and a level that stages before it have found (HasLod: a level, too).
+template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
+    static constexpr unsigned out = field_color;
+    const Span<typename N::Policy>& span;
+    std::int32_t x;
+    const TextureUnit& unit;
+    TextureFunction<N> function;
+    SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t first)
+        : span(s), x(first), unit(s.state->fragment.unit[Unit]), function(unit) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        apply_env<N>(unit.env, function.texture.base, p.color, texel(p), env_color<N>(unit));
+        return true;
+    }
+    SPANGLE_INLINE void step() { ++x; }
+    typename N::Color texel(const Px<N>& p) const {
+        if (has_third_coordinates && wants_r(function.texture))
+            return VolumeFunction<N>(unit).sample(VolumeCoords(span, Unit).at(x));
+        return function.sample(p.coord[Unit].s[0], p.coord[Unit].t[0], HasLod ? p.lod[Unit][0] : 0);
+    }
+};
+
+} // namespace spangle::raster

@@ -1,0 +1,238 @@
+// Textures that look at three coordinates: volumes, cube maps, depths that are compared with r (GL 1.3, 3.8.6
+// to 3.8.8; GL 1.4, 3.8.14). Every fragment divides, in every tier.
+#pragma once
+
+#include "raster/span/log2.hpp"
+#include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_texture.hpp"
+
+namespace spangle::raster {
+
+/// Where one fragment looks: words as TexCoords has them, a face of a cube, lambda.
+struct VolumePlace {
+    std::uint32_t s, t, r;
+    unsigned face;
+    std::int32_t lod;
+};
+
+/// The face of a direction, and how s and t lie in it (GL 1.3, table 3.20). With equal components z goes
+/// before y before x.
+template <class T> struct CubeFace {
+    unsigned face;
+    int s, t, major;     ///< which component
+    bool s_back, t_back; ///< it runs backwards
+    CubeFace(T x, T y, T z) {
+        const T ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
+        if (az >= ax && az >= ay) {
+            const bool back = z < 0;
+            *this = {back ? 5u : 4u, 0, 1, 2, back, true};
+        } else if (ay >= ax) {
+            const bool back = y < 0;
+            *this = {back ? 3u : 2u, 0, 2, 1, false, back};
+        } else {
+            const bool back = x < 0;
+            *this = {back ? 1u : 0u, 2, 1, 0, !back, true};
+        }
+    }
+
+  private:
+    CubeFace(unsigned f, int s_of, int t_of, int m, bool s_negative, bool t_negative)
+        : face(f), s(s_of), t(t_of), major(m), s_back(s_negative), t_back(t_negative) {}
+};
+
+/// Of one unit, along a span.
+class VolumeCoords {
+  public:
+    VolumeCoords(const Span<Fixed>& span, int unit)
+        : span_(span), at_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
+          lod_(raster::wants_lod(texture_)) {}
+
+    [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
+        const Planes planes[3] = {{span_.at(x, at_.s), at_.s.dx, at_.s_dy},
+                                  {span_.at(x, at_.t), at_.t.dx, at_.t_dy},
+                                  {span_.at(x, at_.r), at_.r.dx, at_.r_dy}};
+        if (has_cube_maps && texture_.shape == TextureShape::cube)
+            return on_cube(planes);
+        return divided(planes, {span_.at(x, at_.q), at_.q.dx, at_.q_dy});
+    }
+
+  private:
+    /// A projective value and what it changes by.
+    struct Planes {
+        std::int64_t v, dx, dy;
+        Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
+            : v(unguarded(value)), dx(unguarded(across)), dy(unguarded(up)) {}
+        Planes turned() const { return {-v, -dx, -dy}; }
+
+      private:
+        Planes(std::int64_t value, std::int64_t across, std::int64_t up) : v(value), dx(across), dy(up) {}
+    };
+
+    const Span<Fixed>& span_;
+    const Span<Fixed>::Unit& at_;
+    const Texture& texture_;
+    const bool lod_;
+
+    static std::int32_t positive(std::int64_t q) { return static_cast<std::int32_t>(q > 0 ? q : 1); }
+
+    static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
+        const bool mirrored = wrap == Wrap::mirrored_repeat; // counts in two repeats
+        return detail::to_coord(mirrored ? repeats >> 1 : repeats, mirrored || wrap == Wrap::repeat, 0);
+    }
+
+    /// log2 of the steps of v / q, times q^2: the larger of both directions.
+    static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
+        const std::uint64_t dx = numeric::abs_u64(v.dx * q.v - v.v * q.dx),
+                            dy = numeric::abs_u64(v.dy * q.v - v.v * q.dy);
+        return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
+    }
+
+    VolumePlace divided(const Planes (&planes)[3], const Planes& q) const {
+        const Inverse inverse(positive(q.v));
+        const auto repeats = [&](int axis) {
+            return detail::to_repeats(static_cast<std::int32_t>(planes[axis].v), inverse, at_.exponent);
+        };
+        VolumePlace place;
+        place.face = 0;
+        place.s = word(repeats(0), texture_.wrap_s);
+        place.t = word(repeats(1), texture_.wrap_t);
+        const std::int64_t r = repeats(2);
+        const bool volume = texture_.shape == TextureShape::volume;
+        place.r = volume ? word(r, texture_.wrap_r)
+                         : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(r >> 2, 0, 1 << 30));
+        place.lod = lod_ ? level(planes, q, volume) : 0;
+        return place;
+    }
+    std::int32_t level(const Planes (&planes)[3], const Planes& q, bool volume) const {
+        const TextureLevel& base = texture_.level[0];
+        std::int32_t most = steps(planes[0], q, base.width);
+        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
+        if (texture_.shape != TextureShape::line)
+            also(steps(planes[1], q, base.height));
+        if (volume)
+            also(steps(planes[2], q, texture_.depth));
+        return most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) + (at_.exponent << 8);
+    }
+
+    /// s = (sc / |ma| + 1) / 2; what s, t and r are multiplied by cancels.
+    VolumePlace on_cube(const Planes (&planes)[3]) const {
+        const CubeFace<std::int64_t> face(planes[0].v, planes[1].v, planes[2].v);
+        const Planes along = planes[face.major].v < 0 ? planes[face.major].turned() : planes[face.major];
+        const Inverse inverse(positive(along.v));
+        const auto coordinate = [&](int axis, bool back, Wrap wrap) {
+            const auto v = static_cast<std::int32_t>(back ? -planes[axis].v : planes[axis].v);
+            const std::int64_t repeats = (detail::to_repeats(v, inverse, 0) + (std::int64_t{1} << 32)) >> 1;
+            return word(repeats, wrap);
+        };
+        VolumePlace place;
+        place.face = face.face;
+        place.s = coordinate(face.s, face.s_back, texture_.wrap_s);
+        place.t = coordinate(face.t, face.t_back, texture_.wrap_t);
+        place.r = 0;
+        place.lod = 0;
+        if (lod_) {
+            const std::uint32_t size = texture_.level[0].width;
+            const std::int32_t s = steps(planes[face.s], along, size), t = steps(planes[face.t], along, size);
+            place.lod =
+                (s > t ? s : t) - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(along.v))) - 256;
+        }
+        return place;
+    }
+};
+
+/// A texture with all modes at run time, of one fragment.
+template <class N> class VolumeFunction {
+    using Color = typename N::Color;
+
+  public:
+    explicit VolumeFunction(const TextureUnit& unit) : plane_(unit), texture_(*unit.texture) {}
+
+    [[gnu::noinline]] Color sample(const VolumePlace& place) const {
+        const auto how = plane_.wants_lod ? plane_.sampling(place.lod)
+                                          : typename TextureFunction<N>::Sampling{0, texture_.mag, 0};
+        const Color a = level(place, how.level, how.filter);
+        return how.next == 0 ? a
+                             : between_levels<N>(a, level(place, how.level + 1, how.filter),
+                                                 static_cast<typename N::L::U16>(how.next));
+    }
+
+  private:
+    TextureFunction<N> plane_;
+    const Texture& texture_;
+
+    Color level(const VolumePlace& place, int level, Filter filter) const {
+        TextureLevel image = texture_.level[level];
+        if (has_volumes && texture_.shape == TextureShape::volume)
+            return in_volume(place, image, level, filter);
+        if (has_cube_maps && texture_.shape == TextureShape::cube)
+            image.texels = texture_.faces->texels[place.face][level];
+        return in_image(place, image, filter);
+    }
+
+    Color in_image(const VolumePlace& place, const TextureLevel& image, Filter filter) const {
+        const int w = log2_of(image.width), h = log2_of(image.height);
+        if (filter == Filter::nearest)
+            return texel(place, image, wrapped_nearest(texture_.wrap_s, place.s, w, image.width),
+                         wrapped_nearest(texture_.wrap_t, place.t, h, image.height));
+        const TexelIndex i = wrapped_linear(texture_.wrap_s, place.s, w, image.width),
+                         j = wrapped_linear(texture_.wrap_t, place.t, h, image.height);
+        if (!texture_.compares)
+            return plane_.filtered(image, i, j);
+        const std::int32_t i0 = wrap_texel(texture_.wrap_s, i.i, image.width),
+                           i1 = wrap_texel(texture_.wrap_s, i.i + 1, image.width),
+                           j0 = wrap_texel(texture_.wrap_t, j.i, image.height),
+                           j1 = wrap_texel(texture_.wrap_t, j.i + 1, image.height);
+        return bilinear<N>(texel(place, image, i0, j0), texel(place, image, i1, j0),
+                           texel(place, image, i0, j1), texel(place, image, i1, j1), i.weight, j.weight);
+    }
+
+    Color in_volume(const VolumePlace& place, const TextureLevel& base, int level, Filter filter) const {
+        const std::int32_t deep = texture_.depth >> level, depth = deep > 1 ? deep : 1;
+        const int log2_depth = log2_of(depth);
+        if (filter == Filter::nearest) {
+            const std::int32_t k = wrapped_nearest(texture_.wrap_r, place.r, log2_depth, depth);
+            return slice(place, base, k, depth, filter);
+        }
+        const TexelIndex k = wrapped_linear(texture_.wrap_r, place.r, log2_depth, depth);
+        const Color a = slice(place, base, wrap_texel(texture_.wrap_r, k.i, depth), depth, filter);
+        if (k.weight == 0)
+            return a;
+        return between_levels<N>(
+            a, slice(place, base, wrap_texel(texture_.wrap_r, k.i + 1, depth), depth, filter),
+            static_cast<typename N::L::U16>(k.weight << 8));
+    }
+    Color slice(const VolumePlace& place, const TextureLevel& base, std::int32_t k, std::int32_t depth,
+                Filter filter) const {
+        if (texture_.border_texels == 0 && (k < 0 || k >= depth))
+            return plane_.border;
+        TextureLevel image = base;
+        const std::ptrdiff_t bytes =
+            static_cast<std::ptrdiff_t>(base.stride) * (base.height + 2 * texture_.border_texels);
+        image.texels += k * bytes;
+        return in_image(place, image, filter);
+    }
+
+    /// Compared with r in the steps of the depth: what a depth buffer would hold (GL 1.4, 3.8.14).
+    Color texel(const VolumePlace& place, const TextureLevel& image, std::int32_t i, std::int32_t j) const {
+        if (!has_depth_textures || !texture_.compares)
+            return plane_.texel(image, i, j);
+        const std::uint32_t most = texture_.format == TexelFormat::z16 ? 0xFFFF : 0xFFFFFF;
+        const auto r = static_cast<std::uint32_t>((std::uint64_t{place.r} * most + (1u << 29)) >> 30);
+        const bool passes = compare(texture_.compare, r, depth_of(image, i, j, most));
+        const typename N::T v = N::from_units(passes ? color_one : 0);
+        return {v, v, v, v};
+    }
+    std::uint32_t depth_of(const TextureLevel& image, std::int32_t i, std::int32_t j,
+                           std::uint32_t most) const {
+        if (!plane_.stored(image, i, j)) // red of the border's colour
+            return static_cast<std::uint32_t>(std::uint64_t{texture_.border_color[0]} * most / 255);
+        const std::uint8_t* const at = plane_.address(image, i, j);
+        if (most == 0xFFFF)
+            return Lanes<1>::load(at);
+        std::uint32_t code;
+        __builtin_memcpy(&code, at, 4);
+        return code;
+    }
+};
+
+} // namespace spangle::raster
