@@ -15,9 +15,14 @@ ROOMS = ["gl/include", "hal/include", "raster/include", "raster/format/include"]
 # What the page asks for in words: one include and one entry of boards::all.
 TABLE = [('#include "st7789_240.hpp"', '#include "my_board.hpp"\n#include "st7789_240.hpp"'), ("all[] = {", "all[] = {&my_board, ")]
 PROGRAM = """#include <spangle/boards/boards.hpp>
+#include <spangle/hal/mapped_display.hpp>
 using namespace spangle;
 {glass}
 {setup}
+void scan(hal::ScanOut& port, std::uint8_t* first, std::uint8_t* second, RowSpan* rows) {{
+{mapped}
+    (void)display.init();
+}}
 void report(const char* rule, std::uint32_t detail);
 void start(hal::Bus& bus) {{
 {use}
@@ -37,9 +42,9 @@ def compiled(compiler, folder, board, program):
 
 
 def main():
-    glass, setup, board, use = re.findall(r"```cpp\n(.*?)```", (ROOT / "docs/new-board.md").read_text(), re.S)
+    glass, setup, mapped, board, use = re.findall(r"```cpp\n(.*?)```", (ROOT / "docs/new-board.md").read_text(), re.S)
     use = "\n".join(line for line in use.splitlines() if not line.startswith("#include"))
-    program = PROGRAM.format(glass=glass, setup=setup, use=use)
+    program = PROGRAM.format(glass=glass, setup=setup, mapped=mapped, use=use)
     failed = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -1,0 +1,78 @@
+// A display that reads its picture from memory by itself: a frame is shown by telling it another address.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/display.hpp>
+
+namespace spangle::hal {
+
+/// The block that scans a picture out of memory, refresh after refresh (LTDC, DPI, LCDIF, an FPGA's), as a
+/// board's port makes it.
+class ScanOut {
+  public:
+    /// From its next blanking on it reads there. One address waits at most: a later one takes its place.
+    virtual void show(const std::uint8_t* pixels) = 0;
+    /// The address that the refresh under way reads. It changes to the one that waits, and to no other.
+    virtual const std::uint8_t* scanned() const = 0;
+    virtual std::uint32_t micros() = 0; ///< wraps
+    /// What a data cache holds of these bytes goes to memory, before show().
+    virtual void clean(const std::uint8_t*, std::size_t) {}
+    virtual void sleep() {} ///< until an interrupt, or not at all
+
+  protected:
+    ~ScanOut() = default;
+};
+
+struct MappedConfig {
+    static constexpr std::uint8_t most_buffers = 3;
+
+    const char* name = "memory-mapped display";
+    std::int32_t width = 0, height = 0;
+    PixelFormat format = PixelFormat::rgb565_le;
+    std::int32_t stride = 0; ///< bytes from row to row; 0: rows without gaps
+    /// Where the block can read. One: it is drawn into while it is scanned. Two: frames are whole, and the
+    /// next one waits for the refresh. Three: and it does not.
+    std::uint8_t* buffers[most_buffers] = {};
+    RowSpan* touched = nullptr; ///< `height` elements of memory; null: `clean` is given whole buffers
+    /// A frame is presented while the one before waits for the refresh. Three buffers only: `coalesce` shows
+    /// the newer one instead, `drop` the older one, and the newer one is drawn over.
+    Pacing pacing = Pacing::block;
+    std::uint32_t refresh_us = 100000; ///< no refresh takes longer, or the block stands still
+};
+
+class MappedDisplay final : public Display {
+  public:
+    MappedDisplay(ScanOut& port, const MappedConfig& config) : port_(port), config_(config) {}
+
+    DisplayInfo info() const override;
+    /// Shows black.
+    Result<void> init() override;
+    /// A buffer that is not scanned: waits for the refresh where there is none.
+    Result<Frame> acquire() override;
+    Result<void> present() override;
+    Result<void> finish() override;
+    void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
+
+  private:
+    std::int32_t stride() const;
+    bool is_free(std::uint8_t buffer) const;
+    bool take_free_buffer();
+    Result<void> wait_for_scan();
+    Result<void> check() const;
+    void clean();
+    void forget_extents();
+
+    ScanOut& port_;
+    MappedConfig config_;
+    std::uint8_t count_ = 0; ///< of buffers
+    std::uint8_t asked_ = 0; ///< the last one that was to be shown
+    std::uint8_t back_ = 0;  ///< the one being drawn, where `drawing_`
+    bool drawing_ = false, ready_ = false, waits_ = true;
+    std::uint32_t frame_ = 0;                                        ///< presents that succeeded
+    std::uint32_t drawn_in_[MappedConfig::most_buffers] = {0, 0, 0}; ///< the last of them; 0: none
+    RowExtents extents_;
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,49 @@
+#include "host_sim/board/scanned_memory.hpp"
+
+namespace spangle::sim {
+namespace {
+
+/// A pixel's components as bytes, from the format's own words.
+void widen(PixelFormat format, const std::uint8_t* p, std::uint8_t* rgb) {
+    if (format == PixelFormat::rgb888 || format == PixelFormat::rgba8888) {
+        for (int c = 0; c < 3; ++c)
+            rgb[c] = p[c];
+        return;
+    }
+    const unsigned word = format == PixelFormat::rgb565_be ? p[0] * 256u + p[1] : p[1] * 256u + p[0];
+    rgb[0] = static_cast<std::uint8_t>((word >> 11) * 255 / 31);
+    rgb[1] = static_cast<std::uint8_t>((word >> 5 & 63) * 255 / 63);
+    rgb[2] = static_cast<std::uint8_t>((word & 31) * 255 / 31);
+}
+
+} // namespace
+
+/// The first address is taken at once: before it nothing is scanned.
+void ScannedMemory::show(const std::uint8_t* pixels) {
+    next_ = pixels;
+    if (address_ == nullptr)
+        address_ = pixels;
+}
+
+void ScannedMemory::advance(std::uint64_t ns) {
+    now_ += ns;
+    for (; scanned_to_ + timing_.line_ns <= now_; scanned_to_ += timing_.line_ns)
+        if (!stands_still)
+            scan_line();
+}
+
+void ScannedMemory::scan_line() {
+    if (address_ != nullptr && line_ < timing_.lines) {
+        const int bytes = format_info(format_).bytes_per_pixel;
+        for (int x = 0; x < glass_.width; ++x)
+            widen(format_, address_ + line_ * stride_ + x * bytes, glass_.at(x, line_));
+    }
+    if (++line_ == timing_.lines && on_refresh && address_ != nullptr)
+        on_refresh(glass_);
+    if (line_ == timing_.lines + timing_.blanking) {
+        line_ = 0;
+        address_ = next_;
+    }
+}
+
+} // namespace spangle::sim

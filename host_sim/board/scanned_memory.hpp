@@ -1,0 +1,55 @@
+// A display that scans a picture out of memory, in virtual time: what a port of a microcontroller's block
+// does, and what one sees.
+#pragma once
+
+#include <functional>
+
+#include <spangle/hal/mapped_display.hpp>
+#include <spangle/sim/image.hpp>
+
+namespace spangle::sim {
+
+struct ScanTiming {
+    int lines = 0, blanking = 0; ///< of a refresh: visible ones, and those behind them
+    std::uint32_t line_ns = 0;
+};
+
+class ScannedMemory final : public hal::ScanOut {
+  public:
+    ScannedMemory(int width, PixelFormat format, int stride, const ScanTiming& timing)
+        : format_(format), stride_(stride), timing_(timing), glass_(width, timing.lines) {}
+
+    /// Called with each refresh that ended.
+    std::function<void(const Image&)> on_refresh;
+    std::function<void(const std::uint8_t* from, std::size_t bytes)> on_clean;
+    bool stands_still = false; ///< its clock stopped: nothing is scanned any more
+
+    /// Time goes by: lines are read as it passes over them.
+    void advance(std::uint64_t ns);
+    std::uint64_t now() const { return now_; }
+    std::uint64_t period() const {
+        return static_cast<std::uint64_t>(timing_.lines + timing_.blanking) * timing_.line_ns;
+    }
+
+    void show(const std::uint8_t* pixels) override;
+    const std::uint8_t* scanned() const override { return address_; }
+    std::uint32_t micros() override { return static_cast<std::uint32_t>(now_ / 1000); }
+    void clean(const std::uint8_t* from, std::size_t bytes) override {
+        if (on_clean)
+            on_clean(from, bytes);
+    }
+    void sleep() override { advance(timing_.line_ns); }
+
+  private:
+    PixelFormat format_;
+    int stride_;
+    ScanTiming timing_;
+    Image glass_;
+    const std::uint8_t *address_ = nullptr, *next_ = nullptr;
+    std::uint64_t now_ = 0, scanned_to_ = 0; ///< lines began before
+    int line_ = 0;
+
+    void scan_line();
+};
+
+} // namespace spangle::sim
