@@ -58,6 +58,7 @@ class GudDevice final : public UsbFunction {
     Image glass() const;
     std::uint64_t value_of(std::uint16_t property) const;
     const std::string& violations() const { return violations_; }
+    void forget_violations() { violations_.clear(); }
     struct Counters {
         std::uint64_t requests = 0, buffers = 0, compressed = 0, bulk_bytes = 0, status_polls = 0,
                       flushes = 0;

@@ -1,6 +1,8 @@
 // An OLED on I2C under faults of the bus: the right error, and the glass right again afterwards.
 #include <cerrno>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <spangle/boards/ssd1306_i2c.hpp>
@@ -102,6 +104,117 @@ TEST_F(I2cFaults, PulledAndPluggedAgain) {
     ASSERT_TRUE(show().ok());
     EXPECT_EQ(difference(), "");
     EXPECT_EQ(oled->violations_text(), "");
+}
+
+TEST_F(I2cFaults, ShortWritesGoOn) {
+    start(false);
+    for (const std::size_t limit : {std::size_t{2}, std::size_t{7}, std::size_t{100}}) {
+        ASSERT_TRUE(draw(static_cast<unsigned>(limit), {0, 0, 128, 64}));
+        kernel.set_judge([&, left = 3](const sim::Call& call) mutable {
+            sim::Verdict cut;
+            if (call.kind == sim::Call::Kind::write && left-- > 0)
+                cut.limit = limit;
+            return cut;
+        });
+        EXPECT_TRUE(show().ok());
+        EXPECT_EQ(difference(), "");
+    }
+    ASSERT_TRUE(draw(9, {0, 0, 128, 64}));
+    kernel.set_judge([](const sim::Call& call) {
+        sim::Verdict none;
+        none.limit = call.kind == sim::Call::Kind::write ? 0 : SIZE_MAX;
+        return none;
+    });
+    const auto stuck = show();
+    EXPECT_EQ(stuck.error().fault, Fault::short_write) << "an error, not a loop";
+    kernel.set_judge(nullptr);
+    EXPECT_TRUE(show().ok());
+    EXPECT_EQ(difference(), "");
+}
+
+TEST_F(I2cFaults, SignalsAndPatience) {
+    start(false);
+    for (const int number : {EINTR, EAGAIN})
+        for (const int times : {5, 1000000}) {
+            ASSERT_TRUE(draw(static_cast<unsigned>(number + times), {0, 0, 128, 64}));
+            kernel.set_judge([&, left = times](const sim::Call& call) mutable {
+                const bool hit = call.kind == sim::Call::Kind::write && left-- > 0;
+                return sim::Verdict{hit ? number : 0};
+            });
+            const sim::Time before = kernel.now();
+            const auto sent = show();
+            EXPECT_EQ(sent.ok(), times == 5);
+            EXPECT_LT(kernel.now() - before, 2'000'000'000u) << "patience ends";
+            kernel.set_judge(nullptr);
+            oled->forget_violations();
+            EXPECT_TRUE(show().ok());
+            EXPECT_EQ(difference(), "");
+        }
+}
+
+TEST_F(I2cFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
+    start(true);
+    ASSERT_TRUE(draw(1, {0, 0, 128, 64}));
+    kernel.set_judge([&, left = 1](const sim::Call& call) mutable {
+        sim::Verdict stall;
+        stall.stall = call.kind == sim::Call::Kind::write && left-- == 1;
+        return stall;
+    });
+    const auto start_of = std::chrono::steady_clock::now();
+    EXPECT_EQ(show().error().fault, Fault::timeout);
+    EXPECT_LT(std::chrono::steady_clock::now() - start_of, std::chrono::seconds(20));
+    EXPECT_EQ(bus->open().error().fault, Fault::busy) << "the message is still on its way";
+    kernel.release();
+    kernel.set_judge(nullptr);
+    auto sent = show();
+    for (int i = 0; i < 1000 && !sent.ok(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        sent = show();
+    }
+    ASSERT_TRUE(sent.ok()) << sent.error().rule;
+    oled->forget_violations();
+    EXPECT_EQ(difference(), "");
+}
+
+TEST_F(I2cFaults, BusyAddressesAndPermissions) {
+    start(false);
+    adapter.taken = true;
+    const auto busy = bus->open();
+    EXPECT_EQ(busy.error().fault, Fault::busy);
+    EXPECT_NE(std::string(busy.error().rule).find("a kernel driver has this device; unbind it"),
+              std::string::npos)
+        << busy.error().rule;
+    adapter.taken = false;
+    for (const int number : {EACCES, EPERM}) {
+        kernel.set_judge([number](const sim::Call& call) {
+            return sim::Verdict{call.kind == sim::Call::Kind::open ? number : 0};
+        });
+        const auto denied = bus->open();
+        EXPECT_EQ(denied.error().fault, Fault::denied);
+        EXPECT_NE(std::string(denied.error().rule).find("60-spangle.rules and join group 'i2c'"),
+                  std::string::npos)
+            << denied.error().rule;
+    }
+    kernel.set_judge(nullptr);
+    ASSERT_TRUE(bus->open().ok());
+    ASSERT_TRUE(display->init().ok());
+    ASSERT_TRUE(draw(5, {0, 0, 128, 64}));
+    EXPECT_TRUE(show().ok());
+    EXPECT_EQ(difference(), "");
+}
+
+TEST_F(I2cFaults, ReplugBetweenFramesIsNoticed) {
+    start(false);
+    kernel.unplug(path);
+    kernel.plug(path); // before anybody looked
+    oled = sim::make_controller(hal::panels::ssd1306_128x64, hal::BusKind::i2c);
+    adapter.replace(oled.get());
+    ASSERT_TRUE(draw(2, {0, 0, 128, 64}));
+    EXPECT_EQ(show().error().fault, Fault::gone) << "the old file is dead";
+    ASSERT_TRUE(bus->open().ok());
+    ASSERT_TRUE(display->init().ok());
+    ASSERT_TRUE(show().ok());
+    EXPECT_EQ(difference(), "");
 }
 
 TEST_F(I2cFaults, AThousandSequencesAtRandom) {

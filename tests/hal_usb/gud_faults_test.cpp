@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
 
 #include "tests/hal_usb/gud_rig.hpp"
 #include "tests/random.hpp"
@@ -62,6 +63,47 @@ TEST(GudFaults, WhatFollowsAStallIsTakenBack) {
     EXPECT_TRUE(rig.show().ok());
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(2500));
     EXPECT_EQ(rig.glass_difference(), "");
+}
+
+TEST(GudFaults, CutShort) {
+    for (const int times : {1, 1000}) {
+        GudRig rig;
+        ASSERT_TRUE(rig.start().ok());
+        ASSERT_TRUE(rig.draw(1));
+        meet(rig, Fate::cut, 0, times);
+        const auto cut = rig.show();
+        if (times == 1) { // the buffer goes out once more
+            EXPECT_TRUE(cut.ok()) << cut.error().rule;
+            EXPECT_EQ(rig.glass_difference(), "");
+            continue;
+        }
+        EXPECT_EQ(cut.error().fault, Fault::short_write) << cut.error().rule;
+        EXPECT_STREQ(cut.error().rule,
+                     "USB display 1d50:614d: send pixels: the device took less than it was sent");
+        rig.device.forget_violations(); // half a buffer breaks rules
+        expect_mended(rig);
+    }
+}
+
+/// usbfs repeats nothing by itself: whatever it refuses a transfer with, the device is looked for again, and
+/// is shown everything.
+TEST(GudFaults, SystemCallsFail) {
+    for (const int number : {EINTR, EAGAIN, EIO, ETIMEDOUT, ENOMEM}) {
+        GudRig rig;
+        ASSERT_TRUE(rig.start().ok());
+        ASSERT_TRUE(rig.draw(1));
+        rig.kernel.set_judge([number](const sim::Call& call) {
+            const bool hit = call.kind == sim::Call::Kind::ioctl && call.request == USBDEVFS_SUBMITURB;
+            return sim::Verdict{hit ? number : 0};
+        });
+        const auto failed = rig.show();
+        EXPECT_FALSE(failed.ok());
+        EXPECT_EQ(std::string(failed.error().rule).rfind("USB display 1d50:614d: ", 0), 0u)
+            << failed.error().rule;
+        rig.kernel.set_judge(nullptr);
+        expect_mended(rig);
+        EXPECT_EQ(rig.kernel.open_files(), 1);
+    }
 }
 
 TEST(GudFaults, ASilentDeviceTimesOut) {
