@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "raster/surface/narrow.hpp"
+
 namespace spangle::bringup {
 namespace {
 
@@ -44,6 +46,21 @@ void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swa
     at[high_first ? 1 : 0] = static_cast<std::uint8_t>(word);
 }
 
+/// Narrow formats have no bytes to swap.
+void put_narrow(const hal::Frame& frame, PixelFormat format, const sim::Image& picture) {
+    const int lowest = stored_rows(format, picture.height) - 1;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const int gl_y = picture.height - 1 - y, stored = gl_y / format_info(format).rows;
+            const std::uint8_t* const c = picture.at(x, y);
+            const std::uint32_t word = format == PixelFormat::rgb666
+                                           ? raster::word_666(c[0] >> 2u, c[1] >> 2u, c[2] >> 2u)
+                                           : raster::narrow_word(format, {c[0], c[1], c[2]}, false, 0);
+            raster::store_narrow(format, frame.pixels + std::ptrdiff_t{lowest - stored} * frame.stride, x,
+                                 gl_y, word);
+        }
+}
+
 } // namespace
 
 sim::Image card(int width, int height) {
@@ -72,10 +89,12 @@ hal::Result<void> show(hal::Display& display, const sim::Image& picture, bool sw
     const std::size_t bytes = format_info(info.format).bytes_per_pixel;
     for (int y = 0; y < info.height; ++y) {
         std::uint8_t* const row = frame.value().pixels + std::ptrdiff_t{y} * frame.value().stride;
-        for (int x = 0; x < info.width; ++x)
+        for (int x = 0; x < info.width && !is_narrow(info.format); ++x)
             put(row + static_cast<std::size_t>(x) * bytes, info.format, picture.at(x, y), swapped);
         frame.value().extents->rows[y] = {0, static_cast<std::int16_t>(info.width)};
     }
+    if (is_narrow(info.format))
+        put_narrow(frame.value(), info.format, picture);
     return display.present();
 }
 

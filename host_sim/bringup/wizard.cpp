@@ -1,5 +1,6 @@
 #include "host_sim/bringup/wizard.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <utility>
@@ -103,8 +104,10 @@ Verdict ask_all(Guess& guess, const Ask& ask) {
 }
 
 /// The constant of hal/panels that has this name: "ST7789 240x320" is st7789_240x320.
+/// Controller and size: what comes behind them in a name is for people.
 std::string constant_of(const hal::PanelDesc& panel) {
     std::string name = panel.name;
+    name.resize(std::min(name.size(), name.find(' ', name.find(' ') + 1)));
     for (char& c : name)
         c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return name;
@@ -173,6 +176,22 @@ hal::Display& Stand::display() {
     return parts_->display;
 }
 
+/// What the board's surface and wire are, where they are not the usual.
+std::string pixels_of(const hal::PanelConfig& display) {
+    constexpr const char* formats[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888", "rgb666",
+                                       "rgb444",    "rgb332",    "grey4",  "mono"};
+    constexpr const char* wires[] = {"rgb565", "rgb666", "rgb444", "rgb332", "grey4", "mono"};
+    static_assert(std::size(formats) == pixel_formats);
+    std::string text;
+    if (display.format != PixelFormat{})
+        text += fmt::format(", .format = spangle::PixelFormat::{}",
+                            formats[static_cast<unsigned>(display.format)]);
+    if (display.wire.converts())
+        text += fmt::format(", .wire = spangle::hal::wires::{}",
+                            wires[static_cast<unsigned>(display.wire.format)]);
+    return text;
+}
+
 std::string definition(const Guess& guess, const hal::Board& like) {
     const hal::PanelDesc& p = guess.panel;
     return fmt::format(R"(#pragma once
@@ -194,7 +213,7 @@ inline constexpr spangle::hal::PanelDesc my_panel = [] {{
 
 inline constexpr spangle::hal::Board my_board = spangle::hal::board({{
     .name = "my-board",
-    .display = {{.panel = &my_panel, .orientation = {{spangle::hal::Rotation::r{}}}}},
+    .display = {{.panel = &my_panel, .orientation = {{spangle::hal::Rotation::r{}{}}}{}}},
     .bus = spangle::hal::BusKind::{},
     .write_hz = {},
     .read_hz = {},
@@ -203,7 +222,8 @@ inline constexpr spangle::hal::Board my_board = spangle::hal::board({{
                        constant_of(base_of(p.controller)), p.memory.width, p.memory.height, p.glass.width,
                        p.glass.height, p.offset.x, p.offset.y, p.mount,
                        p.order == hal::ColorOrder::rgb ? "rgb" : "bgr", p.inverted ? "true" : "false",
-                       90 * static_cast<unsigned>(guess.orientation.rotation), name_of(like.bus),
+                       90 * static_cast<unsigned>(guess.orientation.rotation),
+                       guess.orientation.mirrored ? ", true" : "", pixels_of(like.display), name_of(like.bus),
                        like.write_hz, like.read_hz);
 }
 

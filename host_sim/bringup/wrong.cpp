@@ -27,6 +27,13 @@ constexpr Wrong table[] = {
      [](Guess& g) { g.panel.glass.height = static_cast<std::int16_t>(g.panel.glass.height - 40); }},
     {"bytes", "`format`: `PixelFormat::rgb565_be`; on the wire the high byte comes first", [](Guess&) {},
      true},
+    {"bits",
+     "`serial`, `parallel`: the code of COLMOD for the format that is sent; `flaw()` knows which a panel "
+     "takes",
+     [](Guess& g) { g.panel.serial.rgb565 = g.panel.serial.rgb666; }},
+    {"data-command", "the D/C line: its number, and that it is wired to DC (A0, RS) of the panel",
+     [](Guess&) {}, false, Line::no_data_command},
+    {"clock", "`write_hz`: a slower one; shorter wires", [](Guess&) {}, false, Line::too_fast},
 };
 
 } // namespace
@@ -40,6 +47,46 @@ const Wrong* find_wrong(const std::string& name) {
         if (name == wrong.name)
             return &wrong;
     return nullptr;
+}
+
+/// One byte in some two hundred.
+void SpoiltBus::lose(const hal::Op& op) {
+    std::vector<std::uint8_t>& kept = bytes_.emplace_back();
+    for (std::uint32_t y = 0; y < op.rows; ++y)
+        for (std::uint32_t i = 0; i < op.length; ++i) {
+            noise_ = noise_ * 1664525u + 1013904223u;
+            if (noise_ >> 24 != 0)
+                kept.push_back(op.data[static_cast<std::ptrdiff_t>(y) * op.stride + i]);
+        }
+    hal::Op less = op;
+    less.data = kept.data();
+    less.length = static_cast<std::uint32_t>(kept.size());
+    less.rows = 1;
+    less.stride = static_cast<std::int32_t>(less.length);
+    ops_.push_back(less);
+}
+
+/// Whatever was data is a command.
+void SpoiltBus::mistake(const hal::Op& op) {
+    const bool pixels = op.kind == hal::Op::Kind::pixels || op.kind == hal::Op::Kind::repeat;
+    if (pixels)
+        return; // black pixels are NOPs; others set registers at random: nothing that lights the panel
+    ops_.push_back(op);
+    ops_.back().parameters_are_commands = true;
+}
+
+hal::Result<hal::Token> SpoiltBus::submit(const hal::Op* ops, std::size_t count) {
+    ops_.clear();
+    bytes_.clear();
+    for (const hal::Op& op : std::span(ops, count)) {
+        if (line_ == Line::too_fast && op.kind == hal::Op::Kind::pixels)
+            lose(op);
+        else if (line_ == Line::no_data_command)
+            mistake(op);
+        else
+            ops_.push_back(op);
+    }
+    return bus_.submit(ops_.data(), ops_.size());
 }
 
 } // namespace spangle::bringup

@@ -1,17 +1,54 @@
 // What can be wrong in a panel's description, one thing at a time: for pictures of how each looks.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <span>
+#include <string>
+#include <vector>
+
+#include <spangle/hal/bus.hpp>
 
 #include "host_sim/bringup/wizard.hpp"
 
 namespace spangle::bringup {
+
+/// What is wrong with the wires.
+enum class Line : std::uint8_t { sound, no_data_command, too_fast };
 
 struct Wrong {
     const char* name;
     const char* fix; ///< what mends it
     void (*spoil)(Guess& guess);
     bool swapped = false; ///< the bytes of a pixel
+    Line line = Line::sound;
+};
+
+inline constexpr Wrong nothing_wrong = {"", "nothing", [](Guess&) {}};
+
+/// A bus whose wires are not sound: D/C stays low, so that pixels are commands too; or the clock is faster
+/// than the panel takes, so that some bytes of the pixels are lost.
+class SpoiltBus final : public hal::Bus {
+  public:
+    SpoiltBus(hal::Bus& bus, Line line) : bus_(bus), line_(line) {}
+
+    hal::BusCaps caps() const override { return bus_.caps(); }
+    hal::Result<hal::Buffer> acquire(std::size_t size) override { return bus_.acquire(size); }
+    hal::Result<hal::Token> submit(const hal::Op* ops, std::size_t count) override;
+    bool done(hal::Token token) const override { return bus_.done(token); }
+    hal::Result<void> wait(hal::Token token, std::uint32_t micros) override {
+        return bus_.wait(token, micros);
+    }
+
+  private:
+    void lose(const hal::Op& op);
+    void mistake(const hal::Op& op);
+
+    hal::Bus& bus_;
+    Line line_;
+    std::uint32_t noise_ = 1;
+    std::vector<hal::Op> ops_;
+    std::deque<std::vector<std::uint8_t>> bytes_; ///< of these
 };
 
 std::span<const Wrong> wrongs();

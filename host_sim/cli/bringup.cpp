@@ -32,14 +32,16 @@ hal::PanelConfig config_of(const hal::Board& board, const bringup::Guess& guess)
 }
 
 /// The card as `guess` has it, on the bus; empty, or why not. With a simulated board also its picture.
-std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, bool swapped,
+std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, const bringup::Wrong& wrong,
                       const std::string& shot) {
     const hal::PanelConfig config = config_of(*on.board, guess);
-    bringup::Stand stand(*on.bus, config);
+    bringup::SpoiltBus bus(*on.bus, wrong.line);
+    bringup::Stand stand(bus, config);
     if (const auto ready = stand.display().init(); !ready)
         return ready.error().rule;
     const hal::DisplayInfo info = stand.display().info();
-    if (const auto sent = bringup::show(stand.display(), bringup::card(info.width, info.height), swapped);
+    if (const auto sent =
+            bringup::show(stand.display(), bringup::card(info.width, info.height), wrong.swapped);
         !sent)
         return sent.error().rule;
     return on.simulated && !shot.empty() ? sim::write_png(on.simulated->glass(), shot) : "";
@@ -64,16 +66,16 @@ int card(const BringupOptions& options) {
             fmt::print("{}\t{}\n", wrong.name, wrong.fix);
         return 0;
     }
-    const bringup::Wrong* const wrong = bringup::find_wrong(options.wrong);
-    if (wrong == nullptr && !options.wrong.empty())
+    const bringup::Wrong* const found = bringup::find_wrong(options.wrong);
+    if (found == nullptr && !options.wrong.empty())
         return refuse("no setting '" + options.wrong + "'; `spangle card --list-wrong` lists them");
     const bringup::Attached on = bringup::attach(options.bus);
     if (!on.error.empty())
         return refuse(on.error);
     bringup::Guess guess{*on.board->display.panel, on.board->display.orientation};
-    if (wrong != nullptr)
-        wrong->spoil(guess);
-    const std::string problem = show_card(on, guess, wrong != nullptr && wrong->swapped, options.shot);
+    const bringup::Wrong& wrong = found != nullptr ? *found : bringup::nothing_wrong;
+    wrong.spoil(guess);
+    const std::string problem = show_card(on, guess, wrong, options.shot);
     return problem.empty() ? 0 : refuse(problem);
 }
 
@@ -91,7 +93,9 @@ int wizard(const BringupOptions& options) {
     glass = {static_cast<std::int16_t>(width), static_cast<std::int16_t>(height)};
     const bringup::Wizardry found = bringup::ask_until_right(
         bringup::first_guess(*on.board->display.panel, glass),
-        [&](const bringup::Guess& guess) { return show_card(on, guess, false, options.shot); },
+        [&](const bringup::Guess& guess) {
+            return show_card(on, guess, bringup::nothing_wrong, options.shot);
+        },
         [](const std::string& question, std::string& answer) {
             fmt::print(stderr, "{}: ", question);
             return static_cast<bool>(std::getline(std::cin, answer));

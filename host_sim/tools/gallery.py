@@ -24,6 +24,9 @@ SEEN = {
     "offset": "shifted: an edge is missing, on the other side a strip keeps noise or what was there before",
     "size": "too small: a strip of the glass is never drawn",
     "bytes": "black and white are right, pure colours are not",
+    "bits": "squeezed together and psychedelic, three bytes read where two were sent",
+    "data-command": "nothing: the light is on, the glass stays dark",
+    "clock": "sheared from some row on, with colours that change where a byte was lost",
 }
 HEAD = """# What is wrong with this picture?
 

@@ -1,14 +1,19 @@
 // Probe, card and wizard against simulated modules: the wizard's questions are answered by looking at the
 // glass.
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <spangle/boards/boards.hpp>
 #include <spangle/sim/board.hpp>
 
+#include "host_sim/bringup/attach.hpp"
 #include "host_sim/bringup/card.hpp"
 #include "host_sim/bringup/probe.hpp"
 #include "host_sim/bringup/wizard.hpp"
+#include "host_sim/bringup/wrong.hpp"
 
 namespace {
 
@@ -314,6 +319,65 @@ TEST(Wizard, TheDefinitionSaysAll) {
          {"panels::st7735_128x160;", "p.memory = {132, 162};", "p.glass = {80, 160};", "p.offset = {26, 1};",
           "p.mount = 0xC0;", "ColorOrder::bgr;", "p.inverted = true;", "Rotation::r90", "BusKind::spi4"})
         EXPECT_THAT(text, HasSubstr(part));
+}
+
+/// What is printed is a header that compiles, of every board and turned any way.
+TEST(Wizard, TheDefinitionCompiles) {
+    const std::string file = testing::TempDir() + "spangle_definitions.cpp";
+    {
+        std::ofstream out(file);
+        int n = 0;
+        for (const hal::Board* board : boards::all) {
+            const auto rotation = static_cast<hal::Rotation>(n % 4);
+            const bool turned =
+                board->display.wire.converts() || board->display.wire.format == hal::WireFormat::none;
+            std::string text = bringup::definition(
+                {*board->display.panel, {turned ? rotation : hal::Rotation{}, n % 3 == 0}}, *board);
+            text.erase(0, text.find("#include")); // one file, many of them
+            for (const char* const name : {"my_panel", "my_board"})
+                for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += 12)
+                    text.insert(at + 8, "_" + std::to_string(100 + n));
+            out << text;
+            ++n;
+        }
+        ASSERT_GT(n, 10);
+    }
+    EXPECT_EQ(std::system((std::string(SPANGLE_COMPILE) + " " + file).c_str()), 0);
+    std::ofstream(file, std::ios::app) << "static_assert(my_board_100.write_hz == 1);\n";
+    EXPECT_NE(std::system((std::string(SPANGLE_COMPILE) + " " + file + " 2>/dev/null").c_str()), 0)
+        << "the compiler looked";
+    std::remove(file.c_str());
+}
+
+// --- Wrong settings
+
+sim::Image card_with(const bringup::Wrong& wrong) {
+    sim::SimBoard sim(*bringup::find_board("st7789-240x280"));
+    bringup::Guess guess{*bringup::find_board("st7789-240x280")->display.panel, {}};
+    wrong.spoil(guess);
+    hal::PanelConfig config;
+    config.panel = &guess.panel;
+    config.orientation = guess.orientation;
+    bringup::SpoiltBus bus(sim.bus(), wrong.line);
+    bringup::Stand stand(bus, config);
+    EXPECT_TRUE(stand.display().init().ok());
+    const hal::DisplayInfo info = stand.display().info();
+    EXPECT_TRUE(bringup::show(stand.display(), bringup::card(info.width, info.height), wrong.swapped).ok());
+    return sim.glass();
+}
+
+/// Each looks like itself: no two the same, and none right.
+TEST(Wrong, EachLooksLikeNoOther) {
+    std::vector<sim::Image> seen = {card_with(bringup::nothing_wrong)};
+    for (const char* const name : {"order", "inversion", "mirrored", "upside-down", "turned", "offset",
+                                   "size", "bytes", "bits", "data-command", "clock"})
+        EXPECT_NE(bringup::find_wrong(name), nullptr) << name;
+    for (const bringup::Wrong& wrong : bringup::wrongs()) {
+        seen.push_back(card_with(wrong));
+        for (std::size_t i = 0; i + 1 < seen.size(); ++i)
+            EXPECT_FALSE(seen[i] == seen.back()) << wrong.name << " looks like number " << i;
+    }
+    EXPECT_EQ(bringup::find_wrong("nothing"), nullptr);
 }
 
 } // namespace
