@@ -10,19 +10,17 @@ namespace spangle::egl {
 
 namespace {
 
-constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
-                                   PixelFormat::rgba8888};
 constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
 constexpr EGLint precision_count = 7;
-constexpr EGLint depth_count = 3, format_count = 4;
+constexpr EGLint depth_count = 3, format_count = pixel_formats;
 constexpr EGLint config_count = format_count * depth_count * precision_count;
 
 const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< double, shadow
 
 Config config_of(EGLint id) {
     const EGLint i = id - 1;
-    return {id, formats[i / (depth_count * precision_count)], depths[i / precision_count % depth_count],
-            EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
+    return {id, static_cast<PixelFormat>(i / (depth_count * precision_count)),
+            depths[i / precision_count % depth_count], EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
 }
 
 bool exists(const Config& config) {
@@ -54,7 +52,8 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     constexpr EGLint largest = gl::max_viewport_dim;
     switch (name) {
     case EGL_BUFFER_SIZE:
-        return {true, info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits};
+        return {true, info.grey ? info.red_bits
+                                : info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits};
     case EGL_RED_SIZE:
         return {true, info.red_bits};
     case EGL_GREEN_SIZE:
@@ -67,8 +66,8 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
         return {true, c.depth == DepthFormat::none ? 0 : c.depth == DepthFormat::z16 ? 16 : 24};
     case EGL_STENCIL_SIZE:
         return {true, c.depth == DepthFormat::z24s8 ? 8 : 0};
-    case EGL_CONFIG_CAVEAT:
-        return {true, EGL_NONE};
+    case EGL_CONFIG_CAVEAT: // narrow formats have no fused spans
+        return {true, is_narrow(c.format) ? EGL_SLOW_CONFIG : EGL_NONE};
     case EGL_CONFIG_ID:
         return {true, c.id};
     case EGL_COLOR_BUFFER_TYPE:
@@ -207,9 +206,11 @@ EGLint wish_for(const Wishes& wishes, EGLint name) {
     return 0;
 }
 
-/// EGL 1.4, 3.4.1.2: more colour bits first where colour bits were asked for, then the smaller buffers, then
-/// the id.
+/// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
+/// then the smaller buffers, then the id.
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
+    if (is_narrow(a.format) != is_narrow(b.format)) // caveat
+        return is_narrow(b.format);
     EGLint bits_a = 0, bits_b = 0;
     for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
         const EGLint wish = wish_for(wishes, name);
@@ -310,7 +311,8 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
     Wishes wishes;
     if (!read_wishes(attrib_list, wishes))
         return fail(EGL_BAD_ATTRIBUTE);
-    EGLint found[config_count];
+    static_assert(config_count <= UINT8_MAX);
+    std::uint8_t found[config_count];
     EGLint n = 0;
     for (EGLint id = 1; id <= config_count; ++id) {
         const Config config = config_of(id);
@@ -319,7 +321,7 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
         EGLint at = n++;
         for (; at > 0 && before(*display, wishes, config, config_of(found[at - 1])); --at)
             found[at] = found[at - 1];
-        found[at] = id;
+        found[at] = static_cast<std::uint8_t>(id);
     }
     if (n == 0 && wish_for(wishes, EGL_RENDERABLE_TYPE) == EGL_OPENGL_ES_BIT)
         spangle::message(EGL_SUCCESS,

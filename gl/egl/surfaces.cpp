@@ -38,16 +38,17 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     surface->width = width;
     surface->height = height;
     bool whole = true;
-    const auto plane = [&](bool wanted, std::int32_t bytes_per_pixel) -> void* {
-        void* const bytes = wanted ? a.allocate(pixels * static_cast<std::size_t>(bytes_per_pixel)) : nullptr;
-        whole = whole && wanted == (bytes != nullptr);
-        return bytes;
+    const auto plane = [&](bool wanted, std::size_t bytes) -> void* {
+        void* const memory_of = wanted ? a.allocate(bytes) : nullptr;
+        whole = whole && wanted == (memory_of != nullptr);
+        return memory_of;
     };
-    surface->color =
-        static_cast<std::uint8_t*>(plane(extras.color, format_info(config.format).bytes_per_pixel));
-    surface->depth =
-        static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, bytes_per_depth(config.depth)));
-    surface->accum = static_cast<std::int16_t*>(plane(extras.accum, 4 * accum_bits / 8));
+    const auto color_bytes = static_cast<std::size_t>(row_bytes(config.format, width)) *
+                             static_cast<std::size_t>(stored_rows(config.format, height));
+    surface->color = static_cast<std::uint8_t*>(plane(extras.color, color_bytes));
+    surface->depth = static_cast<std::uint8_t*>(plane(
+        config.depth != DepthFormat::none, pixels * static_cast<std::size_t>(bytes_per_depth(config.depth))));
+    surface->accum = static_cast<std::int16_t*>(plane(extras.accum, pixels * (4 * accum_bits / 8)));
     if (!whole) {
         free_surface(surface);
         return nullptr;
@@ -169,21 +170,22 @@ void show_window(bool finish) {
 
 raster::Surface pixels_of(const Surface& surface) {
     raster::Surface out;
-    const std::int32_t last = surface.height - 1;
+    const std::int32_t last = surface.height - 1,
+                       lowest = stored_rows(surface.config.format, surface.height) - 1;
     out.width = surface.width;
     out.height = surface.height;
     out.format = surface.config.format;
     out.depth_format = surface.config.depth;
     if (surface.window) { // top row first
         out.color_stride = -surface.frame.stride;
-        out.color = surface.frame.pixels + static_cast<std::intptr_t>(last) * surface.frame.stride;
+        out.color = surface.frame.pixels + static_cast<std::intptr_t>(lowest) * surface.frame.stride;
         out.extents = surface.frame.extents;
         out.touched =
             out.extents != nullptr && out.extents->rows != nullptr ? out.extents->rows + last : nullptr;
         out.touched_step = -1;
     } else {
-        out.color_stride = -surface.width * format_info(surface.config.format).bytes_per_pixel;
-        out.color = surface.color - static_cast<std::intptr_t>(last) * out.color_stride;
+        out.color_stride = -row_bytes(surface.config.format, surface.width);
+        out.color = surface.color - static_cast<std::intptr_t>(lowest) * out.color_stride;
     }
     if (surface.depth != nullptr) {
         out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);

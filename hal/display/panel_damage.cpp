@@ -5,9 +5,17 @@
 
 namespace spangle::hal {
 
+/// Pixels across and down that share bytes, in the picture or on the wire.
+Extent PanelDisplay::shared() const {
+    const Extent wire = windows_.shared(),
+                 lying = config_.wire.converts() ? Extent{1, 1} : sharing(config_.format);
+    return {wire.width > lying.width ? wire.width : lying.width,
+            wire.height > lying.height ? wire.height : lying.height};
+}
+
 /// Windows end where bytes do: rows that share bytes share the damage.
 void PanelDisplay::widen_damage() {
-    const Extent shared = windows_.shared();
+    const Extent shared = this->shared();
     if (shared.width == 1 && shared.height == 1)
         return;
     RowSpan* const damage = sent_damage();
@@ -56,7 +64,7 @@ void PanelDisplay::turn_damage() {
     std::uint8_t* const to = buffers_[1].to_draw(bus_);
     memory_.turner(scan_,
                    {buffers_[0].to_send(), static_cast<std::int32_t>(stride()), picture_.height, to,
-                    static_cast<std::int32_t>(sent_stride()), static_cast<std::int32_t>(pixel_bytes_)},
+                    static_cast<std::int32_t>(sent_stride()), format_info(config_.format).bytes_per_pixel},
                    memory_.damage, memory_.turned);
 }
 

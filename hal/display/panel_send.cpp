@@ -149,18 +149,19 @@ Result<void> PanelDisplay::append_window(const Rect& window) {
         wire_end_ += bytes;
         return append_pixels(converted, static_cast<std::uint32_t>(bytes), 1);
     }
-    const std::uint8_t* data = sent_buffer().to_send() + static_cast<std::size_t>(window.y) * sent_stride() +
-                               static_cast<std::size_t>(window.x) * pixel_bytes_;
-    const std::uint32_t line = static_cast<std::uint32_t>(window.w) * pixel_bytes_;
-    const auto rows = static_cast<std::uint32_t>(window.h);
+    const std::uint8_t* data = sent_buffer().to_send() +
+                               static_cast<std::size_t>(window.y / rows_at_once()) * sent_stride() +
+                               line_bytes(window.x);
+    const std::uint32_t line = line_bytes(window.w);
+    const auto rows = static_cast<std::uint32_t>(window.h / rows_at_once());
     return line == sent_stride() ? append_pixels(data, line * rows, 1) : append_pixels(data, line, rows);
 }
 
 /// Operations that the window's pixels take, as append_pixels() makes them.
 std::size_t PanelDisplay::pixel_ops(const Rect& window) const {
     const auto pieces = [](std::size_t whole, std::size_t part) { return (whole + part - 1) / part; };
-    const std::size_t limit = op_limit(), line = static_cast<std::uint32_t>(window.w) * pixel_bytes_;
-    const auto rows = static_cast<std::size_t>(window.h);
+    const std::size_t limit = op_limit(), line = line_bytes(window.w);
+    const auto rows = static_cast<std::size_t>(window.h / rows_at_once());
     if (config_.wire.converts()) // one long row
         return pieces(wire_bytes({static_cast<std::int16_t>(window.w), static_cast<std::int16_t>(window.h)}),
                       limit);

@@ -23,6 +23,11 @@ Result<void> PanelDisplay::check_config() const {
                      "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
     if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
         return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
+    if (!lies_as_it_travels(config_))
+        return Error{Fault::unsupported,
+                     "display: pixels that share bytes lie otherwise in the panel's memory; give it a wire"};
+    if (config_.row_hash && !config_.wire.converts() && sharing(config_.format).height != 1)
+        return Error{Fault::unsupported, "display: the row hash serves rows, not pages"};
     if (config_.wait_te && panel.commands->tearing.empty())
         return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
     if (caps_.write_hz > fastest_write(panel, caps_.kind))
@@ -63,7 +68,8 @@ Result<void> PanelDisplay::check_config() const {
 /// Buffers and books of a display that never was initialised: nobody knows what the panel or the buffers
 /// hold.
 Result<void> PanelDisplay::take_buffers() {
-    const std::size_t size = std::size_t{stride()} * static_cast<std::size_t>(picture_.height);
+    const std::size_t size =
+        std::size_t{stride()} * static_cast<std::size_t>(stored_rows(config_.format, picture_.height));
     for (unsigned i = 0; i < config_.buffers; ++i) {
         if (!buffers_[i].empty())
             continue;
@@ -107,13 +113,12 @@ Result<void> PanelDisplay::init() {
     scan_ = scan_order(*config_.panel, config_.orientation);
     placement_ = turns_ ? scan_.placement : place(*config_.panel, config_.orientation);
     picture_ = picture_size(config_);
-    pixel_bytes_ = format_info(config_.format).bytes_per_pixel;
     windows_ = Windows(*config_.panel, placement_, wire_format(config_));
     ops_ = OpList(memory_.ops, memory_.params, memory_.op_count);
     ops_.parameters_are_commands(config_.panel->commands->parameters_are_commands);
     if (config_.row_hash)
         hash_ = RowHash(memory_.hash, placement_.size.width, placement_.size.height,
-                        static_cast<std::int32_t>(pixel_bytes_));
+                        format_info(config_.format).bits);
     if (const auto r = take_buffers(); !r)
         return r;
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this

@@ -54,11 +54,11 @@ std::uint32_t RowHash::hash(const std::uint8_t* bytes, std::int32_t count) {
 }
 
 std::uint32_t RowHash::changed_cells(RowSpan damage, std::int32_t y, const std::uint8_t* row, bool all) {
-    const std::int32_t cells = cells_of(width_), bytes = cell_width * bytes_per_pixel_;
+    const std::int32_t cells = cells_of(width_), bytes = cell_width / 8 * bits_;
     std::uint32_t* const known = memory_.hashes + static_cast<std::ptrdiff_t>(y) * cells;
     std::uint32_t changed = 0;
     for (std::int32_t cell = damage.begin / cell_width; cell * cell_width < damage.end; ++cell) {
-        const std::int32_t rest = (width_ - cell * cell_width) * bytes_per_pixel_;
+        const std::int32_t rest = ((width_ - cell * cell_width) * bits_ + 7) / 8;
         const std::uint32_t now = hash(row + cell * bytes, rest < bytes ? rest : bytes);
         if (all || now != known[cell])
             changed |= 1u << cell;

@@ -1,25 +1,18 @@
 #include <spangle/hal/wire.hpp>
 
-#include <spangle/dither.hpp>
-
 namespace spangle::hal {
 namespace {
 
 /// A component as the surface holds it: k / Max.
 template <std::uint32_t Max> struct Component { std::uint32_t k = 0; };
-/// floor(v / Max) for v < 2^14: m = ceil(2^22 / Max) and v (m Max - 2^22) < 2^22. Small cores cannot divide.
-template <std::uint32_t Max> constexpr std::uint32_t divide(std::uint32_t v) {
-    return v * (((1u << 22) + Max - 1) / Max) >> 22;
-}
 
-/// floor(k / Max (2^Bits - 1) + threshold / 32): what GL dithers to (docs/architecture.md, "Numbers").
 template <unsigned Bits, std::uint32_t Max>
 std::uint32_t dithered(Component<Max> c, std::uint32_t threshold) {
-    return divide<Max>(c.k * ((1u << Bits) - 1) + (threshold * Max >> 5));
+    return dithered_step<Bits, Max>(c.k, threshold);
 }
 
 template <std::uint32_t Max> std::uint32_t eight_bits(Component<Max> c) {
-    return divide<Max>(c.k * 255 + Max / 2);
+    return divide_by<Max>(c.k * 255 + Max / 2);
 }
 
 /// Pixels of 16 bits, the high byte first or last.

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <initializer_list>
 
-#include <spangle/hal/wire.hpp>
+#include <spangle/dither.hpp>
 
 namespace spangle::hal::gud {
 namespace {

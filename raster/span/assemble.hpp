@@ -13,6 +13,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_narrow.hpp"
 #include "raster/span/stage_pixels.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_tests.hpp"
@@ -28,6 +29,8 @@ template <class N> class ChainBuilder {
     explicit ChainBuilder(Variant& variant) : variant_(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
     }
+    /// Another way to run it than row by row.
+    void runs(RowsFunction<typename N::Policy> run) { variant_.run = reinterpret_cast<AnyFunction>(run); }
     template <class S> void add() { add(&chain_stage<N, S>); }
     void add(ChainStage<N> stage) {
         variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
@@ -120,12 +123,30 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     using One = OneLane<N>;
     using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.blend)
-        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Format>>(!key.blend_general &&
-                                                                             key.blending == blend_over);
+        chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
+            !key.blend_general && key.blending == blend_over);
     if (key.masked || key.logic)
         chain.template add<StoreMerged<One, Format>>();
     else
         chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither);
+}
+
+/// Fragments whose colour is all there is to them.
+constexpr bool only_color(const Key& key) {
+    return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.unit[1].on && !key.color_sum &&
+           !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
+           !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count;
+}
+
+template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
+    if (key.blend)
+        chain.template add<Blend<One, StoredNarrow<One>>>();
+    chain.template add<StoreNarrow<One>>();
+    chain.runs(&by_narrow_row<typename N::Policy, &chain_span<N>>);
+    if constexpr (is_fixed<N>)
+        if (only_color(key))
+            chain.runs(&narrow_rows<One, &chain_span<N>>);
 }
 
 /// Everything there is, modes at run time.
@@ -170,6 +191,9 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
         return add_output<N, PixelFormat::rgb888>(chain, key);
     case PixelFormat::rgba8888:
         return add_output<N, PixelFormat::rgba8888>(chain, key);
+    default:
+        if constexpr (!std::is_same_v<N, Balanced<host_lanes>>) // key.cpp
+            add_narrow_output<N>(chain, key);
     }
 }
 

@@ -130,7 +130,8 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
                                                                               : 4u << color_fraction_bits;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
-    draw.color_bytes = format_info(target.format).bytes_per_pixel;
+    draw.color_bytes =
+        is_narrow(target.format) ? std::uint8_t{0} : format_info(target.format).bytes_per_pixel;
     draw.depth_bytes = key.depth_format == DepthFormat::none  ? 0
                        : key.depth_format == DepthFormat::z16 ? 2
                                                               : 4;

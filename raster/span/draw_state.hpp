@@ -99,7 +99,8 @@ struct DrawState {
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};
     DepthFormat depth_format{};
-    std::uint8_t color_bytes = 0, depth_bytes = 0; ///< of a pixel; 0: depth is not used
+    std::uint8_t color_bytes = 0; ///< of a pixel; 0: a narrow format, whose stages find it by its column
+    std::uint8_t depth_bytes = 0; ///< 0: depth is not used
     struct Wraps {
         bool s = true, t = true;
     } wraps[max_texture_units]; ///< REPEAT; decides the form of texture coordinates (number.hpp, TexCoords)

@@ -145,7 +145,9 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.dither = state.dither && key.kind == Kind::flat && !key.pixels; // else dithering changes nothing
         key.cubic = key.unit[0].on && key.kind == Kind::textured && state.tier == Tier::exact;
     } else {
-        key.number = state.tier == Tier::exact ? Number::exact : Number::balanced;
+        // One copy of the code for narrow formats, which are those of small displays: the exact one.
+        const bool exact = state.tier == Tier::exact || is_narrow(key.format);
+        key.number = exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);
     }
     return key;

@@ -184,13 +184,16 @@ template <class N> class Fragment {
             return blend<PixelFormat::rgb888>();
         case PixelFormat::rgba8888:
             return blend<PixelFormat::rgba8888>();
+        default:
+            if (run<Blend<N, StoredNarrow<N>>, Blend<Reference, StoredNarrow<Reference>>>())
+                colors(ShadowStage::blend);
         }
     }
     template <PixelFormat Format> void blend() {
         const FragmentState& state = fixed_.state->fragment;
         const bool over = state.blend_rgb == blend_over && state.blend_alpha == blend_over;
         if (over ? run<BlendAlpha<N, Format>, BlendAlpha<Reference, Format>>()
-                 : run<Blend<N, Format>, Blend<Reference, Format>>())
+                 : run<Blend<N, Stored<N, Format>>, Blend<Reference, Stored<Reference, Format>>>())
             colors(ShadowStage::blend);
     }
 };
@@ -217,6 +220,8 @@ template <class N, class Chain> void shadow_rows(Span<Shadow>& span, const Row* 
         span.twin.x = row->left;
         span.twin.y = row->y;
         enter<Fixed>(span, *row);
+        if (is_narrow(span.target->format))
+            span.color = span.target->color_row(row->y);
         shadow_span<N, Chain>(span);
     }
 }

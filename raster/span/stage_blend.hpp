@@ -23,6 +23,15 @@ SPANGLE_INLINE typename N::Color load_color(const std::uint8_t* plane, std::int3
     }
 }
 
+/// What a fragment blends with, of a format known when it is compiled.
+template <class N, PixelFormat Format> struct Stored {
+    SPANGLE_INLINE Stored(const Span<typename N::Policy>&, std::int32_t) {}
+    SPANGLE_INLINE typename N::Color load(const Px<N>& p) const {
+        return load_color<N, Format>(p.color_plane, p.i);
+    }
+    SPANGLE_INLINE void step() {}
+};
+
 /// SRC_ALPHA, ONE_MINUS_SRC_ALPHA.
 template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
@@ -75,16 +84,18 @@ template <class N, PixelFormat Format> struct BlendPacked : StageBase {
 };
 
 /// All equations and factors, chosen at run time.
-template <class N, PixelFormat Format> struct Blend : StageBase {
+template <class N, class From> struct Blend : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color, out = field_color;
     using T = typename N::T;
     using Color = typename N::Color;
+    From from;
     const FragmentState& state;
-    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t) : state(s.state->fragment) {}
+    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
+        : from(s, x), state(s.state->fragment) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const Color s = p.color, d = load_color<N, Format>(p.color_plane, p.i);
+        const Color s = p.color, d = from.load(p);
         const std::uint32_t* const constant = state.blend_color;
         const auto rgb = [&](T cs, T cd, int i) {
             return combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
@@ -93,6 +104,7 @@ template <class N, PixelFormat Format> struct Blend : StageBase {
                    combine(of_alpha(state.blend_alpha), s, d, s.a, d.a, N::from_units(constant[3]))};
         return true;
     }
+    SPANGLE_INLINE void step() { from.step(); }
 
   private:
     /// Of alpha the saturating factor is 1.

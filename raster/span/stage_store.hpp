@@ -119,6 +119,22 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     SPANGLE_INLINE void step() { dither.step(); }
 };
 
+/// A logical operation on stored bits, and those that stay (GL 1.3, 4.1.9, 4.2.2).
+struct LogicTable {
+    std::uint32_t truth[4]; ///< all ones where it gives 1: of both, the colour, the stored, neither
+    explicit LogicTable(const FragmentState& state) {
+        const auto op = static_cast<unsigned>(state.logic ? state.logic_op : LogicOp::copy);
+        for (unsigned i = 0; i < 4; ++i)
+            truth[i] = 0u - (op >> i & 1u);
+    }
+    /// The colour's bits `s` over the stored `d`, where `bits` has ones.
+    std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
+        const std::uint32_t result =
+            (truth[0] & s & d) | (truth[1] & s & ~d) | (truth[2] & ~s & d) | (truth[3] & ~s & ~d);
+        return (result & bits) | (d & ~bits);
+    }
+};
+
 /// Bits come from the logical operation with what is stored, or stay, where a channel is masked; dithers when
 /// the state says so (GL 1.3, 4.1.9, 4.2.2).
 template <class N, PixelFormat Format> struct StoreMerged : StageBase {
@@ -129,16 +145,11 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     detail::DitherRow<L> dither;
     bool dithers;
     std::uint32_t open[4]; ///< all ones where a channel is written
-    std::uint32_t
-        truth[4]; ///< all ones where the operation gives 1: of both, the colour, the stored, neither
+    LogicTable logic;
     SPANGLE_INLINE StoreMerged(const Span<typename N::Policy>& s, std::int32_t x)
-        : dither(s.x + x, s.y), dithers(s.state->fragment.dither) {
-        const FragmentState& state = s.state->fragment;
-        const auto op = static_cast<unsigned>(state.logic ? state.logic_op : LogicOp::copy);
-        for (unsigned i = 0; i < 4; ++i) {
-            open[i] = 0u - (state.color_mask >> i & 1u);
-            truth[i] = 0u - (op >> i & 1u);
-        }
+        : dither(s.x + x, s.y), dithers(s.state->fragment.dither), logic(s.state->fragment) {
+        for (unsigned i = 0; i < 4; ++i)
+            open[i] = 0u - (s.state->fragment.color_mask >> i & 1u);
     }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -151,24 +162,17 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
                 dithers ? pack565<N>(N::template dithered<5>(c.r, t), N::template dithered<6>(c.g, t),
                                      N::template dithered<5>(c.b, t))
                         : truncated565<N>(c);
-            Words565<L, Format>::store(at, merged(word, Words565<L, Format>::load(at), bits));
+            Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), bits));
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
             std::uint8_t* const at = p.color_plane + bytes * p.i;
             const typename N::T channel[4] = {c.r, c.g, c.b, c.a};
             for (int i = 0; i < bytes; ++i)
-                at[i] = static_cast<std::uint8_t>(merged(N::to8(channel[i]), at[i], open[i]));
+                at[i] = static_cast<std::uint8_t>(logic.merged(N::to8(channel[i]), at[i], open[i]));
         }
         return true;
     }
     SPANGLE_INLINE void step() { dither.step(); }
-
-  private:
-    std::uint32_t merged(std::uint32_t s, std::uint32_t d, std::uint32_t bits) const {
-        const std::uint32_t result =
-            (truth[0] & s & d) | (truth[1] & s & ~d) | (truth[2] & ~s & d) | (truth[3] & ~s & ~d);
-        return (result & bits) | (d & ~bits);
-    }
 };
 
 } // namespace spangle::raster

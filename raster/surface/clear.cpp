@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "raster/surface/narrow.hpp"
 #include "raster/surface/quantize.hpp"
 #include "raster/surface/surface.hpp"
 
@@ -179,7 +180,66 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pixel& mask, st
     }
 }
 
+/// The stored bits of a clear colour on a surface of a narrow format.
+std::uint32_t narrow_clear_word(PixelFormat format, const ClearRequest& r, std::uint32_t threshold) {
+    const Rgb8 rgb = {color_to_8(r.color[0]), color_to_8(r.color[1]), color_to_8(r.color[2])};
+    if (format != PixelFormat::rgb666)
+        return narrow_word(format, rgb, r.dither, threshold);
+    if (!r.dither)
+        return word_666(rgb.r >> 2, rgb.g >> 2, rgb.b >> 2);
+    return word_666(dithered<6>(r.color[0], threshold), dithered<6>(r.color[1], threshold),
+                    dithered<6>(r.color[2], threshold));
+}
+
+/// Pages of mono: rows that share bytes are written at once.
+void clear_pages(const Surface& s, const Rect& area, const std::uint32_t (&word)[4][4]) {
+    for (std::int32_t y = area.y, end = 0; y < area.y + area.h; y = end) {
+        end = (y | 7) + 1 < area.y + area.h ? (y | 7) + 1 : area.y + area.h;
+        unsigned rows = 0, columns[4] = {};
+        for (std::int32_t i = y; i < end; ++i) {
+            rows |= 0x80u >> (i & 7);
+            for (int x = 0; x < 4; ++x)
+                columns[x] |= word[i & 3][x] != 0 ? 0x80u >> (i & 7) : 0;
+        }
+        const std::uint8_t bytes[4] = {
+            static_cast<std::uint8_t>(columns[0]), static_cast<std::uint8_t>(columns[1]),
+            static_cast<std::uint8_t>(columns[2]), static_cast<std::uint8_t>(columns[3])};
+        fill_page(s.color_row(y), static_cast<std::uint8_t>(rows), area.x, area.x + area.w, bytes);
+    }
+}
+
+/// Stored components that the mask leaves out stay: they come back as the steps they are.
+void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
+    for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y) {
+        const std::uint32_t thresholds = dither_row(y);
+        for (std::int32_t x = r.area.x; x < r.area.x + r.area.w; ++x) {
+            const NarrowColor old = narrow_color(s.format, load_narrow(s.format, s.color_row(y), x, y));
+            ClearRequest fresh = r;
+            for (int i = 0; i < 3; ++i)
+                if ((r.channels >> i & 1) == 0)
+                    fresh.color[i] = narrow_units(old.k[i], old.max[i]);
+            store_narrow(s.format, s.color_row(y), x, y,
+                         narrow_clear_word(s.format, fresh, dither_threshold(thresholds, x)));
+        }
+    }
+}
+
+void clear_narrow(const Surface& s, const ClearRequest& r) {
+    if ((r.channels & 7) != 7)
+        return clear_narrow_masked(s, r);
+    std::uint32_t word[4][4];
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            word[y][x] = narrow_clear_word(s.format, r, dither_threshold(dither_row(y), x));
+    if (s.format == PixelFormat::mono)
+        return clear_pages(s, r.area, word);
+    for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y)
+        fill_narrow(s.format, s.color_row(y), y, r.area.x, r.area.x + r.area.w, word[y & 3]);
+}
+
 void clear_color(const Surface& s, const ClearRequest& r) {
+    if (is_narrow(s.format))
+        return clear_narrow(s, r);
     const std::int32_t bytes = format_info(s.format).bytes_per_pixel, row_bytes = r.area.w * bytes;
     const bool all = writes_all(s.format, r.channels),
                dithers = r.dither && format_info(s.format).red_bits < 8;
@@ -246,6 +306,14 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
                alpha << 24;
     }
     std::uint32_t red = 0, green = 0, blue = 0;
+    for (std::uint32_t threshold = 1; is_narrow(s.format) && threshold < 32; threshold += 2) {
+        const NarrowColor c = narrow_color(s.format, narrow_clear_word(s.format, r, threshold));
+        red += c.k[0];
+        green += c.k[1];
+        blue += c.k[2];
+    }
+    if (is_narrow(s.format)) // at most 63 * 16 each
+        return red | green << 10 | blue << 20;
     for (std::uint32_t threshold = 1; threshold < 32; threshold += 2) {
         red += stored_component(r.color[0], 5, r.dither, threshold);
         green += stored_component(r.color[1], 6, r.dither, threshold);

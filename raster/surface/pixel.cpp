@@ -1,5 +1,7 @@
 #include "raster/surface/pixel.hpp"
 
+#include "raster/surface/narrow.hpp"
+
 namespace spangle::raster {
 namespace {
 
@@ -27,13 +29,31 @@ std::uint32_t load_bytes(const std::uint8_t* p, unsigned count) {
     return v;
 }
 
+StoredColor read_narrow(const Surface& s, std::int32_t x, std::int32_t y) {
+    const NarrowColor c = narrow_color(s.format, load_narrow(s.format, s.color_row(y), x, y));
+    return {{{c.k[0], c.max[0]}, {c.k[1], c.max[1]}, {c.k[2], c.max[2]}, {1, 1}}};
+}
+
+/// Components side by side, red highest, as the narrow words have them.
+std::uint32_t word_of(PixelFormat format, const std::uint32_t k[4]) {
+    const FormatInfo f = format_info(format);
+    return f.grey ? k[0] : (k[0] << f.green_bits | k[1]) << f.blue_bits | k[2];
+}
+
 } // namespace
 
 StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y) {
+    if (is_narrow(s.format))
+        return read_narrow(s, x, y);
     return unpack_pixel(s.format, load_bytes(color_at(s, x, y), format_info(s.format).bytes_per_pixel));
 }
 
 void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32_t count, StoredColor* out) {
+    if (is_narrow(s.format)) {
+        for (std::int32_t i = 0; i < count; ++i)
+            out[i] = read_narrow(s, x + i, y);
+        return;
+    }
     const unsigned bytes = format_info(s.format).bytes_per_pixel;
     const std::uint8_t* p = color_at(s, x, y);
     for (std::int32_t i = 0; i < count; ++i, p += bytes)
@@ -58,11 +78,13 @@ std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y) {
 }
 
 void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]) {
+    touch(s, y, x, x + 1);
+    if (is_narrow(s.format))
+        return store_narrow(s.format, s.color_row(y), x, y, word_of(s.format, k));
     const std::uint32_t v = pack_pixel(s.format, k);
     std::uint8_t* p = color_at(s, x, y);
     for (unsigned i = 0; i < format_info(s.format).bytes_per_pixel; ++i)
         p[i] = static_cast<std::uint8_t>(v >> (8 * i));
-    touch(s, y, x, x + 1);
 }
 
 void write_depth(const Surface& s, std::int32_t x, std::int32_t y, std::uint32_t k) {

@@ -39,8 +39,9 @@ constexpr std::uint32_t pack_pixel(PixelFormat format, const std::uint32_t k[4])
         return k[0] | k[1] << 8 | k[2] << 16;
     case PixelFormat::rgba8888:
         return k[0] | k[1] << 8 | k[2] << 16 | k[3] << 24;
+    default:
+        return 0; // narrow: no bytes of its own
     }
-    return 0;
 }
 
 constexpr StoredColor unpack_pixel(PixelFormat format, std::uint32_t bytes) {
@@ -57,8 +58,9 @@ constexpr StoredColor unpack_pixel(PixelFormat format, std::uint32_t bytes) {
         return {{part(bytes, 255), part(bytes >> 8, 255), part(bytes >> 16, 255), {1, 1}}};
     case PixelFormat::rgba8888:
         return {{part(bytes, 255), part(bytes >> 8, 255), part(bytes >> 16, 255), part(bytes >> 24, 255)}};
+    default:
+        return {};
     }
-    return {};
 }
 
 /// Bits that the mask (bit 0 red, 1 green, 2 blue, 3 alpha) opens, in the layout of pack_pixel.
@@ -86,7 +88,8 @@ StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y);
 /// 0 without a stencil plane.
 std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y);
 
-/// Writes stored components (0 .. 2^bits - 1 of the format) and records the pixel as touched.
+/// Writes stored components (0 .. 2^bits - 1 of the format; greys have red's) and records the pixel as
+/// touched.
 void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]);
 
 /// Writes the stored code of depth; stencil bits stay.

@@ -22,7 +22,7 @@ constexpr std::int32_t cells = RowHash::cells_of(width), stride = width * 2;
 
 struct HashedPicture {
     RowHashStorage<height, width> storage;
-    RowHash hash{storage.memory(), width, height, 2};
+    RowHash hash{storage.memory(), width, height, 16};
     std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(stride * height);
     std::vector<RowSpan> damage = std::vector<RowSpan>(height, RowSpan{0, width});
 

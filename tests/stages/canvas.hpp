@@ -21,14 +21,14 @@ struct Canvas {
     explicit Canvas(PixelFormat f = PixelFormat::rgb565_be, std::int32_t w = 32, std::int32_t h = 32,
                     DepthFormat d = DepthFormat::z24s8)
         : width(w), height(h), format(f), depth_format(d),
-          color(static_cast<std::size_t>(w * h * format_info(f).bytes_per_pixel)),
+          color(static_cast<std::size_t>(row_bytes(f, w) * stored_rows(f, h))),
           depth(static_cast<std::size_t>(w * h * 4), 0xFF) {}
 
     Surface surface() {
         Surface s;
         s.color = color.data();
         s.depth = depth_format == DepthFormat::none ? nullptr : depth.data();
-        s.color_stride = width * format_info(format).bytes_per_pixel;
+        s.color_stride = row_bytes(format, width);
         s.depth_stride = width * (depth_format == DepthFormat::z16 ? 2 : 4);
         s.width = width;
         s.height = height;

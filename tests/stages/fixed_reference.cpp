@@ -84,7 +84,8 @@ void expect_same(const FragmentState& state, const Canvas& blank, int steps, dou
 }
 
 constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
-                                   PixelFormat::rgba8888};
+                                   PixelFormat::rgba8888,  PixelFormat::rgb666,    PixelFormat::rgb444,
+                                   PixelFormat::rgb332,    PixelFormat::grey4,     PixelFormat::mono};
 
 TEST(FixedAgainstDouble, Gouraud) {
     for (const PixelFormat format : formats)

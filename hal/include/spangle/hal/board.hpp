@@ -26,6 +26,11 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return rule;
     if (!format_code(panel, board.bus, wire_format(display)).taken)
         return broken("board: the panel cannot take this format on this bus", on);
+    if (!lies_as_it_travels(display))
+        return broken("board: pixels that share bytes lie otherwise in the panel's memory; give it a wire",
+                      on);
+    if (display.row_hash && !display.wire.converts() && sharing(display.format).height != 1)
+        return broken("board: the row hash serves rows, not pages", on);
     if (display.buffers < 1 || display.buffers > 2)
         return broken("board: one or two buffers", on);
     if (display.wire.converts() && display.buffers != 1)

@@ -40,6 +40,25 @@ struct PanelConfig {
     bool row_hash = false; ///< cells of 16x1 pixels that were drawn again as they were are not sent
 };
 
+/// Pixels across and down that share bytes where they travel as they are; of the picture.
+constexpr Extent sharing(PixelFormat format) {
+    const FormatInfo info = format_info(format);
+    return {static_cast<std::int16_t>(info.bits % 8 != 0 ? 2 : 1), info.rows};
+}
+
+/// Pixels that travel as they are travel as they lie: those that share a byte must lie together in the
+/// panel's memory, too, and rows end with bytes.
+constexpr bool lies_as_it_travels(const PanelConfig& c) {
+    const Extent share = sharing(c.format);
+    if (c.wire.converts() || (share.width == 1 && share.height == 1))
+        return true;
+    const Placement placed = place(*c.panel, c.orientation);
+    // 12 bits are pairs of the stream; greys and pages are places in memory.
+    const bool turned = (placed.madctl & dcs::MV) != 0 && c.format != PixelFormat::rgb444;
+    return !turned && !c.scan_order && placed.size.width % share.width == 0 &&
+           placed.size.height % share.height == 0;
+}
+
 constexpr WireFormat wire_format(const PanelConfig& config) {
     return config.wire.converts() ? config.wire.format : same_bytes(config.format);
 }
@@ -198,10 +217,13 @@ class PanelDisplay : public Display {
     std::uint8_t canvases() const { return turns_ ? 1 : config_.buffers; }
     BusBuffer& sent_buffer() { return config_.wire.converts() ? wire_ : buffers_[turns_ ? 1 : back_]; }
     RowSpan* sent_damage() const { return turns_ ? memory_.turned : memory_.damage; }
-    std::uint32_t stride() const { return static_cast<std::uint32_t>(picture_.width) * pixel_bytes_; }
-    std::uint32_t sent_stride() const {
-        return static_cast<std::uint32_t>(placement_.size.width) * pixel_bytes_;
+    std::uint32_t line_bytes(std::int32_t columns) const {
+        return static_cast<std::uint32_t>(row_bytes(config_.format, columns));
     }
+    std::uint32_t stride() const { return line_bytes(picture_.width); }
+    std::uint32_t sent_stride() const { return line_bytes(placement_.size.width); }
+    std::int32_t rows_at_once() const { return format_info(config_.format).rows; }
+    Extent shared() const;
     std::uint32_t op_limit() const;
 
     Bus& bus_;
@@ -212,7 +234,6 @@ class PanelDisplay : public Display {
     ScanOrder scan_;
     Extent picture_;
     bool turns_ = false;
-    std::uint32_t pixel_bytes_ = 0;
     Windows windows_;
     RowHash hash_;
     OpList ops_;

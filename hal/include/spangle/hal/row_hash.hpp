@@ -47,9 +47,8 @@ class RowHash {
     }
 
     RowHash() = default;
-    RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height,
-            std::int32_t bytes_per_pixel)
-        : memory_(memory), width_(width), height_(height), bytes_per_pixel_(bytes_per_pixel) {}
+    RowHash(const RowHashMemory& memory, std::int32_t width, std::int32_t height, std::int32_t bits)
+        : memory_(memory), width_(width), height_(height), bits_(bits) {}
 
     bool enabled() const { return memory_.code != nullptr; }
     const RowHashMemory& memory() const { return memory_; }
@@ -78,7 +77,7 @@ class RowHash {
     RowSpan columns_of(std::uint32_t cells) const;
 
     RowHashMemory memory_;
-    std::int32_t width_ = 0, height_ = 0, bytes_per_pixel_ = 0;
+    std::int32_t width_ = 0, height_ = 0, bits_ = 0;
     std::int32_t refresh_row_ = 0, refresh_cell_ = 0;
 };
 

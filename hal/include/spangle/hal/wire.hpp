@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <spangle/dither.hpp>
 #include <spangle/format.hpp>
 
 namespace spangle::hal {
@@ -32,9 +33,23 @@ constexpr WireInfo wire_info(WireFormat format) {
 
 /// The wire format whose bytes a surface already holds.
 constexpr WireFormat same_bytes(PixelFormat format) {
-    if (format == PixelFormat::rgb565_be)
+    switch (format) {
+    case PixelFormat::rgb565_be:
         return WireFormat::rgb565;
-    return format == PixelFormat::rgb888 ? WireFormat::rgb666 : WireFormat::none;
+    case PixelFormat::rgb888:
+    case PixelFormat::rgb666:
+        return WireFormat::rgb666;
+    case PixelFormat::rgb444:
+        return WireFormat::rgb444;
+    case PixelFormat::rgb332:
+        return WireFormat::rgb332;
+    case PixelFormat::grey4:
+        return WireFormat::grey4;
+    case PixelFormat::mono:
+        return WireFormat::mono;
+    default:
+        return WireFormat::none;
+    }
 }
 
 /// A picture, top row first.
@@ -76,10 +91,5 @@ inline constexpr Wire grey4 = {WireFormat::grey4, to_grey4};
 inline constexpr Wire mono = {WireFormat::mono, to_mono};
 
 } // namespace wires
-
-/// Luma of 8-bit components, in tenths as the kernel's drivers have it (drm_fb_xrgb8888_to_gray8).
-constexpr std::uint32_t luma(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
-    return (3 * r + 6 * g + b) * 6554 >> 16; // a tenth, exactly below 16384
-}
 
 } // namespace spangle::hal

@@ -1,4 +1,4 @@
-// The thresholds of ordered dithering: the rasterizer's and the display's, where a wire format has fewer bits
+// Ordered dithering: the rasterizer's and the display's, where a wire format has fewer bits
 // than the surface (docs/architecture.md, "Numbers").
 #pragma once
 
@@ -15,6 +15,22 @@ constexpr std::uint32_t dither_row(std::int32_t y) {
 
 constexpr std::uint32_t dither_threshold(std::uint32_t row, std::int32_t x) {
     return (row >> (8 * (static_cast<std::uint32_t>(x) & 3))) & 0xFF;
+}
+
+/// floor(v / Max) for v < 2^14: m = ceil(2^22 / Max) and v (m Max - 2^22) < 2^22. Small cores cannot divide.
+template <std::uint32_t Max> constexpr std::uint32_t divide_by(std::uint32_t v) {
+    return v * (((1u << 22) + Max - 1) / Max) >> 22;
+}
+
+/// floor(k / Max (2^Bits - 1) + threshold / 32).
+template <unsigned Bits, std::uint32_t Max>
+constexpr std::uint32_t dithered_step(std::uint32_t k, std::uint32_t threshold) {
+    return divide_by<Max>(k * ((1u << Bits) - 1) + (threshold * Max >> 5));
+}
+
+/// Luma of 8-bit components, in tenths as the kernel's drivers have it (drm_fb_xrgb8888_to_gray8).
+constexpr std::uint32_t luma(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+    return (3 * r + 6 * g + b) * 6554 >> 16; // a tenth, exactly below 16384
 }
 
 } // namespace spangle

@@ -12,17 +12,44 @@ enum class PixelFormat : std::uint8_t {
     rgb565_le, ///< GGGBBBBB RRRRRGGG: a little-endian uint16_t.
     rgb888,    ///< R, G, B bytes.
     rgba8888,  ///< R, G, B, A bytes.
+    // The narrow formats: as controllers take them, drawn by a stage of their own
+    // (raster/surface/narrow.hpp).
+    rgb666, ///< R, G, B bytes, the upper six bits of each.
+    rgb444, ///< RRRRGGGG BBBBRRRR GGGGBBBB: two pixels in three bytes; a row begins with a byte.
+    rgb332, ///< RRRGGGBB.
+    grey4,  ///< Two pixels a byte, the left one in the high nibble.
+    mono,   ///< Pages: a byte is eight pixels one above the other, the top one in bit 0.
 };
 
 struct FormatInfo {
-    std::uint8_t bytes_per_pixel;
+    std::uint8_t bytes_per_pixel; ///< 0: pixels share bytes
     std::uint8_t red_bits, green_bits, blue_bits, alpha_bits;
+    std::uint8_t bits;     ///< of a stored row for each column
+    std::uint8_t rows = 1; ///< that are stored as one
+    bool grey = false;     ///< red, green and blue are one component
 };
 
 /// Bits and bytes of each format, indexed by PixelFormat.
 constexpr FormatInfo format_info(PixelFormat format) {
-    constexpr FormatInfo table[] = {{2, 5, 6, 5, 0}, {2, 5, 6, 5, 0}, {3, 8, 8, 8, 0}, {4, 8, 8, 8, 8}};
+    constexpr FormatInfo table[] = {
+        {2, 5, 6, 5, 0, 16}, {2, 5, 6, 5, 0, 16},         {3, 8, 8, 8, 0, 24},
+        {4, 8, 8, 8, 8, 32}, {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
+        {1, 3, 3, 2, 0, 8},  {0, 4, 4, 4, 0, 4, 1, true}, {0, 1, 1, 1, 0, 8, 8, true}};
     return table[static_cast<unsigned>(format)];
+}
+inline constexpr int pixel_formats = 9;
+
+constexpr bool is_narrow(PixelFormat format) {
+    return format > PixelFormat::rgba8888;
+}
+
+/// Bytes of a stored row of so many pixels, and how many such rows a picture has.
+constexpr std::int32_t row_bytes(PixelFormat format, std::int32_t width) {
+    return (width * format_info(format).bits + 7) / 8;
+}
+constexpr std::int32_t stored_rows(PixelFormat format, std::int32_t height) {
+    const std::int32_t rows = format_info(format).rows;
+    return (height + rows - 1) / rows;
 }
 
 enum class DepthFormat : std::uint8_t {

@@ -8,7 +8,8 @@
 namespace spangle::raster {
 
 /// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
-/// row first has a negative stride. Planes may be null when their format says none.
+/// row first has a negative stride. Planes may be null when their format says none. Rows of mono are stored
+/// by pages of eight, of which `color` is the lowest: row y lies in page y / 8, bit 7 - y % 8.
 struct Surface {
     std::uint8_t* color = nullptr;
     std::uint8_t* depth = nullptr;
@@ -22,8 +23,9 @@ struct Surface {
     PixelFormat format = PixelFormat::rgb565_be;
     DepthFormat depth_format = DepthFormat::none;
 
+    /// Rows of a page of PixelFormat::mono are one.
     std::uint8_t* color_row(std::int32_t y) const {
-        return color + static_cast<std::intptr_t>(y) * color_stride;
+        return color + static_cast<std::intptr_t>(format == PixelFormat::mono ? y >> 3 : y) * color_stride;
     }
     std::uint8_t* depth_row(std::int32_t y) const {
         return depth + static_cast<std::intptr_t>(y) * depth_stride;
