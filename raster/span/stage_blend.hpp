@@ -83,36 +83,12 @@ template <class N, PixelFormat Format> struct BlendPacked : StageBase {
     }
 };
 
-/// All equations and factors, chosen at run time.
-template <class N, class From> struct Blend : StageBase {
-    static_assert(N::lanes == 1);
-    static constexpr unsigned in = field_color, out = field_color;
+/// The equations, whatever the format.
+template <class N> struct BlendEquations {
     using T = typename N::T;
     using Color = typename N::Color;
-    From from;
     const FragmentState& state;
-    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
-        : from(s, x), state(s.state->fragment) {}
 
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const Color s = p.color, d = from.load(p);
-        const std::uint32_t* const constant = state.blend_color;
-        const auto rgb = [&](T cs, T cd, int i) {
-            return combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
-        };
-        p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
-                   combine(of_alpha(state.blend_alpha), s, d, s.a, d.a, N::from_units(constant[3]))};
-        return true;
-    }
-    SPANGLE_INLINE void step() { from.step(); }
-
-  private:
-    /// Of alpha the saturating factor is 1.
-    static Blending of_alpha(Blending b) {
-        if (b.src == BlendFactor::src_alpha_saturate)
-            b.src = BlendFactor::one;
-        return b;
-    }
     /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
     [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
         if (by.equation == BlendEquation::min)
@@ -162,6 +138,38 @@ template <class N, class From> struct Blend : StageBase {
             return N::mul(value, one - N::from_units(state.blend_color[3]));
         }
         return value;
+    }
+};
+
+/// All equations and factors, chosen at run time.
+template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
+    static_assert(N::lanes == 1);
+    static constexpr unsigned in = field_color, out = field_color;
+    using T = typename N::T;
+    using Color = typename N::Color;
+    From from;
+    SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
+        : BlendEquations<N>{s.state->fragment}, from(s, x) {}
+
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const Color s = p.color, d = from.load(p);
+        const FragmentState& state = this->state;
+        const std::uint32_t* const constant = state.blend_color;
+        const auto rgb = [&](T cs, T cd, int i) {
+            return this->combine(state.blend_rgb, s, d, cs, cd, N::from_units(constant[i]));
+        };
+        p.color = {rgb(s.r, d.r, 0), rgb(s.g, d.g, 1), rgb(s.b, d.b, 2),
+                   this->combine(of_alpha(state.blend_alpha), s, d, s.a, d.a, N::from_units(constant[3]))};
+        return true;
+    }
+    SPANGLE_INLINE void step() { from.step(); }
+
+  private:
+    /// Of alpha the saturating factor is 1.
+    static Blending of_alpha(Blending b) {
+        if (b.src == BlendFactor::src_alpha_saturate)
+            b.src = BlendFactor::one;
+        return b;
     }
 };
 
