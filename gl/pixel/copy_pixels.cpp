@@ -63,8 +63,24 @@ Plane plane_of(raster::Surface& surface, Content content) {
     return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
 }
 
+/// Narrow formats share bytes across columns and rows: the whole plane.
+void* set_aside_narrow(Context& context, raster::Surface& surface) {
+    const std::int32_t rows = stored_rows(surface.format, surface.height);
+    const std::ptrdiff_t length = std::ptrdiff_t{surface.color_stride} * (rows - 1); // from row 0 to the last
+    const std::ptrdiff_t first = length < 0 ? length : 0, last = length < 0 ? 0 : length;
+    const auto bytes = static_cast<std::size_t>(last - first + row_bytes(surface.format, surface.width));
+    auto* const memory = static_cast<std::uint8_t*>(context.arena->allocate(bytes));
+    if (memory == nullptr)
+        return nullptr;
+    std::memcpy(memory, surface.color + first, bytes);
+    surface.color = memory - first;
+    return memory;
+}
+
 /// What is read, apart from what is drawn; null without memory. The caller frees it.
 void* set_aside(Context& context, BufferGroups& source, Content content) {
+    if (content == Content::color && is_narrow(source.surface.format))
+        return set_aside_narrow(context, source.surface);
     const Plane plane = plane_of(source.surface, content);
     const std::int32_t width = source.n.end - source.n.begin, height = source.m.end - source.m.begin;
     const auto bytes = static_cast<std::size_t>(width * plane.pixel);

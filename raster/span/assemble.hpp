@@ -135,7 +135,8 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
 constexpr bool only_color(const Key& key) {
     return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.unit[1].on && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
-           !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count;
+           !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count && !key.pixels &&
+           !key.coverage && !key.polygon_stipple;
 }
 
 template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key) {

@@ -265,4 +265,60 @@ TEST(NativeSurfaces, ConfigsTellTheirBits) {
     eglTerminate(egl);
 }
 
+/// Overlapping copies with zoom read from a copy of the plane, whatever shares its bytes.
+TEST(NativeSurfaces, PixelsAreCopiedOverThemselves) {
+    sim::SimBoard sim(boards::ssd1306_spi);
+    const EGLDisplay egl = eglGetDisplay(native(sim.display()));
+    ASSERT_TRUE(eglInitialize(egl, nullptr, nullptr));
+    for (const Native& one : natives) {
+        const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                               EGL_NONE};
+        EGLConfig configs[200];
+        EGLint count = 0;
+        ASSERT_TRUE(eglChooseConfig(egl, wish, configs, 200, &count));
+        EGLConfig config = nullptr;
+        for (EGLint i = count - 1; i >= 0; --i) {
+            EGLint visual = 0;
+            eglGetConfigAttrib(egl, configs[i], EGL_NATIVE_VISUAL_ID, &visual);
+            if ((visual & 0xFF) == static_cast<EGLint>(one.format))
+                config = configs[i];
+        }
+        ASSERT_NE(config, nullptr);
+        const EGLint box[] = {EGL_WIDTH, 21, EGL_HEIGHT, 19, EGL_NONE};
+        const EGLSurface buffer = eglCreatePbufferSurface(egl, config, box);
+        const EGLContext context = eglCreateContext(egl, config, EGL_NO_CONTEXT, nullptr);
+        ASSERT_TRUE(eglMakeCurrent(egl, buffer, buffer, context));
+        glDisable(GL_DITHER);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+        glClearColor(1, 1, 1, 1);
+        for (int i = 0; i < 6; ++i) { // a diagonal
+            glScissor(i, i, 1, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+        }
+        glDisable(GL_SCISSOR_TEST);
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glOrtho(0, 21, 0, 19, -1, 1);
+        glRasterPos2i(1, 2);
+        glPixelZoom(2, 3);
+        glCopyPixels(0, 0, 6, 5, GL_COLOR);
+        std::vector<std::uint8_t> seen(21 * 19);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, 21, 19, GL_GREEN, GL_UNSIGNED_BYTE, seen.data());
+        for (int y = 0; y < 19; ++y)
+            for (int x = 0; x < 21; ++x) {
+                const bool copied = x >= 1 && x < 13 && y >= 2 && y < 17;
+                const bool lit = copied ? (x - 1) / 2 == (y - 2) / 3 : x == y && x < 6;
+                ASSERT_EQ(seen[static_cast<std::size_t>(y * 21 + x)], lit ? 255 : 0)
+                    << one.name << ' ' << x << ',' << y;
+            }
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        eglMakeCurrent(egl, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(egl, context);
+        eglDestroySurface(egl, buffer);
+    }
+    eglTerminate(egl);
+}
+
 } // namespace
