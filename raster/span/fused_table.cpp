@@ -156,6 +156,15 @@ constexpr FusedSpan table[] = {
     entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less)>(),
     entry<fine_full.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
     entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
+    // The same dithered.
+    entry<fine_affine.dither()>(),
+    entry<fine_affine.depth(less).dither()>(),
+    entry<fine_affine.depth(lequal).dither()>(),
+    entry<fine.texture(t888, rgb, linear, replace).dither()>(),
+    entry<fine.texture(t565, rgb, linear, replace).dither()>(),
+    entry<fine_affine.texture(t8888, rgba, nearest, replace).blend().dither()>(),
+    entry<fine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
     // Models: filtered, lit.
     entry<affine.texture(t888, rgb, linear, modulate).depth(less)>(),
     entry<affine.texture(t565, rgb, linear, modulate).depth(less)>(),

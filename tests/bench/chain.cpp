@@ -65,7 +65,7 @@ int main() {
             alone.variant[kind].run = reinterpret_cast<AnyFunction>(&draw_nothing);
             narrow.variant[kind].run = reinterpret_cast<AnyFunction>(span.narrow);
         }
-        const DrawState states[] = {alone, fused, narrow, in_chain(fused, span.key.number)};
+        const DrawState states[] = {alone, fused, narrow, in_chain(fused, span.key)};
         for (const DrawState& state : states) {
             std::fill(canvas.depth.begin(), canvas.depth.end(), std::uint8_t{0xFF});
             draw_all(state, span.key.kind, canvas.surface);

@@ -47,7 +47,7 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
     const auto kind = static_cast<unsigned>(fused.key.kind);
     ASSERT_EQ(reinterpret_cast<RowsFunction<Fixed>>(state.variant[kind].run), fused.run)
         << "the key is not the state's: " << name;
-    DrawState chained = in_chain(state, fused.key.number);
+    DrawState chained = in_chain(state, fused.key);
     state.tiles = false; // small triangles, too, are rows
     under_test = run;
     state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);

@@ -45,23 +45,11 @@ struct StateOfKey {
     }
 };
 
-/// The same state without fused spans.
-inline DrawState in_chain(DrawState state, Number number) {
-    for (int i = 0; i < kind_count; ++i) {
-        if (state.variant[i].run == nullptr)
-            continue; // kinds that the state does without
-        state.variant[i].run = chain_runner(number);
-        state.variant[i].gray = false;
-        state.variant[i].walk = nullptr;
-    }
-    state.tiles = state.guesses = false;
-    return state;
-}
-
-/// The same of one kind: others may have other numbers.
+/// The same state without the fused span of one kind.
 inline DrawState in_chain(DrawState state, const Key& key) {
     Variant& variant = state.variant[static_cast<unsigned>(key.kind)];
     variant.run = chain_runner(key.number);
+    variant.gray = false;
     variant.walk = nullptr;
     state.tiles = state.guesses = false;
     return state;
