@@ -184,7 +184,7 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
                 continue;
             }
             for (std::uint32_t x = 0; x < box.size[0]; ++x) {
-                std::uint32_t rgba[4];
+                std::uint32_t rgba[4] = {}; // of a depth there is one
                 texels.codes(from, rows.skip_bits + x, rgba);
                 store_texel(format, rgba, to + std::size_t{x} * bytes);
             }
