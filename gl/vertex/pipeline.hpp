@@ -359,11 +359,13 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void seen_line(Vertex& a, Vertex& b);
     [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b);
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c);
+    static std::int64_t area_of(Vertex* const* corners, int n);
     [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c);
     SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c);
     void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
-    void visible(Vertex* const* corners, int n, Vertex& provoking);
+    /// `whole` has the sign of the polygon before it was cut, or is 0.
+    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t whole = 0);
     template <class At>
     SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
                              const std::int64_t* part);

@@ -130,13 +130,10 @@ template <class M, class L> void Pipeline<M, L>::feed_gathered() {
 template <class M, class L>
 inline void Pipeline<M, L>::feed_polygon([[maybe_unused]] Vertex* const* corners, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK
-    std::int64_t area = 0;
     for (int i = 0; i < n; ++i)
         if (!project(*corners[i]))
             return;
-    for (int i = 1; i + 1 < n; ++i)
-        area += area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
-    const bool ccw = area > 0, front = ccw == front_is_ccw_;
+    const bool ccw = area_of(corners, n) > 0, front = ccw == front_is_ccw_;
     if (ccw ? culls_ccw_ : culls_cw_)
         return;
     Vertex& provoking = *gathered_;

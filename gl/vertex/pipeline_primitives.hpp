@@ -111,6 +111,14 @@ inline std::int64_t Pipeline<M, L>::area_of(const Window& a, const Window& b, co
     return raster::signed_area(at_a.x, at_a.y, at_b.x, at_b.y, at_c.x, at_c.y);
 }
 
+/// Of a polygon whose corners are in the window, twice its area.
+template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* const* corners, int n) {
+    std::int64_t area = 0;
+    for (int i = 1; i + 1 < n; ++i)
+        area += area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
+    return area;
+}
+
 /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
 /// goes the way of polygons.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
@@ -174,22 +182,28 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     Vertex* work[2][clip_vertices];
     for (int i = 0; i < n; ++i)
         work[0][i] = &to_be_cut(*corners[i], cut_[i]);
+    // Slivers that snapping turns over lie where the rest of the polygon, or the plane's complement, is
+    // drawn.
+    const bool slivers = planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0;
+    const std::int64_t whole = slivers ? area_of(corners, n) : 0;
     const int left = clip_polygon(work[0], work[1], clip_vertices, n, n, planes);
     if (left >= 3)
-        visible(work[0], left, provoking);
+        visible(work[0], left, provoking, whole);
 }
 
 template <class M, class L>
-inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking) {
+inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t whole) {
     std::int64_t area = 0, part[clip_vertices]; // of triangle 0, i, i + 1
     for (int i = 0; i < n; ++i)
         if (!project(*corners[i]))
             return;
     for (int i = 1; i + 1 < n; ++i) {
         part[i] = area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);
+        if (whole != 0 && (part[i] ^ whole) < 0)
+            part[i] = 0;
         area += part[i];
     }
-    if (area == 0 && n == 3 && !captures())
+    if (area == 0 && (n == 3 || whole != 0) && !captures())
         return;
     const bool ccw = area > 0;
     if (ccw ? culls_ccw_ : culls_cw_)

@@ -1,5 +1,6 @@
 // Row C14: user clip planes against formulas in double, and complements that share every pixel.
 #include <cmath>
+#include <cstdio>
 #include <random>
 #include <vector>
 
@@ -233,7 +234,7 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
     glEnable(GL_CLIP_PLANE1);
     glEnable(GL_FOG);
     using Corner = std::array<std::int64_t, 7>;
-    int cut = 0;
+    int cut = 0, turned = 0;
     for (int round = 0; round < 20000; ++round) {
         Vec3 corner[3];
         for (Vec3& v : corner)
@@ -242,6 +243,7 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
         const double near = round % 2 == 0 ? number(-0.5, 0.5) : number(-0.01, 0.01); // slivers
         p[3] = near - dot({p[0], p[1], p[2]}, corner[round % 3]);
         std::vector<Corner> made[2];
+        int ways[2] = {}; // triangles that turn either way
         for (const int side : {0, 1}) {
             set_plane(GL_CLIP_PLANE1, side == 0 ? p : negated(p));
             WindowRecorder recorder;
@@ -252,12 +254,16 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
             }
             glEnd();
             for (const Primitive& t : recorder.primitives) {
+                const std::int64_t ux = t.corner[1].x - t.corner[0].x, uy = t.corner[1].y - t.corner[0].y,
+                                   vx = t.corner[2].x - t.corner[0].x, vy = t.corner[2].y - t.corner[0].y;
+                ++ways[ux * vy > uy * vx ? 1 : 0];
                 for (const raster::FixedVertex& v : t.corner)
                     if (v.color[0] % raster::color_one != 0 || v.color[1] % raster::color_one != 0)
                         made[side].push_back(
                             {v.x, v.y, v.z, v.color[0], v.color[1], v.color[2], v.fog_mantissa});
             }
         }
+        turned += ways[0] != 0 && ways[1] != 0 ? 1 : 0;
         for (const Corner& a : made[0])
             for (const Corner& b : made[1]) // not all: triangles without an area are not drawn
                 if (a[0] == b[0] && a[1] == b[1]) {
@@ -266,6 +272,7 @@ TEST_F(ClipPlanes, ComplementsMakeTheSameCorners) {
                 }
     }
     EXPECT_GT(cut, 10000);
+    EXPECT_EQ(turned, 0) << "slivers that overlap what lies beside them";
 }
 
 /// All six at once, around a cube that is seen from its edge: what is left is what double leaves.
