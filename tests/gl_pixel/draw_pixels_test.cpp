@@ -296,6 +296,9 @@ TEST(DrawPixels, StencilIsMaskedAndScissoredAndNothingElse) {
         const auto memory = random_memory(random, oracle.bytes(), type, store.swap);
         store.apply();
         for (const GLuint mask : {0xFFu, 0x0Fu, 0xF0u, 0u}) {
+            glStencilMask(0xFF);
+            glClearStencil(static_cast<GLint>(random() % 256));
+            glClear(GL_STENCIL_BUFFER_BIT);
             const auto before = canvas.depth;
             const auto color = canvas.color;
             glStencilMask(mask);

@@ -13,5 +13,6 @@
 namespace spangle::oracle {
 
 void add_fragment_families(std::vector<Family>& all);
+void add_pixel_families(std::vector<Family>& all);
 
 } // namespace spangle::oracle

@@ -8,6 +8,7 @@ const std::vector<Family>& all_families() {
     static const std::vector<Family> families = [] {
         std::vector<Family> all;
         add_fragment_families(all);
+        add_pixel_families(all);
         return all;
     }();
     return families;
