@@ -1,6 +1,9 @@
 // Every tile is its chain: the fragments that exact rows find, byte for byte.
 #include <gtest/gtest.h>
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include "raster/primitive/triangle.hpp"
 #include "tests/span/state_of_key.hpp"
 
@@ -123,6 +126,37 @@ TEST(Tiles, SurfacesOfFewerColumnsAreLeftAlone) {
         EXPECT_EQ(canvas.color[0], 0xFF) << columns;
         EXPECT_EQ(canvas.color.back(), 0) << columns;
     }
+}
+
+/// Behind the last pixel of the surface lies a page that nobody may touch.
+TEST(Tiles, NothingBehindASurfaceIsTouched) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    auto* const memory = static_cast<std::uint8_t*>(
+        mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    ASSERT_NE(static_cast<void*>(memory), MAP_FAILED);
+    ASSERT_EQ(mprotect(memory + page, page, PROT_NONE), 0);
+    for (int columns = 1; columns <= 40; ++columns) {
+        FragmentState fragment;
+        fragment.tier = Tier::balanced;
+        fragment.dither = false;
+        fragment.scissor = {0, 0, columns, 20};
+        Surface surface;
+        surface.width = columns;
+        surface.height = 20;
+        surface.color_stride = 2 * columns;
+        surface.color = memory + page - static_cast<std::size_t>(2 * columns * 20);
+        const DrawState state = compile<FixedVertex>(fragment, surface);
+        Triangle t{};
+        t.v[0].x = 0, t.v[1].x = t.v[2].x = columns * subpixel_one;
+        t.v[0].y = t.v[2].y = 20 * subpixel_one;
+        for (int i = 0; i < 3; ++i) {
+            t.v[i].w_mantissa = 1u << 31;
+            std::fill_n(t.v[i].color, 4, color_one - (static_cast<std::uint32_t>(i) << color_fraction_bits));
+        }
+        draw(state, surface, t);
+        EXPECT_EQ(memory[page - 1], 0xFF) << columns;
+    }
+    munmap(memory, 2 * page);
 }
 
 TEST(Tiles, BothWaysOfSortingAgree) {
