@@ -132,7 +132,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
     key.combine = combines(state);
     // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.
-    key.color = key.combine || color_survives(state, false);
+    key.color = color_survives(state, false);
     key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
     key.color = key.color || key.color_alpha;
     if (key.color && state.colors != Colors::of_vertices) {
