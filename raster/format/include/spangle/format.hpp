@@ -29,13 +29,17 @@ struct FormatInfo {
     bool grey = false;     ///< red, green and blue are one component
 };
 
+namespace detail {
+/// Not the function's own: that would be built on the stack where the format is known at run time only.
+inline constexpr FormatInfo formats[] = {
+    {2, 5, 6, 5, 0, 16}, {2, 5, 6, 5, 0, 16},         {3, 8, 8, 8, 0, 24},
+    {4, 8, 8, 8, 8, 32}, {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
+    {1, 3, 3, 2, 0, 8},  {0, 4, 4, 4, 0, 4, 1, true}, {0, 1, 1, 1, 0, 8, 8, true}};
+} // namespace detail
+
 /// Bits and bytes of each format, indexed by PixelFormat.
 constexpr FormatInfo format_info(PixelFormat format) {
-    constexpr FormatInfo table[] = {
-        {2, 5, 6, 5, 0, 16}, {2, 5, 6, 5, 0, 16},         {3, 8, 8, 8, 0, 24},
-        {4, 8, 8, 8, 8, 32}, {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
-        {1, 3, 3, 2, 0, 8},  {0, 4, 4, 4, 0, 4, 1, true}, {0, 1, 1, 1, 0, 8, 8, true}};
-    return table[static_cast<unsigned>(format)];
+    return detail::formats[static_cast<unsigned>(format)];
 }
 inline constexpr int pixel_formats = 9;
 
