@@ -4,7 +4,6 @@
 
 namespace spangle::raster {
 
-using numeric::abs_u32;
 using numeric::clz64;
 
 namespace {

@@ -40,12 +40,15 @@ SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, i
 
 /// What wraps of it.
 SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inverse, int exponent) {
-    const int down = 30 - inverse.zeros - exponent;
-    if (sizeof(void*) > 4 || down <= 0 || down >= 32) [[unlikely]]
-        return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
-    const std::int64_t product = std::int64_t{s} * inverse.mantissa;
-    return static_cast<std::uint32_t>(product) >> down | static_cast<std::uint32_t>(product >> 32)
-                                                             << (32 - down);
+    if constexpr (sizeof(void*) == 4) { // two words, shifted as such
+        const int down = 30 - inverse.zeros - exponent;
+        if (down > 0 && down < 32) [[likely]] {
+            const std::int64_t product = std::int64_t{s} * inverse.mantissa;
+            return static_cast<std::uint32_t>(product) >> down | static_cast<std::uint32_t>(product >> 32)
+                                                                     << (32 - down);
+        }
+    }
+    return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
 }
 
 /// As the texture stage wants it (TexCoords): wrapping, or saturated with the whole repeats added back.
