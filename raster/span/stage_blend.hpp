@@ -88,6 +88,7 @@ template <class N> struct BlendEquations {
     using T = typename N::T;
     using Color = typename N::Color;
     const FragmentState& state;
+    SPANGLE_INLINE explicit BlendEquations(const FragmentState& of) : state(of) {}
 
     /// GL 1.4, 4.1.7: MIN and MAX look at no factor.
     [[gnu::noinline]] T combine(const Blending& by, const Color& s, const Color& d, T cs, T cd, T cc) const {
@@ -149,7 +150,7 @@ template <class N, class From> struct Blend : StageBase, BlendEquations<N> {
     using Color = typename N::Color;
     From from;
     SPANGLE_INLINE Blend(const Span<typename N::Policy>& s, std::int32_t x)
-        : BlendEquations<N>{s.state->fragment}, from(s, x) {}
+        : BlendEquations<N>(s.state->fragment), from(s, x) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const Color s = p.color, d = from.load(p);
