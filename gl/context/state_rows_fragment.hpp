@@ -62,6 +62,8 @@ inline constexpr auto fragment_rows = std::to_array<StateRow>({
     STORED(GL_DRAW_BUFFER, fragment_ops.draw_buffer),
     STORED(GL_COLOR_WRITEMASK, fragment_ops.color_mask),
     linear(STORED(GL_COLOR_CLEAR_VALUE, fragment_ops.color_clear)),
+    of_color_index(STORED(GL_INDEX_WRITEMASK, fragment_ops.index_mask)),
+    of_color_index(STORED(GL_INDEX_CLEAR_VALUE, fragment_ops.index_clear)),
     in(Group::accum_buffer),
     of_accum(linear(STORED(GL_ACCUM_CLEAR_VALUE, fragment_ops.accum_clear))),
     in(Group::hint),

@@ -92,6 +92,15 @@ void ClearColor(Context& context, Real red, Real green, Real blue, Real alpha) {
         context.fragment_ops.color_clear[c] = numeric::clamp01(given[c]);
 }
 
+void ClearIndex(Context& context, Real index) {
+    context.fragment_ops.index_clear = index;
+}
+
+void IndexMask(Context& context, GLuint mask) {
+    context.fragment_ops.index_mask = mask;
+    context.changed(dirty_fragment);
+}
+
 void ClearDepth(Context& context, Real depth) {
     context.fragment_ops.depth_clear = numeric::clamp01(depth);
 }

@@ -47,6 +47,8 @@ struct FragmentOpsState {
     bool color_mask[4] = {true, true, true, true};
     Real color_clear[4] = {};
     Real accum_clear[4] = {};
+    Real index_clear = numeric::zero;
+    GLuint index_mask = 0xFFFFFFFF;
     GLenum draw_buffer = GL_FRONT, read_buffer = GL_FRONT; ///< BACK when the first drawable has one
 };
 

@@ -68,6 +68,8 @@ std::map<GLenum, GLbitfield> server_state() {
                                            {GL_INDEX_LOGIC_OP, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
                                            {GL_LOGIC_OP_MODE, GL_COLOR_BUFFER_BIT},
                                            {GL_ACCUM_CLEAR_VALUE, GL_ACCUM_BUFFER_BIT},
+                                           {GL_INDEX_CLEAR_VALUE, GL_COLOR_BUFFER_BIT},
+                                           {GL_INDEX_WRITEMASK, GL_COLOR_BUFFER_BIT},
                                            {GL_DITHER, GL_COLOR_BUFFER_BIT | GL_ENABLE_BIT},
                                            {GL_DRAW_BUFFER, GL_COLOR_BUFFER_BIT},
                                            {GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT},
@@ -299,6 +301,8 @@ class Attrib : public RecordingContext {
         glBlendEquation(either(GL_MIN, GL_FUNC_SUBTRACT));
         glBlendColor(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
         glClearAccum(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
+        glClearIndex(f(3.5f));
+        glIndexMask(k != 0 ? 0x5A : 0xA5);
         k != 0 ? glColorMask(1, 0, 1, 0) : glColorMask(0, 1, 0, 1);
         glClearColor(f(0.1f), f(0.2f), f(0.3f), f(0.4f));
         for (GLenum hint : {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,

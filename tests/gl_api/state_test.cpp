@@ -105,6 +105,8 @@ std::vector<Expected> initial_state() {
         {GL_INDEX_LOGIC_OP, {0}},
         {GL_LOGIC_OP_MODE, {GL_COPY}},
         {GL_ACCUM_CLEAR_VALUE, {0, 0, 0, 0}},
+        {GL_INDEX_CLEAR_VALUE, {0}},
+        {GL_INDEX_WRITEMASK, {ones}},
         {GL_DITHER, {1}},
         {GL_DRAW_BUFFER, {GL_BACK}},
         {GL_READ_BUFFER, {GL_BACK}},

@@ -151,6 +151,8 @@ void DepthMask(Context& context, bool flag);
 void StencilMask(Context& context, GLuint mask);
 void Clear(Context& context, GLbitfield mask);
 void ClearColor(Context& context, Real red, Real green, Real blue, Real alpha);
+void ClearIndex(Context& context, Real index);
+void IndexMask(Context& context, GLuint mask);
 void ClearDepth(Context& context, Real depth);
 void ClearStencil(Context& context, GLint s);
 void PixelStore(Context& context, GLenum pname, const Params& params);
@@ -1188,6 +1190,20 @@ struct ClearColor {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glClearColor between glBegin and glEnd");
+};
+struct ClearIndex {
+    static constexpr auto run = &cmd::ClearIndex;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glClearIndex between glBegin and glEnd");
+};
+struct IndexMask {
+    static constexpr auto run = &cmd::IndexMask;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glIndexMask between glBegin and glEnd");
 };
 struct ClearDepth {
     static constexpr auto run = &cmd::ClearDepth;

@@ -202,6 +202,30 @@ void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GL
 
 #endif
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glClearIndex(GLfloat index) {
+    issue<family::ClearIndex>(convert::cast_f(index));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COLOR_INDEX && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glClearIndexxOES(GLfixed index) {
+    issue<family::ClearIndex>(convert::cast_x(index));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glIndexMask(GLuint mask) {
+    issue<family::IndexMask>(mask);
+}
+
+#endif
+
 void GLAPIENTRY glClearDepth(GLclampd depth) {
     issue<family::ClearDepth>(convert::cast_d(depth));
 }
@@ -384,6 +408,34 @@ void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
 
 void GLAPIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*) {
     refuse_feature(SPANGLE_TEXT("glBitmap: this build has no SPANGLE_FEATURE_BITMAPS"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glClearIndex(GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glClearIndex: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+void GLAPIENTRY glIndexMask(GLuint) {
+    refuse_feature(SPANGLE_TEXT("glIndexMask: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_COLOR_INDEX
+
+void GLAPIENTRY glClearIndexxOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glClearIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glClearIndexxOES(GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glClearIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

@@ -752,6 +752,8 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_QUERY_RESULT 0x8866
 #define GL_QUERY_RESULT_AVAILABLE 0x8867
 #define GL_SAMPLES_PASSED 0x8914
+#define GL_INDEX_CLEAR_VALUE 0x0C20
+#define GL_INDEX_WRITEMASK 0x0C21
 #define GL_LOGIC_OP_MODE 0x0BF0
 #define GL_LOGIC_OP 0x0BF1
 #define GL_INDEX_LOGIC_OP 0x0BF1
@@ -968,6 +970,9 @@ GLAPI void GLAPIENTRY glStencilMask(GLuint mask);
 GLAPI void GLAPIENTRY glClear(GLbitfield mask);
 GLAPI void GLAPIENTRY glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 GLAPI void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha);
+GLAPI void GLAPIENTRY glClearIndex(GLfloat index);
+GLAPI void GLAPIENTRY glClearIndexxOES(GLfixed index);
+GLAPI void GLAPIENTRY glIndexMask(GLuint mask);
 GLAPI void GLAPIENTRY glClearDepth(GLclampd depth);
 GLAPI void GLAPIENTRY glClearDepthf(GLclampf depth);
 GLAPI void GLAPIENTRY glClearDepthxOES(GLclampx depth);
