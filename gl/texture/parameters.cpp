@@ -21,13 +21,13 @@ bool is_wrap(GLenum v) {
            v == GL_MIRRORED_REPEAT;
 }
 
-bool is_compare_mode(GLenum v) {
+[[maybe_unused]] bool is_compare_mode(GLenum v) {
     return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
 }
-bool is_compare_func(GLenum v) {
+[[maybe_unused]] bool is_compare_func(GLenum v) {
     return v - GL_NEVER < 8;
 }
-bool is_depth_mode(GLenum v) {
+[[maybe_unused]] bool is_depth_mode(GLenum v) {
     return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
 }
 

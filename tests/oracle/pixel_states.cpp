@@ -125,10 +125,12 @@ void transfer(Random& random) {
 }
 
 void untransferred() {
-    for (const GLenum name : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
-        glPixelTransferf(name, 1);
-    for (const GLenum name : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
-        glPixelTransferf(name, 0);
+    constexpr GLenum scale[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE};
+    constexpr GLenum bias[] = {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS};
+    for (int c = 0; c < 4; ++c) {
+        glPixelTransferf(scale[c], 1);
+        glPixelTransferf(bias[c], 0);
+    }
 }
 
 /// A raster position between pixels' corners is Mesa's own affair: it rounds
