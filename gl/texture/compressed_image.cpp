@@ -167,10 +167,8 @@ void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint
     ImageTarget of;
     if (!is_compressed(format))
         return error(context, GL_INVALID_ENUM);
-    if (!find_image_target(context, target, 2, of))
+    if (!find_stored_target(context, target, 2, of))
         return;
-    if (of.proxy)
-        return error(context, GL_INVALID_ENUM);
     if (!is_level(level) || width < 0 || height < 0 || imageSize < 0)
         return error(context, GL_INVALID_VALUE);
     const LevelImage* const image = bound_texture(context, of.kind).image(of.face, level);

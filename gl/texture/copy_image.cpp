@@ -59,7 +59,7 @@ class Copy {
 
 void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y) {
     LevelShape shape;
-    if (request.target.proxy || (request.internal_format >= 1 && request.internal_format <= 4))
+    if (request.internal_format >= 1 && request.internal_format <= 4)
         return error(context, GL_INVALID_ENUM);
     if (!shape_of(context, request, shape))
         return;
@@ -78,8 +78,6 @@ void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y)
 
 void copy_sub_image(Context& context, const SubImage& sub, GLint x, GLint y) {
     TexelBox box;
-    if (sub.target.proxy)
-        return error(context, GL_INVALID_ENUM);
     LevelImage* const image = find_box(context, sub, box);
     if (image == nullptr)
         return;
@@ -97,7 +95,7 @@ namespace cmd {
 void CopyTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint border) {
     ImageTarget of;
-    if (find_image_target(context, target, 2, of))
+    if (find_stored_target(context, target, 2, of))
         copy_image(context, {of, level, static_cast<GLint>(internalformat), {width, height, 1}, border}, x,
                    y);
 }
@@ -105,7 +103,7 @@ void CopyTexImage2D(Context& context, GLenum target, GLint level, GLenum interna
 void CopyTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x,
                        GLint y, GLsizei width, GLsizei height) {
     ImageTarget of;
-    if (find_image_target(context, target, 2, of))
+    if (find_stored_target(context, target, 2, of))
         copy_sub_image(context, {of, level, {xoffset, yoffset, 0}, {width, height, 1}}, x, y);
 }
 
@@ -114,14 +112,14 @@ void CopyTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffs
 void CopyTexImage1D(Context& context, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
                     GLsizei width, GLint border) {
     ImageTarget of;
-    if (find_image_target(context, target, 1, of))
+    if (find_stored_target(context, target, 1, of))
         copy_image(context, {of, level, static_cast<GLint>(internalformat), {width, 1, 1}, border}, x, y);
 }
 
 void CopyTexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
                        GLsizei width) {
     ImageTarget of;
-    if (find_image_target(context, target, 1, of))
+    if (find_stored_target(context, target, 1, of))
         copy_sub_image(context, {of, level, {xoffset, 0, 0}, {width, 1, 1}}, x, y);
 }
 
@@ -131,7 +129,7 @@ void CopyTexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffs
 void CopyTexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                        GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
     ImageTarget of;
-    if (find_image_target(context, target, 3, of))
+    if (find_stored_target(context, target, 3, of))
         copy_sub_image(context, {of, level, {xoffset, yoffset, zoffset}, {width, height, 1}}, x, y);
 }
 

@@ -14,12 +14,8 @@ namespace {
 const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     static constexpr LevelImage none{};
     ImageTarget of;
-    if (!find_image_target(context, target, 0, of))
+    if (!find_stored_target(context, target, 0, of))
         return nullptr;
-    if (of.proxy) {
-        error(context, GL_INVALID_ENUM);
-        return nullptr;
-    }
     if (!is_level(level)) {
         error(context, GL_INVALID_VALUE);
         return nullptr;

@@ -16,8 +16,12 @@ struct ClientImage {
 
 /// Format and type of a client image; false: the error is set.
 bool find_layout(Context& context, const ClientImage& client, PixelLayout& layout) {
-    const bool index = client.format == GL_STENCIL_INDEX ||
-                       (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES);
+    if (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES) {
+        error(context, GL_INVALID_OPERATION,
+              SPANGLE_TEXT("glTexImage: this build has no SPANGLE_FEATURE_DEPTH_TEXTURES"));
+        return false;
+    }
+    const bool index = client.format == GL_STENCIL_INDEX;
     const GLenum refused = index ? GLenum{GL_INVALID_ENUM} : pixel_layout(client.format, client.type, layout);
     if (refused != GL_NO_ERROR)
         error(context, refused, SPANGLE_TEXT("glTexImage: format and type do not go together"));
@@ -63,8 +67,6 @@ void tex_image(Context& context, const ImageRequest& request, const ClientImage&
 void tex_sub_image(Context& context, const SubImage& sub, const ClientImage& client) {
     PixelLayout layout;
     TexelBox box;
-    if (sub.target.proxy)
-        return error(context, GL_INVALID_ENUM);
     if (!find_layout(context, client, layout))
         return;
     LevelImage* const image = find_box(context, sub, box);
@@ -91,7 +93,7 @@ void TexImage2D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
                    GLsizei height, GLenum format, GLenum type, const void* pixels) {
     ImageTarget of;
-    if (find_image_target(context, target, 2, of))
+    if (find_stored_target(context, target, 2, of))
         tex_sub_image(context, {of, level, {xoffset, yoffset, 0}, {width, height, 1}},
                       {format, type, pixels});
 }
@@ -108,7 +110,7 @@ void TexImage1D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
                    GLenum type, const void* pixels) {
     ImageTarget of;
-    if (find_image_target(context, target, 1, of))
+    if (find_stored_target(context, target, 1, of))
         tex_sub_image(context, {of, level, {xoffset, 0, 0}, {width, 1, 1}}, {format, type, pixels});
 }
 
@@ -127,7 +129,7 @@ void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, 
                    GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
                    const void* pixels) {
     ImageTarget of;
-    if (find_image_target(context, target, 3, of))
+    if (find_stored_target(context, target, 3, of))
         tex_sub_image(context, {of, level, {xoffset, yoffset, zoffset}, {width, height, depth}},
                       {format, type, pixels});
 }

@@ -79,6 +79,14 @@ bool find_image_target(Context& context, GLenum token, unsigned dimensions, Imag
     return present(context, out.kind);
 }
 
+bool find_stored_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out) {
+    if (is_proxy(token)) {
+        error(context, GL_INVALID_ENUM);
+        return false;
+    }
+    return find_image_target(context, token, dimensions, out);
+}
+
 TextureObject& bound_texture(Context& context, TextureKind kind) {
     return context.texture.bound(context.texture.active, kind);
 }

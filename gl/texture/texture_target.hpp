@@ -20,6 +20,9 @@ bool find_texture_target(Context& context, GLenum token, TextureKind& out);
 /// Those of images with so many dimensions (0: any): of cube maps a face or the proxy of all.
 bool find_image_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
 
+/// The same without proxies, which have no image.
+bool find_stored_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out);
+
 /// The bound object of the active unit.
 TextureObject& bound_texture(Context& context, TextureKind kind);
 
