@@ -392,8 +392,11 @@ void GetBufferPointerv(Context& context, GLenum target, GLenum pname, void** par
 
 #else
 
+#include "gl/vertex/buffer_object.hpp"
+
 namespace spangle::gl {
 
+void release_buffers(Context&, ArraysState&) {}
 void hold_arrays(Context&) {}
 void release_arrays(Context&) {}
 

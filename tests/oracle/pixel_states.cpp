@@ -94,21 +94,25 @@ void operations(Random& random) {
     constexpr GLenum destination[] = {GL_ZERO, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_SRC_COLOR};
     if (maybe(random))
         glEnable(GL_BLEND);
-    glBlendFunc(source[random.below(4)], destination[random.below(4)]);
+    const GLenum dst = destination[random.below(4)], src = source[random.below(4)]; // one order everywhere
+    glBlendFunc(src, dst);
     if (maybe(random))
         glEnable(GL_DEPTH_TEST);
     glDepthFunc(compare[random.below(4)]);
     glDepthMask(static_cast<GLboolean>(random.below(2)));
     if (random.below(4) == 0)
         glEnable(GL_STENCIL_TEST);
-    glStencilFunc(compare[random.below(4)], whole(random, 0, 255), ~0u);
+    const int ref = whole(random, 0, 255);
+    glStencilFunc(compare[random.below(4)], ref, ~0u);
     glStencilOp(GL_KEEP, GL_INVERT, GL_INCR);
-    if (random.below(4) == 0)
-        glColorMask(static_cast<GLboolean>(random.below(2)), GL_TRUE, static_cast<GLboolean>(random.below(2)),
-                    GL_TRUE);
+    if (random.below(4) == 0) {
+        const bool blue = random.below(2) != 0, red = random.below(2) != 0;
+        glColorMask(red ? GL_TRUE : GL_FALSE, GL_TRUE, blue ? GL_TRUE : GL_FALSE, GL_TRUE);
+    }
     if (maybe(random))
         glEnable(GL_SCISSOR_TEST);
-    glScissor(whole(random, 0, 9), whole(random, 0, 9), 14, 13);
+    const int y = whole(random, 0, 9), x = whole(random, 0, 9);
+    glScissor(x, y, 14, 13);
 }
 
 /// Maps are left to tests of our own: softpipe addresses them by floor(256 c)
@@ -136,7 +140,8 @@ void untransferred() {
 /// A raster position between pixels' corners is Mesa's own affair: it rounds
 /// it.
 void place(Random& random, bool zooms) {
-    glColor4f(unit(random), unit(random), unit(random), unit(random));
+    const GLfloat a = unit(random), b = unit(random), g = unit(random), r = unit(random);
+    glColor4f(r, g, b, a);
     const int x = whole(random, 0, 20), y = whole(random, 0, 20);
     glRasterPos3f(static_cast<GLfloat>(x), static_cast<GLfloat>(y),
                   static_cast<GLfloat>(random.below(8)) / 4 - 0.75f); // no depth of the background
@@ -208,8 +213,8 @@ void read_images(Random& random) {
         layout.type = GL_UNSIGNED_SHORT;
     if (!few_bits && maybe(random))
         transfer(random);
-    glReadPixels(whole(random, 0, state_size - width), whole(random, 0, state_size - height), width, height,
-                 layout.format, layout.type, bytes);
+    const int y = whole(random, 0, state_size - height), x = whole(random, 0, state_size - width);
+    glReadPixels(x, y, width, height, layout.format, layout.type, bytes);
     untransferred();
     Random again = same;
     store(again, width, false);
