@@ -7,10 +7,10 @@
 #include <random>
 #include <vector>
 
-#include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
 #include "gl/egl/reference.hpp"
+#include "tests/headless_gl.hpp"
 
 namespace spangle::test {
 namespace {
@@ -62,34 +62,12 @@ struct Picture {
 };
 
 Picture picture_of(EGLint precision) {
-    const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    EXPECT_TRUE(eglInitialize(display, nullptr, nullptr));
-    const EGLint wish[] = {EGL_SURFACE_TYPE,
-                           EGL_PBUFFER_BIT,
-                           EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_ALPHA_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           24,
-                           EGL_PRECISION_SPANGLE,
-                           precision,
-                           EGL_NONE};
-    const EGLint area[] = {EGL_WIDTH, size, EGL_HEIGHT, size, EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    EXPECT_TRUE(eglChooseConfig(display, wish, &config, 1, &count) && count == 1);
-    const EGLSurface surface = eglCreatePbufferSurface(display, config, area);
-    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
-    EXPECT_TRUE(eglMakeCurrent(display, surface, surface, context));
+    const HeadlessGl gl(size, size, {EGL_PRECISION_SPANGLE, precision});
     draw_modes();
     Picture out{std::vector<GLubyte>(4 * size * size), std::vector<GLuint>(size * size)};
     glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, out.color.data());
     glReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, out.depth.data());
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroyContext(display, context);
-    eglDestroySurface(display, surface);
     return out;
 }
 

@@ -104,8 +104,8 @@ void tests(Random& random) {
         if (!often(random, 4)) {
             glClearColor(1, 0, 0.6f, 0.2f);
             glClearStencil(0x5A);
-            glClear((often(random, 2) ? GL_COLOR_BUFFER_BIT : 0u) |
-                    (often(random, 2) ? GL_STENCIL_BUFFER_BIT : 0u));
+            const GLbitfield colors = often(random, 2) ? GL_COLOR_BUFFER_BIT : 0u;
+            glClear(colors | (often(random, 2) ? GL_STENCIL_BUFFER_BIT : 0u));
         }
     }
 }
@@ -177,7 +177,8 @@ void accumulation(Random& random) {
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_DEPTH_TEST);
     const auto share = [&] { return static_cast<GLfloat>(random.below(257)) / 2048; };
-    glClearAccum(share(), -share(), share(), 0);
+    const GLfloat red = share(), green = -share(), blue = share(); // one order with every compiler
+    glClearAccum(red, green, blue, 0);
     glClear(GL_ACCUM_BUFFER_BIT);
     if (often(random, 2))
         glAccum(GL_LOAD, share());
