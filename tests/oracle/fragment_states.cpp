@@ -95,7 +95,7 @@ void masks(Random& random) {
     glColorMask(open[0], open[1], open[2], open[3]);
 }
 
-void tests(Random& random) {
+void tests(Random& random, Quads&) {
     background(random);
     for (int i = 0; i < 6; ++i) {
         random_tests(random);
@@ -110,7 +110,7 @@ void tests(Random& random) {
     }
 }
 
-void logic(Random& random) {
+void logic(Random& random, Quads&) {
     background(random);
     glDisable(GL_STENCIL_TEST);
     glEnable(GL_BLEND); // which does not matter
@@ -145,7 +145,7 @@ GLenum factor(Random& random, bool source) {
 }
 
 /// One layer: what a step of 1/255 grows to in further ones is no question of ours.
-void blending(Random& random) {
+void blending(Random& random, Quads&) {
     constexpr GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
     background(random);
     glDisable(GL_STENCIL_TEST);
@@ -172,7 +172,7 @@ void blending(Random& random) {
 }
 
 /// A weighted sum of pictures and a value put on top; sums stay below 1, beyond which Mesa's wrap.
-void accumulation(Random& random) {
+void accumulation(Random& random, Quads&) {
     background(random);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_DEPTH_TEST);

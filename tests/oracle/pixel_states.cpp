@@ -2,6 +2,7 @@
 // transferred, zoomed, read, copied; bitmaps.
 #include "tests/oracle/state_families.hpp"
 
+#include <cmath>
 #include <cstring>
 
 namespace spangle::oracle {
@@ -145,15 +146,24 @@ void place(Random& random, bool zooms) {
     const int x = whole(random, 0, 20), y = whole(random, 0, 20);
     glRasterPos3f(static_cast<GLfloat>(x), static_cast<GLfloat>(y),
                   static_cast<GLfloat>(random.below(8)) / 4 - 0.75f); // no depth of the background
-    // Times 3 or -2 softpipe leaves holes in the diagonal of its quad.
-    constexpr GLfloat zoom[] = {1, 2, -1, 4};
+    constexpr GLfloat zoom[] = {1, 2, -1, 4, 3, -2};
     if (zooms) {
-        const GLfloat zx = zoom[random.below(4)], zy = zoom[random.below(4)];
+        const GLfloat zx = zoom[random.below(6)], zy = zoom[random.below(6)];
         glPixelZoom(zx, zy);
     }
 }
 
-void draw_image(Random& random, bool transfers) {
+/// As one is drawn next.
+void note_image(Quads& quads, int width, int height) {
+    GLfloat at[4], zoom_x = 1, zoom_y = 1;
+    glGetFloatv(GL_CURRENT_RASTER_POSITION, at);
+    glGetFloatv(GL_ZOOM_X, &zoom_x);
+    glGetFloatv(GL_ZOOM_Y, &zoom_y);
+    quads.add(at[0], at[1], at[0] + zoom_x * static_cast<GLfloat>(width),
+              at[1] + zoom_y * static_cast<GLfloat>(height));
+}
+
+void draw_image(Random& random, Quads& quads, bool transfers) {
     background(random);
     const int width = whole(random, 1, 14), height = whole(random, 1, 12);
     const Layout layout = color_layout(random);
@@ -163,18 +173,19 @@ void draw_image(Random& random, bool transfers) {
     if (transfers)
         transfer(random);
     place(random, maybe(random));
+    note_image(quads, width, height);
     glDrawPixels(width, height, layout.format, layout.type, client.bytes);
     glPixelZoom(1, 1);
     untransferred();
 }
-void draw_images(Random& random) {
-    draw_image(random, false);
+void draw_images(Random& random, Quads& quads) {
+    draw_image(random, quads, false);
 }
-void draw_transferred(Random& random) {
-    draw_image(random, true);
+void draw_transferred(Random& random, Quads& quads) {
+    draw_image(random, quads, true);
 }
 
-void draw_depths(Random& random) {
+void draw_depths(Random& random, Quads& quads) {
     background(random);
     const int width = whole(random, 1, 14), height = whole(random, 1, 12);
     constexpr GLenum types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_FLOAT};
@@ -188,6 +199,7 @@ void draw_depths(Random& random) {
         glPixelTransferf(GL_DEPTH_BIAS, static_cast<GLfloat>(whole(random, -4, 4)) / 8);
     }
     place(random, false);
+    note_image(quads, width, height);
     glDrawPixels(width, height, GL_DEPTH_COMPONENT, type, client.bytes);
     glPixelZoom(1, 1);
     glPixelTransferf(GL_DEPTH_SCALE, 1);
@@ -195,7 +207,7 @@ void draw_depths(Random& random) {
 }
 
 /// What was read is drawn again as it was read.
-void read_images(Random& random) {
+void read_images(Random& random, Quads& quads) {
     background(random);
     const int width = whole(random, 1, 24), height = whole(random, 1, 24);
     Layout layout = color_layout(random);
@@ -219,12 +231,13 @@ void read_images(Random& random) {
     Random again = same;
     store(again, width, false);
     glRasterPos2i(0, 0);
+    note_image(quads, width, height);
     glDrawPixels(width, height, layout.format, layout.type, bytes);
 }
 
 /// Mesa's blits forget the colour mask, its depths come out of floats, its stencil values turn round a pixel
 /// late.
-void copy_pixels(Random& random) {
+void copy_pixels(Random& random, Quads& quads) {
     background(random);
     if (maybe(random))
         operations(random);
@@ -238,12 +251,13 @@ void copy_pixels(Random& random) {
         glDepthFunc(GL_ALWAYS);
     place(random, type != GL_STENCIL && maybe(random));
     const int x = whole(random, 0, state_size - width), y = whole(random, 0, state_size - height);
+    note_image(quads, width, height);
     glCopyPixels(x, y, width, height, type);
     glPixelZoom(1, 1);
     untransferred();
 }
 
-void bitmaps(Random& random) {
+void bitmaps(Random& random, Quads& quads) {
     background(random);
     operations(random);
     for (int i = 0; i < 4; ++i) {
@@ -256,6 +270,13 @@ void bitmaps(Random& random) {
         for (int twice = 0; twice < 2; ++twice) {
             const GLfloat xm = static_cast<GLfloat>(whole(random, -9, 9)),
                           ym = static_cast<GLfloat>(whole(random, -9, 9));
+            GLfloat at[4];
+            glGetFloatv(GL_CURRENT_RASTER_POSITION, at);
+            // Mesa gathers bitmaps in an image of this size, this one in the middle of its left side.
+            constexpr int gathered_width = 512, gathered_height = 32;
+            const double left = std::floor(double{at[0]} - xo);
+            const double low = std::floor(double{at[1]} - yo) - (gathered_height - height) / 2;
+            quads.add(left, low, left + gathered_width, low + gathered_height);
             glBitmap(width, height, xo, yo, xm, ym, client.bytes);
             glFlush(); // Mesa gathers bitmaps and draws what overlaps once
         }

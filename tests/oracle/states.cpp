@@ -1,5 +1,8 @@
 #include "tests/oracle/states.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/oracle/state_families.hpp"
 
 namespace spangle::oracle {
@@ -14,7 +17,49 @@ const std::vector<Family>& all_families() {
     return families;
 }
 
-Planes draw_state(const Family& family, int n) {
+void Quads::add(double x0, double y0, double x1, double y1) {
+    const Point corner[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    for (int i = 0; i < 4; ++i) // whichever diagonal it is
+        add_triangle(corner[i], corner[(i + 1) % 4], corner[(i + 2) % 4]);
+}
+
+/// Its edges inside of the window, and all that a polygon could be cut along.
+void Quads::add_triangle(Point a, Point b, Point c) {
+    std::vector<Point> polygon = {a, b, c};
+    for (int side = 0; side < 4; ++side) {
+        const auto inside = [&](Point p) { // by how far
+            const double v = side % 2 == 0 ? p.x : p.y;
+            return side < 2 ? v : state_size - v;
+        };
+        std::vector<Point> kept;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Point p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+            const double at_p = inside(p), at_q = inside(q);
+            if (at_p >= 0)
+                kept.push_back(p);
+            if ((at_p < 0) != (at_q < 0)) {
+                const double t = at_p / (at_p - at_q);
+                kept.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+            }
+        }
+        polygon = kept;
+    }
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            inner_edges_.push_back({polygon[i], polygon[k]});
+}
+
+bool Quads::has_on_edge(int x, int y) const {
+    constexpr double near = 1e-4; // coordinates of Mesa's vertices are floats
+    const double cx = x + 0.5, cy = y + 0.5;
+    return std::any_of(inner_edges_.begin(), inner_edges_.end(), [&](const Segment& s) {
+        const double dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
+        const bool between = (cx - s.from.x) * (cx - s.to.x) <= 0 && (cy - s.from.y) * (cy - s.to.y) <= 0;
+        return between && std::fabs(dx * (cy - s.from.y) - dy * (cx - s.from.x)) <= near * std::hypot(dx, dy);
+    });
+}
+
+Drawn draw_state(const Family& family, int n) {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
     glMatrixMode(GL_PROJECTION);
@@ -25,7 +70,8 @@ Planes draw_state(const Family& family, int n) {
     glViewport(0, 0, state_size, state_size);
     glDisable(GL_DITHER);
     test::Random random{static_cast<std::uint32_t>(n) * 7919u + 17u};
-    family.draw(random);
+    Drawn drawn;
+    family.draw(random, drawn.quads);
     glPopClientAttrib();
     glPopAttrib();
     constexpr std::size_t pixels = std::size_t{state_size} * state_size;
@@ -34,13 +80,13 @@ Planes draw_state(const Family& family, int n) {
     glReadPixels(0, 0, state_size, state_size, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
     glReadPixels(0, 0, state_size, state_size, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencil.data());
     glReadPixels(0, 0, state_size, state_size, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
-    Planes planes;
+    Planes& planes = drawn.planes;
     for (std::size_t i = 0; i < pixels; ++i) {
         planes.insert(planes.end(), &color[4 * i], &color[4 * i] + 4);
         planes.push_back(stencil[i]);
         planes.push_back(static_cast<GLubyte>(depth[i] * 255 + 0.5f));
     }
-    return planes;
+    return drawn;
 }
 
 } // namespace spangle::oracle

@@ -13,17 +13,40 @@ inline constexpr int state_size = 24; ///< pixels each way
 inline constexpr int pixel_channels = 6;
 using Planes = std::vector<unsigned char>;
 
+/// Rectangles that Mesa draws as two triangles, clipped to the window into polygons, those into triangles: of
+/// the pixels whose centres lie on an edge between these it draws one twice or not at all now and then (one
+/// image in 1,000).
+class Quads {
+  public:
+    void add(double x0, double y0, double x1, double y1);
+    bool has_on_edge(int x, int y) const; ///< a pixel
+
+  private:
+    struct Point {
+        double x, y;
+    };
+    struct Segment {
+        Point from, to;
+    };
+    std::vector<Segment> inner_edges_;
+    void add_triangle(Point a, Point b, Point c);
+};
+
 struct Family {
     const char* id;
     int drawings;
     int tolerance;    ///< largest difference of a channel, 255ths
     double identical; ///< share of the pixels that must be the same to the bit
-    void (*draw)(test::Random&);
+    void (*draw)(test::Random&, Quads&);
 };
 const std::vector<Family>& all_families();
 
+struct Drawn {
+    Planes planes;
+    Quads quads;
+};
 /// Drawing `n` of a family, from a state of its own that is left as it was; the current drawable has the size
 /// above.
-Planes draw_state(const Family& family, int n);
+Drawn draw_state(const Family& family, int n);
 
 } // namespace spangle::oracle
