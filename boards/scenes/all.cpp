@@ -15,8 +15,9 @@ bool same(const char* a, const char* b) {
 } // namespace
 
 SceneList all() {
-    static const Scene list[] = {clear, two_triangles, gouraud, plane,     plane_linear,   plane_rolled,
-                                 gears, torus,         sprites, wireframe, torus_textured, hud};
+    static const Scene list[] = {clear,          two_triangles, gouraud, plane,   plane_linear,
+                                 plane_rolled,   gears,         torus,   sprites, wireframe,
+                                 torus_textured, hud,           rocket};
     return {list, static_cast<int>(sizeof list / sizeof list[0])};
 }
 

@@ -27,6 +27,6 @@ SceneList all();
 const Scene* find(const char* id);
 
 extern const Scene clear, two_triangles, gouraud, plane, plane_rolled, plane_linear, gears, torus, sprites,
-    wireframe, torus_textured, hud;
+    wireframe, torus_textured, hud, rocket;
 
 } // namespace spangle::scenes

@@ -1,7 +1,12 @@
 #include "gl/texture/image_shape.hpp"
 
+#include <cstring>
+
+#include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/share_group.hpp"
 #include "gl/texture/compressed_format.hpp"
+#include "gl/texture/level_image.hpp"
 
 namespace spangle::gl {
 
@@ -24,6 +29,25 @@ bool legal_sides(const ImageRequest& request) {
         if (!legal_side(request.size[axis], request.border, most))
             return false;
     return kind != TextureKind::cube || request.size[0] == request.size[1];
+}
+
+/// The image, which is there: constant memory is not written, so it becomes a copy in the arena.
+LevelImage* writable(Context& context, const SubImage& sub) {
+    TextureObject& texture = bound_texture(context, sub.target.kind);
+    LevelImage*& place = texture.image(sub.target.face, sub.level);
+    if (place->texels == place->own_texels())
+        return place;
+    LevelImage* const copy = new_image(context.share->arena, place->shape);
+    if (copy == nullptr) {
+        error(context, GL_OUT_OF_MEMORY,
+              SPANGLE_TEXT("glTexSubImage: no room in the arena for a copy of the constant image"));
+        return nullptr;
+    }
+    std::memcpy(copy->own_texels(), place->texels, place->bytes);
+    context.share->arena.free(place);
+    place = copy;
+    texture_changed(context, texture);
+    return copy;
 }
 
 } // namespace
@@ -92,7 +116,7 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         out.at[axis] = static_cast<std::uint32_t>(at);
         out.size[axis] = static_cast<std::uint32_t>(size);
     }
-    return image;
+    return writable(context, sub);
 }
 
 TexelBox whole_box(const LevelShape& shape) {

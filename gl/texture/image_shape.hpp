@@ -26,7 +26,8 @@ struct SubImage {
     GLsizei size[3];
 };
 
-/// The image and the box, or null and the error is set. Compressed images are refused (GL 1.3, 3.8.3).
+/// The image, to be written, and the box, or null and the error is set. Compressed images are refused
+/// (GL 1.3, 3.8.3), constant ones become copies.
 LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out);
 
 /// All of an image.

@@ -84,6 +84,7 @@ bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& o
         return true;
     case GL_RGB4:
     case GL_RGB5:
+    case GL_RGB565: // ARB_ES2_compatibility
         out = TexelFormat::rgb565;
         return true;
     case GL_RGB8:

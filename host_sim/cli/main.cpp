@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "boards/scenes/scene.hpp"
+#include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bringup.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/session.hpp"
@@ -293,6 +294,9 @@ int spangle_main(int argc, char** argv) {
     wizard->add_option("--glass", bringup.glass, "size of the glass, WIDTHxHEIGHT, as it is held upright");
     wizard->add_option("--shot", bringup.shot, "write the simulated glass as PNG, for each card");
 
+    cli::BakeOptions to_bake;
+    CLI::App* const bake = cli::add_bake(app, to_bake);
+
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -306,6 +310,10 @@ int spangle_main(int argc, char** argv) {
         return bench();
     if (app.got_subcommand("demo"))
         return demo(folder);
+    if (app.got_subcommand(bake)) {
+        const std::string problem = cli::bake(to_bake);
+        return problem.empty() ? 0 : refuse(problem);
+    }
     if (app.got_subcommand(probe))
         return cli::probe(bringup);
     if (app.got_subcommand(card))

@@ -16,7 +16,7 @@ struct ModelVertex {
 };
 
 struct ModelImage {
-    int width = 0, height = 0;      ///< powers of two, at most 256
+    int width = 0, height = 0;      ///< powers of two
     std::vector<std::uint8_t> rgba; ///< row 0 is t = 0
     bool translucent = false;
 };
@@ -49,8 +49,20 @@ struct ModelResult {
     std::string error; ///< empty on success
 };
 
-/// Reads a file of any format libassimp knows and scales it into the unit sphere around the origin.
-ModelResult load_model(const std::string& path);
+struct ImageResult {
+    ModelImage image;
+    std::string error; ///< empty on success
+};
+
+/// The longest side of a texture, unless asked otherwise: what a display board would hold.
+inline constexpr int usual_texture_size = 256;
+
+/// Reads a file of any format libassimp knows and scales it into the unit sphere around the origin. Textures
+/// become powers of two no larger than that.
+ModelResult load_model(const std::string& path, int largest_texture = usual_texture_size);
+
+/// A picture by itself, of any format SDL_image knows.
+ImageResult load_image(const std::string& path, int largest = usual_texture_size);
 
 /// Sets up GL for the model in a fresh context, then draws frame f of its turn (360 frames, 2 degrees each).
 void setup_model(const Model& model, int width, int height);

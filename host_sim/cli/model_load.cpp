@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int largest_texture = 256;              // what a display board would hold
 constexpr std::size_t most_triangles = 2'000'000; // beyond this no board, and no patience, follows
 constexpr float sharpest_smooth_edge = 66.0f;     // degrees; cubes stay cubes where a file has no normals
 constexpr rlim_t most_memory = rlim_t{2} << 30;   // of a model while it is read
@@ -35,12 +34,11 @@ constexpr bool sanitized = __has_feature(address_sanitizer);
 constexpr bool sanitized = false;
 #endif
 
-/// Box-filters an RGBA surface to powers of two no larger than `largest_texture`.
-ModelImage shrink(const SDL_Surface& s) {
+/// Box-filters an RGBA surface to powers of two no larger than `largest`.
+ModelImage shrink(const SDL_Surface& s, int largest) {
     ModelImage out;
-    const auto fit = [](int n) {
-        return static_cast<int>(
-            std::min(std::bit_floor(static_cast<unsigned>(n)), unsigned{largest_texture}));
+    const auto fit = [largest](int n) {
+        return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::min(n, largest))));
     };
     out.width = fit(s.w);
     out.height = fit(s.h);
@@ -66,16 +64,30 @@ ModelImage shrink(const SDL_Surface& s) {
     return out;
 }
 
+/// What was decoded, in bytes of RGBA; takes the surface. False: there is nothing to see.
+bool take(SDL_Surface* raw, int largest, ModelImage& out) {
+    if (raw == nullptr)
+        return false;
+    SDL_Surface* const rgba = SDL_ConvertSurfaceFormat(raw, SDL_PIXELFORMAT_RGBA32, 0);
+    SDL_FreeSurface(raw);
+    const bool seen = rgba != nullptr && rgba->w > 0 && rgba->h > 0;
+    if (seen)
+        out = shrink(*rgba, largest);
+    SDL_FreeSurface(rgba);
+    return seen;
+}
+
 class Reader {
   public:
-    Reader(const aiScene& scene, const fs::path& file, Model& model)
-        : scene_(scene), folder_(file.parent_path()), model_(model) {}
+    Reader(const aiScene& scene, const fs::path& file, int largest_texture, Model& model)
+        : scene_(scene), folder_(file.parent_path()), largest_texture_(largest_texture), model_(model) {}
 
     void read() { node(*scene_.mRootNode, aiMatrix4x4()); }
 
   private:
     const aiScene& scene_;
     fs::path folder_;
+    int largest_texture_;
     Model& model_;
     std::map<std::string, int> images_;
 
@@ -160,14 +172,9 @@ class Reader {
         if (const auto known = images_.find(name); known != images_.end())
             return known->second;
         int index = -1;
-        if (SDL_Surface* raw = decode(name)) {
-            SDL_Surface* rgba = SDL_ConvertSurfaceFormat(raw, SDL_PIXELFORMAT_RGBA32, 0);
-            SDL_FreeSurface(raw);
-            if (rgba != nullptr && rgba->w > 0 && rgba->h > 0) {
-                index = static_cast<int>(model_.images.size());
-                model_.images.push_back(shrink(*rgba));
-            }
-            SDL_FreeSurface(rgba);
+        if (ModelImage picture; take(decode(name), largest_texture_, picture)) {
+            index = static_cast<int>(model_.images.size());
+            model_.images.push_back(std::move(picture));
         }
         if (index < 0)
             model_.notes.push_back("texture " + name + " cannot be read; drawn without it");
@@ -271,7 +278,16 @@ class MemoryLimit {
 
 } // namespace
 
-ModelResult load_model(const std::string& path) {
+ImageResult load_image(const std::string& path, int largest) {
+    ImageResult result;
+    std::error_code ignored;
+    const MemoryLimit limit;
+    if (!fs::is_regular_file(path, ignored) || !take(IMG_Load(path.c_str()), largest, result.image))
+        result.error = "cannot read picture '" + path + "'";
+    return result;
+}
+
+ModelResult load_model(const std::string& path, int largest_texture) {
     ModelResult result;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
@@ -298,7 +314,7 @@ ModelResult load_model(const std::string& path) {
         return result;
     }
     result.model.name = fs::path(path).filename().string();
-    Reader(*scene, path, result.model).read();
+    Reader(*scene, path, largest_texture, result.model).read();
     if (result.model.parts.empty())
         result.error = "model '" + path + "' holds nothing to draw";
     else if (result.model.triangles > most_triangles)

@@ -172,6 +172,7 @@ void Finish(Context& context);
 // Textures (GL 1.3, 3.8).
 void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+void TexConstantImage2DSPANGLE(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
 void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
 void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
@@ -1323,6 +1324,13 @@ struct TexImage2D {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexImage2D between glBegin and glEnd");
+};
+struct TexConstantImage2DSPANGLE {
+    static constexpr auto run = &cmd::TexConstantImage2DSPANGLE;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glTexConstantImage2DSPANGLE between glBegin and glEnd");
 };
 struct TexImage3D {
     static constexpr auto run = &cmd::TexImage3D;

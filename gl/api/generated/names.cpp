@@ -437,6 +437,7 @@ const Name table[] = {
     {"glStencilMaskSeparate", reinterpret_cast<EntryPoint>(&glStencilMaskSeparate)},
     {"glStencilOp", reinterpret_cast<EntryPoint>(&glStencilOp)},
     {"glStencilOpSeparate", reinterpret_cast<EntryPoint>(&glStencilOpSeparate)},
+    {"glTexConstantImage2DSPANGLE", reinterpret_cast<EntryPoint>(&glTexConstantImage2DSPANGLE)},
     {"glTexCoord1d", reinterpret_cast<EntryPoint>(&glTexCoord1d)},
     {"glTexCoord1dv", reinterpret_cast<EntryPoint>(&glTexCoord1dv)},
     {"glTexCoord1f", reinterpret_cast<EntryPoint>(&glTexCoord1f)},

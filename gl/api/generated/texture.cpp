@@ -22,6 +22,10 @@ void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, G
     issue<family::TexImage2D>(target, level, internalformat, width, height, border, format, type, pixels);
 }
 
+void GLAPIENTRY glTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+    issue<family::TexConstantImage2DSPANGLE>(target, level, internalformat, width, height, border, imageSize, data);
+}
+
 #if SPANGLE_FEATURE_TEXTURE_3D
 
 void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {

@@ -1190,6 +1190,7 @@ GLAPI void GLAPIENTRY glFinish(void);
 #define GL_INTENSITY16 0x804D
 #define GL_RGB4 0x804F
 #define GL_RGB5 0x8050
+#define GL_RGB565 0x8D62
 #define GL_RGB8 0x8051
 #define GL_RGB10 0x8052
 #define GL_RGB12 0x8053
@@ -1215,6 +1216,7 @@ GLAPI void GLAPIENTRY glFinish(void);
 #define GL_UNSIGNED_INT_2_10_10_10_REV 0x8368
 GLAPI void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels);
 GLAPI void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels);
+GLAPI void GLAPIENTRY glTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data);
 GLAPI void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
 GLAPI void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels);
 GLAPI void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);

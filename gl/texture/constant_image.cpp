@@ -1,0 +1,80 @@
+// TexConstantImage2DSPANGLE: an image that stays where it is, in the program's constant memory. Its texels
+// lie there as GL keeps them, row by row without gaps, so the internal format has to be one with sizes.
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/arena.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/share_group.hpp"
+#include "gl/texture/image_shape.hpp"
+#include "gl/texture/level_image.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// Formats that are kept alike whatever the surface.
+bool has_sizes(GLenum internal_format) {
+    switch (internal_format) {
+    case GL_ALPHA8:
+    case GL_LUMINANCE8:
+    case GL_INTENSITY8:
+    case GL_LUMINANCE8_ALPHA8:
+    case GL_R3_G3_B2:
+    case GL_RGB5:
+    case GL_RGB565:
+    case GL_RGB8:
+    case GL_RGBA4:
+    case GL_RGB5_A1:
+    case GL_RGBA8:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void constant_image(Context& context, const ImageRequest& request, GLsizei size, const void* data) {
+    LevelShape shape;
+    if (!shape_of(context, request, shape))
+        return;
+    const std::uint32_t stride = shape.size[0] * texel_bytes(shape.format), bytes = stride * shape.size[1];
+    if (request.target.proxy) {
+        context.texture.proxy[index_of(request.target.kind)][request.level] = shape;
+        return;
+    }
+    if (request.border != 0 || size < 0 || static_cast<std::uint32_t>(size) != bytes || data == nullptr)
+        return error(
+            context, GL_INVALID_VALUE,
+            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: imageSize is not that of the format and sizes, "
+                         "a border, or a null pointer"));
+    // Texels of 16 bits are read as words.
+    if (texel_bytes(shape.format) == 2 && (reinterpret_cast<std::uintptr_t>(data) & 1) != 0)
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("glTexConstantImage2DSPANGLE: texels of 16 bits at an odd address"));
+    auto* const image = static_cast<LevelImage*>(context.share->arena.allocate(sizeof(LevelImage)));
+    if (image == nullptr)
+        return error(context, GL_OUT_OF_MEMORY,
+                     SPANGLE_TEXT("glTexConstantImage2DSPANGLE: no room in the arena for this level"));
+    *image = {shape, stride, bytes, static_cast<const std::uint8_t*>(data), nullptr};
+    put_image(context, bound_texture(context, request.target.kind), request.target.face, request.level,
+              image);
+}
+
+} // namespace
+
+namespace cmd {
+
+void TexConstantImage2DSPANGLE(Context& context, GLenum target, GLint level, GLenum internalformat,
+                               GLsizei width, GLsizei height, GLint border, GLsizei imageSize,
+                               const void* data) {
+    ImageTarget of;
+    if (!has_sizes(internalformat))
+        return error(
+            context, GL_INVALID_ENUM,
+            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: not a format of 8, 16, 24 or 32 bits with sizes"));
+    if (find_image_target(context, target, 2, of))
+        constant_image(context, {of, level, static_cast<GLint>(internalformat), {width, height, 1}, border},
+                       imageSize, data);
+}
+
+} // namespace cmd
+
+} // namespace spangle::gl

@@ -1,0 +1,222 @@
+#include "host_sim/bake/vertex_cache.hpp"
+
+#include <algorithm>
+
+namespace spangle::bake {
+
+std::size_t cache_misses(const IndexList& indices, unsigned entries) {
+    std::vector<std::uint32_t> entry(entries, unused);
+    std::size_t misses = 0;
+    for (const std::uint32_t index : indices)
+        if (std::uint32_t& kept = entry[index % entries]; kept != index) {
+            kept = index;
+            ++misses;
+        }
+    return misses;
+}
+
+namespace {
+
+/// The triangles at each vertex.
+struct Fans {
+    std::vector<std::size_t> first;
+    std::vector<std::size_t> triangle;
+
+    Fans(const IndexList& triangles, std::size_t vertices)
+        : first(vertices + 1, 0), triangle(triangles.size()) {
+        for (const std::uint32_t v : triangles)
+            ++first[v + 1];
+        for (std::size_t v = 0; v < vertices; ++v)
+            first[v + 1] += first[v];
+        std::vector<std::size_t> next(first.begin(), first.end() - 1);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            triangle[next[triangles[i]]++] = i / 3;
+    }
+};
+
+class TriangleOrder {
+  public:
+    TriangleOrder(const IndexList& triangles, std::size_t vertices, unsigned entries)
+        : triangles_(triangles), fans_(triangles, vertices), entries_(entries), live_(vertices, 0),
+          time_(vertices, 0), emitted_(triangles.size() / 3, false), now_(entries + 1u) {
+        for (const std::uint32_t v : triangles)
+            ++live_[v];
+    }
+
+    IndexList run() {
+        out_.reserve(triangles_.size());
+        for (std::uint32_t at = triangles_.empty() ? unused : triangles_[0]; at != unused;) {
+            candidates_.clear();
+            for (std::size_t i = fans_.first[at]; i < fans_.first[at + 1]; ++i)
+                emit(fans_.triangle[i]);
+            at = next_vertex();
+        }
+        return std::move(out_);
+    }
+
+  private:
+    void emit(std::size_t triangle) {
+        if (emitted_[triangle])
+            return;
+        emitted_[triangle] = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t v = triangles_[3 * triangle + c];
+            out_.push_back(v);
+            candidates_.push_back(v);
+            dead_ends_.push_back(v);
+            --live_[v];
+            if (now_ - time_[v] > entries_)
+                time_[v] = now_++;
+        }
+    }
+
+    /// The oldest of the last fan that is still there when its triangles are done; else one seen lately.
+    std::uint32_t next_vertex() {
+        std::uint32_t best = unused;
+        std::size_t best_age = 0;
+        for (const std::uint32_t v : candidates_)
+            if (live_[v] > 0) {
+                const std::size_t age = now_ - time_[v], needed = 2 * std::size_t{live_[v]};
+                const std::size_t score = age + needed <= entries_ ? age + 1 : 1;
+                if (score > best_age) {
+                    best_age = score;
+                    best = v;
+                }
+            }
+        return best != unused ? best : after_dead_end();
+    }
+
+    std::uint32_t after_dead_end() {
+        for (; !dead_ends_.empty(); dead_ends_.pop_back())
+            if (live_[dead_ends_.back()] > 0)
+                return dead_ends_.back();
+        for (; cursor_ < live_.size(); ++cursor_)
+            if (live_[cursor_] > 0)
+                return static_cast<std::uint32_t>(cursor_);
+        return unused;
+    }
+
+    const IndexList& triangles_;
+    Fans fans_;
+    unsigned entries_;
+    std::vector<std::uint32_t> live_; ///< triangles at a vertex that are not drawn yet
+    std::vector<std::size_t> time_;   ///< when a vertex came into the cache
+    std::vector<bool> emitted_;
+    std::size_t now_, cursor_ = 0;
+    std::vector<std::uint32_t> candidates_, dead_ends_;
+    IndexList out_;
+};
+
+/// Strips that go on from triangle to triangle across the edge that a strip leaves by.
+class StripBuilder {
+  public:
+    StripBuilder(const IndexList& triangles, std::size_t reach)
+        : triangles_(triangles), reach_(reach), used_(triangles.size() / 3, false) {
+        for (std::size_t t = 0; t < used_.size(); ++t)
+            for (std::size_t c = 0; c < 3; ++c)
+                edges_.push_back({corner(t, c), corner(t, c + 1), t});
+        std::sort(edges_.begin(), edges_.end());
+    }
+
+    IndexList run() {
+        for (std::size_t t = 0; t < used_.size(); ++t)
+            if (!used_[t])
+                append(longest_from(t));
+        return std::move(out_);
+    }
+
+  private:
+    struct Edge {
+        std::uint32_t from, to;
+        std::size_t triangle;
+        auto operator<=>(const Edge&) const = default;
+    };
+
+    std::uint32_t corner(std::size_t t, std::size_t c) const { return triangles_[3 * t + c % 3]; }
+
+    /// The unused triangle up to `last` whose edge runs from `from` to `to`, and its third corner.
+    std::size_t across(std::uint32_t from, std::uint32_t to, std::size_t last, std::uint32_t& apex) const {
+        for (auto e = std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0});
+             e != edges_.end() && e->from == from && e->to == to; ++e)
+            if (!used_[e->triangle] && e->triangle <= last)
+                for (std::size_t c = 0; c < 3; ++c)
+                    if (corner(e->triangle, c) == from && corner(e->triangle, c + 1) == to) {
+                        apex = corner(e->triangle, c + 2);
+                        return e->triangle;
+                    }
+        return used_.size();
+    }
+
+    /// From this corner on, as long as there is an unused neighbour; its triangles are used then.
+    IndexList follow(std::size_t t, std::size_t c, std::vector<std::size_t>& taken) {
+        IndexList strip{corner(t, c), corner(t, c + 1), corner(t, c + 2)};
+        taken.assign(1, t);
+        used_[t] = true;
+        for (;;) {
+            const std::uint32_t a = strip[strip.size() - 2], b = strip.back();
+            const bool odd = (strip.size() & 1) != 0; // the next triangle's number in the strip
+            std::uint32_t apex = 0;
+            const std::size_t next = odd ? across(b, a, t + reach_, apex) : across(a, b, t + reach_, apex);
+            if (next == used_.size())
+                return strip;
+            used_[next] = true;
+            taken.push_back(next);
+            strip.push_back(apex);
+        }
+    }
+
+    IndexList longest_from(std::size_t t) {
+        IndexList best;
+        std::vector<std::size_t> taken, best_taken;
+        for (std::size_t c = 0; c < 3; ++c) {
+            IndexList strip = follow(t, c, taken);
+            for (const std::size_t undone : taken)
+                used_[undone] = false;
+            if (strip.size() > best.size()) {
+                best.swap(strip);
+                best_taken.swap(taken);
+            }
+        }
+        for (const std::size_t done : best_taken)
+            used_[done] = true;
+        return best;
+    }
+
+    /// An even number of indices stands before a strip, so that its first triangle keeps its winding.
+    void append(const IndexList& strip) {
+        if (!out_.empty()) {
+            out_.push_back(out_.back());
+            out_.push_back(strip.front());
+            if ((out_.size() & 1) != 0)
+                out_.push_back(strip.front());
+        }
+        out_.insert(out_.end(), strip.begin(), strip.end());
+    }
+
+    const IndexList& triangles_;
+    std::size_t reach_;
+    std::vector<bool> used_;
+    std::vector<Edge> edges_;
+    IndexList out_;
+};
+
+} // namespace
+
+IndexList order_triangles(const IndexList& triangles, std::size_t vertices, unsigned entries) {
+    return TriangleOrder(triangles, vertices, entries).run();
+}
+
+std::vector<std::uint32_t> first_use_order(const IndexList& indices, std::size_t vertices) {
+    std::vector<std::uint32_t> place(vertices, unused);
+    std::uint32_t next = 0;
+    for (const std::uint32_t index : indices)
+        if (place[index] == unused)
+            place[index] = next++;
+    return place;
+}
+
+IndexList make_strip(const IndexList& triangles, std::size_t reach) {
+    return StripBuilder(triangles, reach).run();
+}
+
+} // namespace spangle::bake

@@ -1,0 +1,29 @@
+// spangle bake: models and pictures as constants for flash.
+#pragma once
+
+#include <string>
+
+#include "host_sim/bake/mesh.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace spangle::cli {
+
+struct BakeOptions {
+    std::string input, output, name;
+    std::string texture_format = "auto";
+    int texture_size = 256;
+    bool no_mipmaps = false, no_normals = false, json = false;
+    std::string positions = "short", normals = "byte", texcoords = "short", strips = "smaller";
+    unsigned cache = 80;
+};
+
+/// The command with its options.
+CLI::App* add_bake(CLI::App& app, BakeOptions& options);
+
+/// The reason why nothing was written, or "".
+std::string bake(const BakeOptions& options);
+
+} // namespace spangle::cli
