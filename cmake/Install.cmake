@@ -1,14 +1,14 @@
-# find_package(Spangle CONFIG) gives Spangle::gl, Spangle::raster, Spangle::hal and, where it was built, Spangle::sim.
+# find_package(Spangle CONFIG) gives Spangle::gl, Spangle::raster, Spangle::hal, Spangle::mcu and, where it was built, Spangle::sim.
 include(CMakePackageConfigHelpers)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Spangle)
-foreach(name format raster hal linux usb gl raster_reference gl_reference sim)
+foreach(name format raster hal mcu linux usb gl raster_reference gl_reference sim)
     if(TARGET spangle_${name})
         set_target_properties(spangle_${name} PROPERTIES EXPORT_NAME ${name})
         install(TARGETS spangle_${name} EXPORT SpangleTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     endif()
 endforeach()
-foreach(room raster/format raster hal hal/linux hal/usb boards gl host_sim)
+foreach(room raster/format raster hal hal/mcu hal/linux hal/usb boards gl host_sim)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${room}/include)
         install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room}/include/spangle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     endif()

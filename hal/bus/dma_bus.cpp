@@ -2,15 +2,6 @@
 
 namespace spangle::hal {
 
-Result<Buffer> DmaBus::acquire(std::size_t size) {
-    const auto address = reinterpret_cast<std::uintptr_t>(memory_.bytes) + used_;
-    const std::size_t gap = (alignment - address % alignment) % alignment;
-    if (memory_.bytes == nullptr || memory_.size - used_ < gap || memory_.size - used_ - gap < size)
-        return Error{Fault::unsupported, "DmaBus: the memory is smaller than the buffers asked for"};
-    used_ += gap + size;
-    return Buffer{memory_.bytes + used_ - size, size};
-}
-
 Result<Token> DmaBus::submit(const Op* ops, std::size_t count) {
     if (running_.load(std::memory_order_acquire))
         return Error{Fault::busy, "DmaBus: a transfer is still under way"};
@@ -78,7 +69,7 @@ bool DmaBus::start_part(const Op& op) {
         if (part_ == 0)
             write(false, &op.command, 1);
         else if (part_ == 1 && op.length != 0)
-            write(true, op.data, op.length);
+            write(!op.parameters_are_commands, op.data, op.length);
         else
             return false;
         return true;

@@ -22,8 +22,8 @@ HAL_DISPLAY = HAL_PANEL | {"hal/display"}
 HAL = HAL_DISPLAY | {"hal/include"}
 GL = RASTER | {"gl/api", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/include"}
 PUBLIC = {"gl/include", "hal/include", "raster/include", "raster/format", "hal/bus", "hal/panel", "hal/display",
-          "hal/linux", "hal/usb"}
-EVERYTHING = GL | HAL | {"hal/linux", "hal/usb", "gl/egl", "boards", "boards/scenes", "host_sim"}
+          "hal/linux", "hal/usb", "hal/mcu"}
+EVERYTHING = GL | HAL | {"hal/linux", "hal/usb", "gl/egl", "boards", "boards/scenes", "hal/mcu", "host_sim"}
 
 MAY_INCLUDE = {
     "raster/numeric": NUMERIC,
@@ -35,6 +35,7 @@ MAY_INCLUDE = {
     "hal/panel": HAL_PANEL | {"hal/include"},
     "hal/display": HAL,
     "hal/linux": HAL | {"hal/linux"},
+    "hal/mcu": HAL,
     "hal/usb": HAL | {"hal/linux", "hal/usb"},
     "gl/api": GL, "gl/context": GL, "gl/vertex": GL, "gl/pixel": GL, "gl/texture": GL, "gl/list": GL,
     "gl/egl": GL | {"gl/egl", "hal/bus", "hal/panel", "hal/display", "hal/include"},

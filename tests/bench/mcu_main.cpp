@@ -3,10 +3,11 @@
 // BYTES" for each kind of memory.
 #include <cstdint>
 
+#include <spangle/mcu/instructions.hpp>
+#include <spangle/mcu/semihosting.hpp>
+#include <spangle/mcu/stack.hpp>
 #include <spangle/native.hpp>
 
-#include "boards/mps2/instructions.hpp"
-#include "boards/mps2/semihosting.hpp"
 #include "boards/scenes/scene.hpp"
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
@@ -16,34 +17,16 @@
 #endif
 
 extern "C" {
-extern char data_begin, data_end, bss_begin, bss_end, stack_top;
+extern char data_begin, data_end, bss_begin, bss_end;
 }
 
 namespace {
 
 using namespace spangle;
+namespace semihosting = mcu::semihosting;
 
 constexpr int width = 320, height = 240;
 alignas(8) unsigned char memory_pool[1536 * 1024];
-
-/// The stack's unused part is painted before, and what is no longer the colour was used.
-struct StackPaint {
-    static constexpr std::uint32_t color = 0x5AA5C33C;
-    volatile std::uint32_t* const bottom = reinterpret_cast<volatile std::uint32_t*>(&stack_top) - 16384;
-
-    __attribute__((noinline)) void apply() const {
-        std::uint32_t here;
-        for (volatile std::uint32_t* p = bottom; p + 16 < &here; ++p)
-            *p = color;
-    }
-    std::uint32_t deepest() const {
-        const volatile std::uint32_t* p = bottom;
-        while (*p == color)
-            ++p;
-        return static_cast<std::uint32_t>(reinterpret_cast<const volatile char*>(&stack_top) -
-                                          reinterpret_cast<const volatile char*>(p));
-    }
-};
 
 void print_bytes(const char* name, std::size_t bytes) {
     semihosting::print(name);
@@ -55,8 +38,6 @@ void print_bytes(const char* name, std::size_t bytes) {
 } // namespace
 
 int main() {
-    const StackPaint stack;
-    stack.apply();
     spangle::memory(memory_pool, sizeof memory_pool);
     bench::Headless gl;
     if (!gl.open(width, height, BENCH_PRECISION)) {
@@ -66,13 +47,14 @@ int main() {
     glDisable(GL_DITHER);
     const scenes::Scene& scene = scenes::BENCH_SCENE;
     scene.setup(width, height);
-    scene.draw(1); // what is done once is not counted
+    scene.draw(1);                           // what is done once is not counted
+    mcu::InstructionCount count(25'000'000); // clocks a second of these boards
     for (int frame = 2; frame < 5; ++frame) {
-        const std::uint32_t before = mps2::ticks();
+        count.begin();
         scene.draw(frame);
-        const std::uint32_t after = mps2::ticks();
+        const std::uint32_t instructions = count.end();
         semihosting::print("frame ");
-        semihosting::print_number((after - before) * mps2::instructions_per_tick);
+        semihosting::print_number(instructions);
         semihosting::print(" ");
         semihosting::print_hex(bench::picture_hash(width, height));
         semihosting::print("\n");
@@ -83,6 +65,6 @@ int main() {
     // without what this program itself needs: the pool and the row of picture_hash()
     print_bytes("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
                               sizeof memory_pool - 2048 * 4);
-    print_bytes("stack", stack.deepest());
+    print_bytes("stack", mcu::deepest_stack());
     return glGetError() == GL_NO_ERROR ? 0 : 1;
 }

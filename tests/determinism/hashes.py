@@ -47,11 +47,11 @@ def hashes_of_host(compiler, flags):
 
 
 def hashes_of_board(board):
-    machine, cpu = mcu.BOARDS[board]
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        image = mcu.link_image(cpu, mcu.build_library(cpu, folder), MAIN, [], folder / "hashes.elf")
-        return read(mcu.emulate(machine, image))
+    with tempfile.TemporaryDirectory() as folder:
+        programs = mcu.Programs(board, folder)
+        image = programs.add("hashes", MAIN)
+        programs.build.run()
+        return read(programs.run(image))
 
 
 def table(builds):

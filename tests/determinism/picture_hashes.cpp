@@ -8,7 +8,7 @@
 #include "tests/bench/headless.hpp"
 #include "tests/bench/picture_hash.hpp"
 #ifdef SPANGLE_FIRMWARE
-#include "boards/mps2/semihosting.hpp"
+#include <spangle/mcu/semihosting.hpp>
 #else
 #include <cstdio>
 #endif
@@ -22,7 +22,7 @@ constexpr int width = 320, height = 240;
 #ifdef SPANGLE_FIRMWARE
 alignas(8) unsigned char memory_pool[2048 * 1024];
 void print(const char* text) {
-    semihosting::print(text);
+    mcu::semihosting::print(text);
 }
 #else
 void print(const char* text) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include <spangle/hal/bus_memory.hpp>
 #include <spangle/hal/panel_display.hpp>
 
 namespace spangle::hal {
@@ -73,6 +74,32 @@ constexpr BusCaps bus_caps(const Board& board) {
     caps.command_cost_ns = board.command_cost_ns;
     return caps;
 }
+
+/// Bytes of frame buffers the board's display asks its bus for, each rounded up to BusMemory::alignment.
+constexpr std::size_t bus_memory(const Board& board) {
+    const PanelConfig& c = board.display;
+    const auto rounded = [](std::size_t n) {
+        return (n + BusMemory::alignment - 1) / BusMemory::alignment * BusMemory::alignment;
+    };
+    const Extent picture = picture_size(c), sent = sent_size(c);
+    const auto frame = static_cast<std::size_t>(row_bytes(c.format, picture.width)) *
+                       static_cast<std::size_t>(stored_rows(c.format, picture.height));
+    if (!c.wire.converts())
+        return c.buffers * rounded(frame);
+    const auto pixels = static_cast<std::size_t>(sent.width) * static_cast<std::size_t>(sent.height);
+    // Windows that end inside a byte round up: one a row at most.
+    return rounded(frame) +
+           rounded((pixels * wire_info(c.wire.format).bits + 7) / 8 + static_cast<std::size_t>(sent.height));
+}
+
+/// That memory, for a bus of one board: `static BusMemoryOf<my_board> frames;`
+template <const Board& board> class BusMemoryOf {
+  public:
+    Buffer buffer() { return {bytes_, sizeof bytes_}; }
+
+  private:
+    alignas(BusMemory::alignment) std::uint8_t bytes_[bus_memory(board)];
+};
 
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
 template <const Board& board>

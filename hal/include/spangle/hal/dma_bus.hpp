@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <spangle/hal/bus.hpp>
+#include <spangle/hal/bus_memory.hpp>
 
 namespace spangle::hal {
 
@@ -42,14 +43,13 @@ struct DmaMemory {
 
 class DmaBus final : public Bus {
   public:
-    /// Buffers begin at multiples of this: whole lines of the data caches there are.
-    static constexpr std::size_t alignment = 32;
+    static constexpr std::size_t alignment = BusMemory::alignment;
 
     DmaBus(DmaPort& port, const BusCaps& caps, const DmaMemory& memory)
-        : port_(port), caps_(caps), memory_(memory) {}
+        : port_(port), caps_(caps), memory_(memory), buffers_({memory.bytes, memory.size}) {}
 
     BusCaps caps() const override { return caps_; }
-    Result<Buffer> acquire(std::size_t size) override;
+    Result<Buffer> acquire(std::size_t size) override { return buffers_.take(size); }
     Result<Token> submit(const Op* ops, std::size_t count) override;
     bool done(Token token) const override;
     Result<void> wait(Token token, std::uint32_t timeout_micros) override;
@@ -68,7 +68,7 @@ class DmaBus final : public Bus {
     DmaPort& port_;
     BusCaps caps_;
     DmaMemory memory_;
-    std::size_t used_ = 0;
+    BusMemory buffers_;
 
     // Of the list under way: the interrupt's, while `running_`.
     std::size_t count_ = 0, at_ = 0;

@@ -1,0 +1,128 @@
+// An emulator listens by semihosting. Of each frame it hears "frame HASH DRAWING PRESENTING BYTES": the hash
+// of what was drawn, instructions, and bytes sent to the display so far; of each scene "scene ID"; at the end
+// a line "NAME BYTES" for each kind of memory.
+//
+// The command line, "NAME FRAMES [wait]", says how many frames of a scene are shown. With "wait" the program
+// stands still after each frame until there is a file "next-N", N counting frames from 1: time to look at the
+// emulated display.
+#include "boards/demo/report.hpp"
+
+#include <initializer_list>
+
+#include <spangle/mcu/instructions.hpp>
+#include <spangle/mcu/semihosting.hpp>
+#include <spangle/mcu/stack.hpp>
+#include <spangle/native.hpp>
+
+#include "boards/board.hpp"
+
+namespace spangle::demo {
+
+namespace {
+
+namespace semihosting = mcu::semihosting;
+
+struct Arguments {
+    int frames = 30;
+    bool wait = false;
+
+    Arguments() {
+        char text[64];
+        if (!semihosting::command_line(text, sizeof text))
+            return;
+        const char* at = text;
+        while (*at != '\0' && *at != ' ')
+            ++at;
+        if (*at == ' ' && at[1] >= '1' && at[1] <= '9')
+            for (frames = 0, ++at; *at >= '0' && *at <= '9'; ++at)
+                frames = frames * 10 + (*at - '0');
+        wait = *at == ' ' && at[1] == 'w';
+    }
+};
+
+void print_line(const char* name, std::uint32_t value) {
+    semihosting::print(name);
+    semihosting::print(" ");
+    semihosting::print_number(value);
+    semihosting::print("\n");
+}
+
+class Semihosting final : public Watcher {
+  public:
+    explicit Semihosting(hal::Display& display) : display_(display) {}
+
+    void begin_frame() override { count_.begin(); }
+    void drawn() override {
+        drawing_ = count_.end();
+        hash_ = frame_hash(display_);
+        count_.begin();
+    }
+    void presented() override {
+        const std::uint32_t presenting = count_.end();
+        semihosting::print("frame ");
+        semihosting::print_hex(hash_);
+        for (const std::uint32_t value : {drawing_, presenting, board::bus_bytes()}) {
+            semihosting::print(" ");
+            semihosting::print_number(value);
+        }
+        semihosting::print("\n");
+        ++shown_;
+        if (arguments.wait)
+            wait();
+    }
+
+    const Arguments arguments;
+
+  private:
+    void wait() const {
+        char name[16] = "next-";
+        std::uint32_t length = 5;
+        for (std::uint32_t unit = 10000; unit != 0; unit /= 10)
+            if (shown_ >= unit)
+                name[length++] = static_cast<char>('0' + shown_ / unit % 10);
+        while (!semihosting::exists(name, length)) {
+        }
+    }
+
+    hal::Display& display_;
+    mcu::InstructionCount count_{board::clock_hz};
+    std::uint32_t drawing_ = 0, hash_ = 0, shown_ = 0;
+};
+
+Semihosting* listener;
+
+} // namespace
+
+Watcher& watcher(hal::Display& display) {
+    static Semihosting one(display);
+    listener = &one;
+    return one;
+}
+
+int frames_to_show() {
+    return listener->arguments.frames;
+}
+
+void begin(const scenes::Scene& scene) {
+    semihosting::print("scene ");
+    semihosting::print(scene.id);
+    semihosting::print("\n");
+}
+
+void end(const char* problem) {
+    if (problem == nullptr)
+        return;
+    semihosting::print("failed ");
+    semihosting::print(problem);
+    semihosting::print("\n");
+}
+
+bool again() {
+    const MemoryUse use = memory_use();
+    print_line("arena", static_cast<std::uint32_t>(use.capacity));
+    print_line("peak", static_cast<std::uint32_t>(use.peak));
+    print_line("stack", mcu::deepest_stack());
+    return false;
+}
+
+} // namespace spangle::demo

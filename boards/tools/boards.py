@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Builds the firmware of every board, runs it in QEMU, and holds each frame against the board's simulated twin.
+
+usage: ./dev boards [BOARD...] [--frames N] [--list] [--hardware]
+
+A board is a folder of boards/ with a board.json. Prints one row a board; a cell with slashes has a value for each of its
+scenes. Exit status 1 when a frame differs, 77 (skipped) when a compiler or emulator is missing.
+"""
+import argparse
+import concurrent.futures
+import dataclasses
+import json
+import os
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import firmware  # noqa: E402
+import twin  # noqa: E402
+
+ROOT = firmware.ROOT
+
+
+@dataclasses.dataclass(frozen=True)
+class Board:
+    """What board.json says. `left_out`: scenes that do not fit, and why."""
+    name: str
+    target: str
+    machine: tuple
+    scenes: tuple
+    defines: tuple = ()  # the library's features and limits, where they are not the usual ones
+    left_out: dict = dataclasses.field(default_factory=dict)
+    trace: dict = None  # where the display's lines are, for the trace of register writes
+    screen: dict = None  # the emulator draws the display itself
+    sources: tuple = ()  # beside the folder's own, from the root of the repository
+
+    @property
+    def folder(self):
+        return ROOT / "boards" / self.name
+
+
+@dataclasses.dataclass
+class Frame:
+    hash: str
+    drawing: int  # instructions
+    presenting: int
+    bytes: int  # sent so far
+
+
+@dataclasses.dataclass
+class Run:
+    scenes: dict  # {id: [Frame]}
+    memory: dict  # arena, peak, stack
+    problems: list
+
+
+def discover():
+    boards = {}
+    for path in sorted((ROOT / "boards").glob("*/board.json")):
+        data = json.loads(path.read_text())
+        boards[path.parent.name] = Board(path.parent.name, **{k: tuple(v) if isinstance(v, list) else v for k, v in data.items()})
+    return boards
+
+
+def add_image(build, board, report):
+    """The demo of a board as an ELF file; `report`: "semihosting" or "silent"."""
+    variant = board.name if board.defines else ""
+    defines = [f"-D{define}" for define in board.defines]
+    library = build.library(board.target, defines, variant)
+    demo = [*defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
+    paths = [ROOT / "boards/demo/main.cpp", ROOT / "boards/demo/demo.cpp", ROOT / f"boards/demo/report_{report}.cpp",
+             *sorted(board.folder.glob("*.cpp")), *(ROOT / source for source in board.sources)]
+    if report == "semihosting":
+        paths.append(ROOT / "hal/mcu/emulated/panic.cpp")
+    own = [build.compile(board.target, "-Os", path, demo, board.name) for path in paths]
+    name = board.name + (".elf" if report == "semihosting" else ".hardware.elf")
+    return build.image(board.target, [*own, *library], board.folder / "memory.ld", name)
+
+
+def read_run(text):
+    run, scene = Run({}, {}, []), None
+    for words in map(str.split, text.splitlines()):
+        if words[:1] == ["scene"]:
+            scene = run.scenes.setdefault(words[1], [])
+        elif words[:1] == ["frame"] and len(words) == 5:
+            scene.append(Frame(words[1], *map(int, words[2:])))
+        elif len(words) == 2 and words[1].isdigit():
+            run.memory[words[0]] = int(words[1])
+        elif words:
+            run.problems.append(" ".join(words))
+    return run
+
+
+def per_scene(board, value):
+    """One cell: a value for each scene of the board, `-` for those left out."""
+    return "/".join([value(scene) for scene in board.scenes] + ["-" for _ in board.left_out])
+
+
+def short(n):
+    return f"{n / 1e6:.2f}M" if n >= 1e5 else f"{n / 1e3:.1f}k" if n >= 1e4 else str(round(n))
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def check(board, image, host, frames):
+    """The row of a board, and what is wrong."""
+    run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
+    wrong = list(run.problems)
+    expected = twin.play(host, board, frames)
+    for scene in board.scenes:
+        ours, theirs = [f.hash for f in run.scenes.get(scene, [])], [f.hash for f in expected[scene]]
+        if ours != theirs:
+            first = next((i for i, pair in enumerate(zip(ours, theirs)) if pair[0] != pair[1]), min(len(ours), len(theirs)))
+            wrong.append(f"{scene}: frame {first} differs from the simulated board's")
+    size = firmware.sizes(board.target, image)
+    flash = sum(size.get(s, 0) for s in (".text", ".ARM.exidx", ".data"))
+    ram = sum(size.get(s, 0) for s in (".data", ".bss", ".noinit")) - run.memory.get("arena", 0) + run.memory.get("peak", 0)
+
+    def steady(scene):  # the first frame of a scene sends all of the panel
+        return run.scenes[scene][1:] or run.scenes[scene]
+
+    row = {"board": board.name, "flash": flash, "ram": ram, "stack": run.memory.get("stack", 0), "scenes": {}}
+    for scene in board.scenes:
+        if run.scenes.get(scene):
+            fragments = mean(f.fragments for f in expected[scene])
+            sent = [b.bytes - a.bytes for a, b in zip(run.scenes[scene], run.scenes[scene][1:])]
+            row["scenes"][scene] = {"drawing": round(mean(f.drawing for f in run.scenes[scene])),
+                                    "presenting": round(mean(f.presenting for f in steady(scene))),
+                                    "fragments": round(fragments), "bus_bytes": round(mean(sent or [0])), "frames": len(run.scenes[scene])}
+    return row, wrong
+
+
+def cells(board, row, wrong):
+    def of(key):
+        return per_scene(board, lambda scene: key(row["scenes"][scene]) if scene in row["scenes"] else "?")
+
+    return [board.name, str(row["flash"]), str(row["ram"]), str(row["stack"]), of(lambda s: short(s["drawing"] + s["presenting"])),
+            of(lambda s: f"{s['drawing'] / max(s['fragments'], 1):.0f}"), of(lambda s: short(s["bus_bytes"])), of(lambda s: str(s["frames"])),
+            "no" if wrong else "yes"]
+
+
+HEADER = ["board", "flash", "ram", "stack", "instr_per_frame", "instr_per_fragment", "bus_bytes", "frames", "equal"]
+
+
+def print_table(rows):
+    widths = [max(len(line[i]) for line in [HEADER, *rows]) for i in range(len(HEADER))]
+    for line in [HEADER, *rows]:
+        print("  ".join(cell.ljust(width) if i == 0 else cell.rjust(width) for i, (cell, width) in enumerate(zip(line, widths))))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("boards", nargs="*", metavar="BOARD")
+    parser.add_argument("--host", required=True, type=pathlib.Path, help="the program spangle_twin")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/boards", help="where images go")
+    parser.add_argument("--frames", type=int, default=30, help="of each scene")
+    parser.add_argument("--list", action="store_true", help="only names the boards")
+    parser.add_argument("--hardware", action="store_true", help="only builds images for real boards, without reports")
+    arguments = parser.parse_args()
+    known = discover()
+    unknown = [name for name in arguments.boards if name not in known]
+    if unknown:
+        parser.error(f"no board {', '.join(unknown)}; there are {', '.join(known)}")
+    boards = [known[name] for name in arguments.boards or known]
+    if arguments.list:
+        print("\n".join(board.name for board in boards))
+        return 0
+    missing = firmware.missing({board.target for board in boards})
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (./dev setup --all installs them)")
+        return 77
+    build = firmware.Build(arguments.build)
+    images = {board.name: add_image(build, board, "silent" if arguments.hardware else "semihosting") for board in boards}
+    build.run()
+    if arguments.hardware:
+        print("\n".join(str(image) for image in images.values()))
+        return 0
+
+    with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
+        results = list(pool.map(lambda board: check(board, images[board.name], arguments.host, arguments.frames), boards))
+    print_table([cells(board, row, wrong) for board, (row, wrong) in zip(boards, results)])
+    for board, (_, wrong) in zip(boards, results):
+        for scene, why in board.left_out.items():
+            print(f"{board.name}: {scene} is left out: {why}")
+        for problem in wrong:
+            print(f"{board.name}: {problem}")
+    return 1 if any(wrong for _, wrong in results) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,126 @@
+"""How firmware is built: compilers and flags of the emulated processors, a Ninja file, and a run in QEMU.
+
+Boards and benchmarks use the same; nothing here knows a board.
+"""
+import dataclasses
+import os
+import pathlib
+import shutil
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal", "hal/mcu", "boards")]
+FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-tree-loop-distribute-patterns",
+         "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *INCLUDES]
+CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "hal/bus", "hal/panel", "hal/display",
+        "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
+HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
+# The scenes and their objects, boards/scenes.
+SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
+          "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket"}
+CCACHE = ["ccache"] if shutil.which("ccache") else []
+THUMB = ["-mthumb", "-mfloat-abi=soft"]
+# The Arm package's C++ headers serve RISC-V too: same compiler version, headers only.
+RISCV_HEADERS = ["-isystem", "/usr/include/newlib/c++/12.2.1", "-isystem", "/usr/include/newlib/c++/12.2.1/arm-none-eabi",
+                 "-isystem", "/usr/lib/picolibc/riscv64-unknown-elf/include"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Target:
+    """A processor: its compiler, what tells it about the processor, and the folder of its start-up."""
+    prefix: str
+    machine: tuple
+    startup: str
+    headers: tuple = ()
+
+
+def _cortex_m(cpu):
+    return Target("arm-none-eabi-", (f"-mcpu={cpu}", *THUMB), "hal/mcu/cortex_m")
+
+
+TARGETS = {cpu: _cortex_m(cpu) for cpu in ("cortex-m0", "cortex-m0plus", "cortex-m3", "cortex-m4", "cortex-m7", "cortex-m33", "cortex-m55")}
+TARGETS["cortex-a9"] = Target("arm-none-eabi-", ("-mcpu=cortex-a9", *THUMB), "hal/mcu/cortex_a")
+TARGETS["rv32imac"] = Target("riscv64-unknown-elf-", ("-march=rv32imac", "-mabi=ilp32"), "hal/mcu/riscv", tuple(RISCV_HEADERS))
+
+
+def missing(targets):
+    """The programs that are not installed but needed for these targets."""
+    wanted = {TARGETS[t].prefix + "g++" for t in targets}
+    wanted |= {"qemu-system-riscv32" if t.startswith("rv") else "qemu-system-arm" for t in targets}
+    return sorted(program for program in wanted if shutil.which(program) is None)
+
+
+def sources():
+    """(room, file) of the core."""
+    for room in CORE:
+        for path in sorted((ROOT / room).glob("*.cpp")):
+            if not path.name.endswith("_reference.cpp"):
+                yield room, path
+
+
+class Build:
+    """A folder of objects and images, brought up to date by one run of Ninja."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder).resolve()
+        self.lines = ["rule compile", "  description = $out", "  command = $compiler $flags -MMD -MF $out.d -c $in -o $out", "  depfile = $out.d", "  deps = gcc",
+                      "rule link", "  description = $out", "  command = $compiler $flags -nostartfiles -nostdlib -Wl,--gc-sections $in -lgcc -o $out"]
+        self.known = set()
+
+    def compile(self, target, optimize, source, defines=(), variant=""):
+        """The object of one source; `variant` tells builds with other definitions apart."""
+        chosen = TARGETS[target]
+        name = str(pathlib.Path(source).relative_to(ROOT)).replace("/", "_")
+        out = self.folder / "objects" / target / variant / (name + ".o")
+        if out not in self.known:
+            self.known.add(out)
+            flags = [*FLAGS, *chosen.machine, *chosen.headers, optimize, *defines]
+            self.lines += [f"build {out}: compile {source}", f"  compiler = {' '.join([*CCACHE, chosen.prefix + 'g++'])}",
+                           "  flags = " + " ".join(f"'{flag}'" for flag in flags)]
+        return out
+
+    def library(self, target, defines=(), variant=""):
+        """Objects of the core, the scenes and what every processor's programs start with."""
+        objects = [self.compile(target, "-O2" if room in HOT else "-Os", path, defines, variant) for room, path in sources()]
+        objects += [self.compile(target, "-O2", path, defines, variant) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
+        startup = [ROOT / "hal/mcu/memory.cpp", *sorted((ROOT / TARGETS[target].startup).glob("*.[cS]*"))]
+        return objects + [self.compile(target, "-Os", path, defines, variant) for path in startup]
+
+    def image(self, target, objects, script, name):
+        """An ELF file from these objects, laid out by a linker script."""
+        out = self.folder / name
+        chosen = TARGETS[target]
+        inputs = " ".join(str(o) for o in objects)
+        self.lines += [f"build {out}: link {inputs} | {script}", f"  compiler = {chosen.prefix}g++",
+                       f"  flags = {' '.join(chosen.machine)} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--no-warn-rwx-segments"]
+        return out
+
+    def run(self):
+        self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / "build.ninja").write_text("\n".join(self.lines) + "\n")
+        done = subprocess.run(["ninja", "--quiet", "-C", str(self.folder), *(["-j", os.environ["JOBS"]] if "JOBS" in os.environ else [])],
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            raise RuntimeError(f"the firmware does not build:\n{done.stdout[-8000:]}{done.stderr}")
+
+
+def qemu(machine, image, arguments=(), options=()):
+    """The command that runs an image; `machine` begins with the emulator. The program's own arguments come by semihosting."""
+    words = "".join(f",arg={word}" for word in ("spangle", *arguments))
+    return [machine[0], *machine[1:], *options, "-display", "none", "-serial", "null",
+            "-semihosting-config", f"enable=on,target=native{words}", "-kernel", str(image)]
+
+
+def emulate(machine, image, arguments=(), options=(), status=0, timeout=300):
+    """What the program prints until it ends with this exit status."""
+    done = subprocess.run(["timeout", str(timeout), *qemu(machine, image, arguments, ("-monitor", "none", *options))], capture_output=True,
+                          text=True, env={**os.environ, "QEMU_AUDIO_DRV": "none"})
+    if done.returncode != status:
+        raise RuntimeError(f"{image.name} on {machine[2]}: exit {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+def sizes(target, image):
+    """{section: bytes} of an image."""
+    text = subprocess.run([TARGETS[target].prefix + "size", "-A", str(image)], capture_output=True, text=True, check=True).stdout
+    return {words[0]: int(words[1]) for words in map(str.split, text.splitlines()) if len(words) == 3 and words[1].isdigit()}

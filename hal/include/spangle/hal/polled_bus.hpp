@@ -1,0 +1,64 @@
+// A bus without interrupts: submit() returns when the last byte is on the wire. The simplest thing that
+// works on a new microcontroller; DmaBus draws while it sends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/bus.hpp>
+#include <spangle/hal/bus_memory.hpp>
+
+namespace spangle::hal {
+
+/// One SPI, 8080 or I2C block and the lines beside it, as a board wires them. Every call returns when it is
+/// done, or with the fault it ended with.
+class PolledPort {
+  public:
+    /// Commands or data follow, until the next begin() or end(): chip select and the D/C line, a start byte
+    /// behind chip select, or an I2C message and its control byte.
+    virtual Fault begin(bool data) = 0;
+    virtual Fault write(const std::uint8_t* bytes, std::uint32_t count) = 0;
+    /// Answers follow a command of the same message.
+    virtual Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) = 0;
+    /// The last bit has left: chip select rises, STOP.
+    virtual void end() = 0;
+    virtual void reset(bool low) = 0;
+    virtual void pause(std::uint32_t micros) = 0;
+
+  protected:
+    ~PolledPort() = default;
+};
+
+class PolledBus final : public Bus {
+  public:
+    PolledBus(PolledPort& port, const BusCaps& caps, Buffer memory)
+        : port_(port), caps_(caps), buffers_(memory) {}
+
+    BusCaps caps() const override { return caps_; }
+    Result<Buffer> acquire(std::size_t size) override { return buffers_.take(size); }
+    /// A list that fails half-way ends there; wait() tells.
+    Result<Token> submit(const Op* ops, std::size_t count) override;
+    bool done(Token) const override { return true; }
+    Result<void> wait(Token token, std::uint32_t timeout_micros) override;
+
+    /// Commands, parameters and pixels sent so far; wraps.
+    std::uint32_t bytes() const { return bytes_; }
+
+  private:
+    Fault run(const Op& op);
+    Fault send(bool data, const std::uint8_t* bytes, std::uint32_t count);
+    Fault send_pixels(const Op& op);
+    Fault send_repeat(const Op& op);
+    Fault read(const Op& op);
+    void end_message();
+
+    PolledPort& port_;
+    BusCaps caps_;
+    BusMemory buffers_;
+    bool open_ = false, data_ = false; ///< a message is under way, and which
+    std::uint32_t last_token_ = 0;
+    std::uint32_t bytes_ = 0;
+    Fault outcome_ = Fault::none; ///< of the last list
+};
+
+} // namespace spangle::hal

@@ -1,0 +1,55 @@
+// Instructions executed, when QEMU runs with `-icount shift=0`: one instruction is one nanosecond of virtual
+// time, which some timer of each processor counts. On a real chip these count clocks.
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/mcu/systick.hpp>
+
+namespace spangle::mcu {
+
+/// One count at a time, of less than 2^32 instructions; on Cortex-M of less than 2^24 clocks, and no pause
+/// meanwhile.
+class InstructionCount {
+  public:
+    explicit InstructionCount(std::uint32_t clock_hz) : clock_hz_(clock_hz) {}
+
+    void begin() {
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+        reg(SysTick::control) = 0;
+        reg(SysTick::reload) = SysTick::most_ticks;
+        reg(SysTick::current) = 0;
+        reg(SysTick::control) = SysTick::enable | SysTick::processor_clock;
+#endif
+        begin_ = now();
+    }
+    std::uint32_t end() const {
+        const std::uint32_t after = now();
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+        const std::uint32_t ticks = (begin_ - after) & SysTick::most_ticks; // it counts down
+        return static_cast<std::uint32_t>(std::uint64_t{ticks} * 1000000000u / clock_hz_);
+#else
+        return after - begin_;
+#endif
+    }
+
+  private:
+    static std::uint32_t now() {
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+        return reg(SysTick::current);
+#elif defined(__riscv)
+        std::uint32_t value;
+        asm volatile(".option push\n.option arch, +zicsr\nrdinstret %0\n.option pop" : "=r"(value));
+        return value;
+#else
+        std::uint32_t value; // PMCCNTR; start-up turned it on
+        asm volatile("mrc p15, 0, %0, c9, c13, 0" : "=r"(value));
+        return value;
+#endif
+    }
+
+    [[maybe_unused]] std::uint32_t clock_hz_;
+    std::uint32_t begin_ = 0;
+};
+
+} // namespace spangle::mcu

@@ -1,0 +1,42 @@
+// The display connector of Arm's MPS2 and MPS3 boards: a PL022 and, in the FPGA's I/O block, chip select,
+// reset and back light (AN385, 4.3, "FPGAIO MISC": bits 0, 3, 6).
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/board.hpp>
+#include <spangle/hal/polled_bus.hpp>
+#include <spangle/mcu/pl022.hpp>
+#include <spangle/mcu/registers.hpp>
+#include <spangle/mcu/spi_port.hpp>
+#include <spangle/mcu/systick.hpp>
+
+namespace spangle::mcu {
+
+/// Where the FPGA image puts the blocks, and its clock.
+struct Mps2 {
+    std::uintptr_t spi, fpgaio;
+    std::uint32_t clock_hz;
+
+    constexpr RegisterPin misc(unsigned bit) const { return {fpgaio + 0x4C, bit}; }
+};
+
+/// An MPS2 board's own display; `board` says how it is turned.
+template <const hal::Board& board, const Mps2& blocks> class Mps2Display {
+  public:
+    hal::Display& start() {
+        Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});
+        blocks.misc(6).set(true); // back light
+        return display_;
+    }
+    std::uint32_t bus_bytes() const { return bus_.bytes(); }
+
+  private:
+    StartBytePort<Pl022, RegisterPin, RegisterPin, SysTick> port_{Pl022(blocks.spi), blocks.misc(0),
+                                                                  blocks.misc(3), SysTick{blocks.clock_hz}};
+    hal::BusMemoryOf<board> frames_;
+    hal::PolledBus bus_{port_, hal::bus_caps(board), frames_.buffer()};
+    hal::BoardDisplay<board> display_{bus_};
+};
+
+} // namespace spangle::mcu

@@ -1,0 +1,29 @@
+// How a program ends that cannot go on: with a record of why, in one place.
+#pragma once
+
+#include <cstdint>
+
+namespace spangle::mcu {
+
+enum class Cause : std::uint32_t {
+    fault,          ///< the processor could not execute or access something
+    stack_overflow, ///< the stack's lower end was passed
+    interrupt,      ///< one nobody asked for
+    returned,       ///< main() did; `status` is its value
+};
+
+struct Panic {
+    Cause cause;
+    std::uint32_t pc;     ///< of the instruction; 0 where the stack could not take it
+    std::uint32_t status; ///< CFSR (Cortex-M), DFSR (Cortex-A), mcause (RISC-V)
+};
+
+constexpr const char* name_of(Cause cause) {
+    constexpr const char* names[] = {"fault", "stack overflow", "interrupt", "returned"};
+    return names[static_cast<std::uint32_t>(cause)];
+}
+
+/// The program's own: start-up calls it, on a stack that is whole. Reset, blink, report, sleep.
+[[noreturn]] void panic(const Panic& panic);
+
+} // namespace spangle::mcu
