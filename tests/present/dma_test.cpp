@@ -159,6 +159,103 @@ TEST(DmaBus, ScenesAreDrawnWhileTheLastFrameIsMoved) {
         }
 }
 
+/// Controllers that take everything but pixels with D/C low; pixels go out in another format than GL's.
+TEST(DmaBus, DrivesPanelsOfEveryKindOfCommand) {
+    for (const hal::Board* board : {&boards::ssd1306_spi, &boards::ssd1327_spi, &boards::ssd1351_spi,
+                                    &boards::ssd1331_spi, &boards::st7735_128x160}) {
+        SCOPED_TRACE(board->name);
+        hal::Board two = *board;
+        two.display.buffers = two.display.wire.converts() ? 1 : 2;
+        sim::SimBoard sim(two);
+        ASSERT_TRUE(test::play(sim.display(), *scenes::find("HUD"), 3));
+        Firmware firmware(two);
+        ASSERT_TRUE(
+            test::play(firmware.display, *scenes::find("HUD"), 3, [&] { firmware.port.pass(20'000'000); }));
+        ASSERT_TRUE(firmware.display.finish().ok());
+        EXPECT_EQ(sim::hash(firmware.glass()), sim::hash(sim.glass()));
+        EXPECT_TRUE(firmware.controller->violations().empty())
+            << firmware.controller->violations().front().text;
+    }
+}
+
+/// What the port was told to move, at once.
+struct LoggingPort final : hal::DmaPort {
+    struct Piece {
+        bool data;
+        std::vector<std::uint8_t> bytes;
+        bool operator==(const Piece&) const = default;
+    };
+    hal::DmaBus* bus = nullptr;
+    std::vector<Piece> pieces;
+    void write(bool data, const std::uint8_t* bytes, std::uint32_t count) override {
+        pieces.push_back({data, {bytes, bytes + count}});
+    }
+    void read(std::uint8_t, std::uint8_t*, std::uint32_t) override {}
+    void pause(std::uint32_t) override {}
+    void wait_te(std::uint32_t) override {}
+    void select(bool) override {}
+    void reset(bool) override {}
+    std::uint32_t micros() override { return 0; }
+};
+
+std::vector<LoggingPort::Piece> moved(const hal::Op& op) {
+    LoggingPort port;
+    hal::Op ops[1];
+    hal::DmaBus bus(port, {}, {nullptr, 0, ops, 1});
+    const auto token = bus.submit(&op, 1);
+    EXPECT_TRUE(token.ok());
+    for (int interrupts = 0; !bus.done(token.value()) && interrupts < 1000; ++interrupts)
+        bus.step();
+    EXPECT_TRUE(bus.done(token.value()));
+    return port.pieces;
+}
+
+TEST(DmaBus, RowsAndPatternsArriveWhole) {
+    std::uint8_t bytes[40];
+    for (int i = 0; i < 40; ++i)
+        bytes[i] = static_cast<std::uint8_t>(i + 1);
+    hal::Op op;
+    op.kind = hal::Op::Kind::pixels;
+    op.data = bytes;
+    op.length = 6;
+    op.rows = 5;
+    for (const std::int32_t stride : {6, 8, -6}) {
+        SCOPED_TRACE(stride);
+        op.stride = stride;
+        op.data = stride < 0 ? bytes + 30 : bytes;
+        const auto pieces = moved(op);
+        EXPECT_EQ(pieces.size(), stride == 6 ? 1u : 5u) << "rows that touch are one piece";
+        std::vector<std::uint8_t> all, wanted;
+        for (const auto& piece : pieces) {
+            EXPECT_TRUE(piece.data);
+            all.insert(all.end(), piece.bytes.begin(), piece.bytes.end());
+        }
+        for (int row = 0; row < 5; ++row)
+            wanted.insert(wanted.end(), op.data + row * stride, op.data + row * stride + 6);
+        EXPECT_EQ(all, wanted);
+    }
+    op.kind = hal::Op::Kind::repeat;
+    op.data = bytes;
+    for (const std::uint32_t length : {1u, 2u, 3u, 4u})
+        for (const std::uint32_t rows : {1u, 12u, 16u, 17u, 24u, 25u, 48u, 49u, 101u}) {
+            op.length = length;
+            op.rows = rows;
+            std::vector<std::uint8_t> all;
+            for (const auto& piece : moved(op))
+                all.insert(all.end(), piece.bytes.begin(), piece.bytes.end());
+            ASSERT_EQ(all.size(), std::size_t{length} * rows);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                ASSERT_EQ(all[i], bytes[i % length]) << length << ", " << rows << " at " << i;
+        }
+    op.kind = hal::Op::Kind::command;
+    op.command = 0xAA;
+    op.length = 2;
+    using Pieces = std::vector<LoggingPort::Piece>;
+    EXPECT_EQ(moved(op), (Pieces{{false, {0xAA}}, {true, {1, 2}}}));
+    op.parameters_are_commands = true;
+    EXPECT_EQ(moved(op), (Pieces{{false, {0xAA}}, {false, {1, 2}}}));
+}
+
 TEST(DmaBus, ReadsPollsAndWaits) {
     hal::Board board = board_of(false);
     board.display.poll_line = true;
