@@ -15,7 +15,7 @@ namespace {
 
 using list::Word;
 
-constexpr std::uint32_t head_words = 3;
+constexpr std::uint32_t map_words = 3;
 
 std::uint32_t entry_bytes(GLenum type, GLsizei size) {
     return static_cast<std::uint32_t>(size) * (type == GL_UNSIGNED_SHORT ? 2 : 4);
@@ -25,8 +25,8 @@ std::uint32_t entry_bytes(GLenum type, GLsizei size) {
 const Word* play_pixel_map(Context& context, const Word* words) {
     const auto size = static_cast<GLsizei>(words[1]);
     if (list::allowed_outside(context, family::PixelMap::refusal))
-        cmd::PixelMap(context, words[0], size, {words + head_words, words[2]});
-    return words + head_words + (entry_bytes(words[2], size) + 3) / 4;
+        cmd::PixelMap(context, words[0], size, {words + map_words, words[2]});
+    return words + map_words + (entry_bytes(words[2], size) + 3) / 4;
 }
 
 } // namespace
@@ -35,13 +35,13 @@ void encode::PixelMap(Context& context, GLenum map, GLsizei size, const Values& 
     if (const GLenum code = pixel_map_error(map, size, values); code != GL_NO_ERROR)
         return list::record_error(context, code, false);
     const std::uint32_t bytes = entry_bytes(values.type, size);
-    Word* const to = list::record(context, &play_pixel_map, head_words + (bytes + 3) / 4);
+    Word* const to = list::record(context, &play_pixel_map, map_words + (bytes + 3) / 4);
     if (to == nullptr)
         return;
     to[0] = map;
     to[1] = static_cast<Word>(size);
     to[2] = values.type;
-    std::memcpy(to + head_words, values.at, bytes);
+    std::memcpy(to + map_words, values.at, bytes);
 }
 
 } // namespace spangle::gl

@@ -66,7 +66,7 @@ int usable_levels(const TextureObject& texture) {
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
     return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
-           shape.border_along(0) * texel_bytes(shape.format);
+           shape.border_along(0) * texel_size(shape.format);
 }
 
 raster::TextureLevel view_of(const LevelImage& image) {

@@ -8,7 +8,7 @@ std::uint32_t palette_bytes(GLenum internal_format) {
     if (!is_palette(internal_format))
         return 0;
     const std::uint32_t entries = has_small_palette(internal_format) ? 16 : 256;
-    return entries * texel_bytes(palette_format_of(internal_format));
+    return entries * texel_size(palette_format_of(internal_format));
 }
 
 std::uint32_t compressed_bytes(GLenum internal_format, std::uint32_t width, std::uint32_t height) {

@@ -25,7 +25,7 @@ class Copy {
 
     /// Pixels from (x, y) on into a box one texel deep.
     void run(const TexelBox& box, GLint x, GLint y) const {
-        const std::size_t bytes = texel_bytes(image_.shape.format);
+        const std::size_t bytes = texel_size(image_.shape.format);
         for (std::uint32_t j = 0; j < box.size[1]; ++j)
             for (std::uint32_t i = 0; i < box.size[0]; ++i) {
                 const std::int64_t px = std::int64_t{x} + i, py = std::int64_t{y} + j;

@@ -45,7 +45,7 @@ void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayo
     const std::uint8_t* texel = image.texels;
     for (unsigned z = 0; z < shape.size[2]; ++z, slice += next_image)
         for (unsigned y = 0; y < shape.size[1]; ++y)
-            for (unsigned x = 0; x < shape.size[0]; ++x, texel += texel_bytes(shape.format))
+            for (unsigned x = 0; x < shape.size[0]; ++x, texel += texel_size(shape.format))
                 pack_pixel(layout, pack.swap_bytes, components_of(shape.format, bits, texel),
                            slice + y * rows.stride + x * std::size_t{layout.group_bytes()});
 }

@@ -141,7 +141,7 @@ bool is_depth(TexelFormat format) {
     return format == TexelFormat::z16 || format == TexelFormat::z24;
 }
 
-unsigned texel_bytes(TexelFormat format) {
+unsigned texel_size(TexelFormat format) {
     return static_cast<unsigned>(raster::texel_bytes(format));
 }
 

@@ -19,7 +19,7 @@ raster::BaseFormat base_format_of(raster::TexelFormat format, GLenum internal_fo
 
 bool is_depth(raster::TexelFormat format);
 
-unsigned texel_bytes(raster::TexelFormat format);
+unsigned texel_size(raster::TexelFormat format);
 
 /// Bits of R, G, B, A as a texel keeps them. Luminance and intensity come from R, as does depth (table 3.15).
 ColorBits texel_bits(raster::TexelFormat format);

@@ -12,7 +12,7 @@
 namespace spangle::gl {
 
 LevelImage* new_image(Arena& arena, const LevelShape& shape) {
-    const std::uint32_t stride = shape.size[0] * texel_bytes(shape.format);
+    const std::uint32_t stride = shape.size[0] * texel_size(shape.format);
     const std::uint64_t bytes = std::uint64_t{stride} * shape.size[1] * shape.size[2];
     if (bytes > INT32_MAX)
         return nullptr;

@@ -63,8 +63,7 @@ class Halving {
         const auto at = [&](std::int32_t v, unsigned axis) {
             return static_cast<std::size_t>(v + border_[axis]);
         };
-        return at(z, 2) * image.slice() + at(y, 1) * image.stride +
-               at(x, 0) * texel_bytes(image.shape.format);
+        return at(z, 2) * image.slice() + at(y, 1) * image.stride + at(x, 0) * texel_size(image.shape.format);
     }
 
     const LevelImage& from_;

@@ -110,7 +110,7 @@ bool same_layout(const PixelLayout& layout, TexelFormat format) {
                               : format == TexelFormat::rgba4444 || format == TexelFormat::rgba5551 ? 4
                                                                                                    : 0;
         bool same = layout.components == kept && first == Channel::red &&
-                    layout.element_bytes == texel_bytes(format) && layout.shift[0] != 0;
+                    layout.element_bytes == texel_size(format) && layout.shift[0] != 0;
         for (unsigned i = 0; i < kept; ++i)
             same = same && layout.bits[i] == bits.of[i];
         return same;
@@ -166,7 +166,7 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
                   const void* pixels) {
     const PixelStore& unpack = context.pixel_store.unpack;
     const TexelFormat format = image.shape.format;
-    const unsigned bytes = texel_bytes(format);
+    const unsigned bytes = texel_size(format);
     const RowOfTexels texels(context, layout, format);
     const bool copy = texels.copies(layout);
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));

@@ -41,7 +41,7 @@ bool is_proxy(GLenum token) {
 }
 
 /// Says what is missing when the kind is not in this build.
-bool present(Context& context, TextureKind kind) {
+bool has_kind(Context& context, TextureKind kind) {
     const char* missing = nullptr;
     if (kind == TextureKind::one && !SPANGLE_FEATURE_TEXTURE_1D)
         missing = SPANGLE_TEXT("this build has no SPANGLE_FEATURE_TEXTURE_1D");
@@ -64,7 +64,7 @@ bool find_texture_target(Context& context, GLenum token, TextureKind& out) {
         error(context, GL_INVALID_ENUM);
         return false;
     }
-    return present(context, out);
+    return has_kind(context, out);
 }
 
 bool find_image_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out) {
@@ -76,7 +76,7 @@ bool find_image_target(Context& context, GLenum token, unsigned dimensions, Imag
     out.proxy = is_proxy(token);
     out.face =
         is_face(token) ? static_cast<std::uint8_t>(token - GL_TEXTURE_CUBE_MAP_POSITIVE_X) : std::uint8_t{0};
-    return present(context, out.kind);
+    return has_kind(context, out.kind);
 }
 
 bool find_stored_target(Context& context, GLenum token, unsigned dimensions, ImageTarget& out) {

@@ -8,10 +8,6 @@ namespace spangle::raster {
 
 namespace {
 
-bool is_565(PixelFormat format) {
-    return format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le;
-}
-
 bool unit_on(const TextureUnit& unit) {
     return unit.texture != nullptr;
 }

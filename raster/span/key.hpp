@@ -24,6 +24,10 @@ struct UnitKey {
     friend constexpr bool operator==(const UnitKey&, const UnitKey&) = default;
 };
 
+constexpr bool is_565(PixelFormat format) {
+    return format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le;
+}
+
 struct Key {
     Number number{};
     Kind kind{};

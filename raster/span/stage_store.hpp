@@ -9,10 +9,6 @@
 
 namespace spangle::raster {
 
-constexpr bool is_565(PixelFormat format) {
-    return format == PixelFormat::rgb565_be || format == PixelFormat::rgb565_le;
-}
-
 /// 16-bit words of a 565 surface, host order.
 template <class L, PixelFormat Format> struct Words565 {
     static constexpr bool swaps =
