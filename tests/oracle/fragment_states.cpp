@@ -1,4 +1,5 @@
 // Tests and operations of fragments (GL 1.3, chapter 4): rectangles over a background of all values.
+#include "tests/oracle/random_values.hpp"
 #include "tests/oracle/state_families.hpp"
 
 namespace spangle::oracle {
@@ -7,12 +8,6 @@ namespace {
 
 using test::Random;
 
-template <int N> GLenum one_of(Random& random, const GLenum (&values)[N]) {
-    return values[random.below(N)];
-}
-bool often(Random& random, std::uint32_t of) {
-    return random.below(of) != 0;
-}
 void toggle(Random& random, GLenum cap, std::uint32_t of) {
     often(random, of) ? glEnable(cap) : glDisable(cap);
 }

@@ -12,6 +12,8 @@ const std::vector<Family>& all_families() {
         std::vector<Family> all;
         add_fragment_families(all);
         add_pixel_families(all);
+        add_texture_families(all);
+        add_texture_update_families(all);
         return all;
     }();
     return families;
