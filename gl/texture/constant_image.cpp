@@ -35,7 +35,7 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
     LevelShape shape;
     if (!shape_of(context, request, shape))
         return;
-    const std::uint32_t stride = shape.size[0] * texel_bytes(shape.format), bytes = stride * shape.size[1];
+    const std::uint32_t stride = shape.size[0] * texel_size(shape.format), bytes = stride * shape.size[1];
     if (request.target.proxy) {
         context.texture.proxy[index_of(request.target.kind)][request.level] = shape;
         return;
@@ -46,7 +46,7 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
             SPANGLE_TEXT("glTexConstantImage2DSPANGLE: imageSize is not that of the format and sizes, "
                          "a border, or a null pointer"));
     // Texels of 16 bits are read as words.
-    if (texel_bytes(shape.format) == 2 && (reinterpret_cast<std::uintptr_t>(data) & 1) != 0)
+    if (texel_size(shape.format) == 2 && (reinterpret_cast<std::uintptr_t>(data) & 1) != 0)
         return error(context, GL_INVALID_VALUE,
                      SPANGLE_TEXT("glTexConstantImage2DSPANGLE: texels of 16 bits at an odd address"));
     auto* const image = static_cast<LevelImage*>(context.share->arena.allocate(sizeof(LevelImage)));
