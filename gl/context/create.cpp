@@ -125,6 +125,13 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     }
 }
 
+void move_drawable(Context& context, const raster::Surface& surface, bool read_too) {
+    context.drawable.surface = surface;
+    if (read_too)
+        context.drawable.read = surface;
+    context.changed(dirty_fragment);
+}
+
 void read_from(Context& context, const raster::Surface& surface, bool double_buffered) {
     context.drawable.read = surface;
     context.drawable.read_double_buffered = double_buffered;

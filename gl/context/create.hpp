@@ -24,6 +24,9 @@ void destroy_context(Context* context);
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
                   void (*show)(bool finish) = nullptr);
 
+/// Its drawable shows another part of itself, or lies elsewhere.
+void move_drawable(Context& context, const raster::Surface& surface, bool read_too);
+
 /// After that: pixels are read from another surface than they are drawn to (ReadPixels, ReadBuffer).
 void read_from(Context& context, const raster::Surface& surface, bool double_buffered);
 

@@ -198,7 +198,8 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
     case EGL_CLIENT_APIS:
         return "OpenGL";
     case EGL_EXTENSIONS:
-        return "EGL_EXT_buffer_age EGL_SPANGLE_precision";
+        return SPANGLE_FEATURE_BANDS ? "EGL_EXT_buffer_age EGL_SPANGLE_precision EGL_SPANGLE_bands"
+                                     : "EGL_EXT_buffer_age EGL_SPANGLE_precision";
     default:
         fail(EGL_BAD_PARAMETER);
         return nullptr;

@@ -9,6 +9,7 @@
 
 #include "gl/context/arena.hpp"
 #include "gl/context/create.hpp"
+#include "gl/context/features.hpp"
 
 namespace spangle::egl {
 
@@ -17,6 +18,16 @@ struct Config {
     PixelFormat format{};
     DepthFormat depth{};
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
+};
+
+/// What of a window is in memory, where that is not all of it.
+struct Band {
+    std::int32_t height = 0;          ///< rows of depth, stencil and accumulation; 0: all
+    bool colors = false;              ///< and of colours: the display has no whole frame either
+    std::int32_t first = 0, rows = 0; ///< from the top: what is drawn to now
+    RowExtents extents;               ///< of these rows
+    bool cleared = false;             ///< all bands of this frame so far, to clear_value
+    std::uint32_t clear_value = 0;
 };
 
 struct Surface {
@@ -31,6 +42,9 @@ struct Surface {
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
     hal::Frame frame; ///< of a window
+    Band band;
+
+    bool in_bands() const { return SPANGLE_FEATURE_BANDS && band.height != 0; }
 };
 
 struct Context {
@@ -77,10 +91,22 @@ void release(Display& display, Surface* surface);
 void release(Display& display, Context* context);
 
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
-raster::Surface pixels_of(const Surface& surface);
+raster::Surface pixels_of(Surface& surface);
 
 /// Hands the surfaces of this thread to its context; again after a window got another buffer.
 void attach_surfaces();
+
+/// Asks the display for the buffer of the next frame.
+bool next_frame(Display& display, Surface& surface);
+
+/// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.
+EGLint choose_band(const Display& display, EGLint wish, Band& band);
+
+/// `out` is a view on the whole window: cuts it to the band.
+void show_band(Surface& surface, raster::Surface& out);
+
+/// Draws and presents one frame of a window in bands.
+bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data);
 
 /// Presents what was drawn to a window of this thread and attaches the next frame's buffer.
 bool present(Display& display, Surface& surface);

@@ -24,12 +24,14 @@ constexpr EGLint accum_bits = 16;
 struct Extras {
     bool color = false; ///< a colour buffer from the arena
     bool accum = false;
+    Band band = {};
 };
 
 /// A surface with its buffers, or null with nothing kept.
 Surface* make(const Config& config, std::int32_t width, std::int32_t height, const Extras& extras) {
     gl::Arena& a = arena();
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::int32_t rows = extras.band.height != 0 ? extras.band.height : height;
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
     void* const memory = a.allocate(sizeof(Surface));
     if (memory == nullptr)
         return nullptr;
@@ -37,6 +39,7 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     surface->config = config;
     surface->width = width;
     surface->height = height;
+    surface->band = extras.band;
     bool whole = true;
     const auto plane = [&](bool wanted, std::size_t bytes) -> void* {
         void* const memory_of = wanted ? a.allocate(bytes) : nullptr;
@@ -73,28 +76,27 @@ EGLSurface keep(Display& display, Surface* surface) {
     return surface;
 }
 
-/// Asks the display for the buffer of the next frame.
-bool next_frame(Display& display, Surface& surface) {
-    const hal::Result<hal::Frame> frame = display.native->acquire();
-    if (!frame.ok()) {
-        fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
-        return false;
-    }
-    surface.frame = frame.value();
-    return true;
-}
+struct WindowWish {
+    bool single = false; ///< without a back buffer
+    bool accum = false;
+    EGLint band_height = 0;
+};
 
-/// EGL_SUCCESS, or the error in the list. `single`: a window without a back buffer is wished.
-EGLint read_window(const EGLint* list, bool& single, bool& accum) {
+/// EGL_SUCCESS, or the error in the list.
+EGLint read_window(const EGLint* list, WindowWish& out) {
     EGLint problem = EGL_SUCCESS;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
-        if (read_accum(list, accum, problem))
+        if (read_accum(list, out.accum, problem))
             continue;
+        if (SPANGLE_FEATURE_BANDS && list[0] == EGL_BAND_HEIGHT_SPANGLE) {
+            out.band_height = list[1];
+            continue;
+        }
         if (list[0] != EGL_RENDER_BUFFER)
             return EGL_BAD_ATTRIBUTE;
         if (list[1] != EGL_SINGLE_BUFFER && list[1] != EGL_BACK_BUFFER)
             return EGL_BAD_PARAMETER;
-        single = list[1] == EGL_SINGLE_BUFFER;
+        out.single = list[1] == EGL_SINGLE_BUFFER;
     }
     return problem;
 }
@@ -134,7 +136,24 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
     return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
+/// Where GL row 0 would be in a plane whose first row is row `first` of so many from the top. Addresses are
+/// numbers: of a band, that row is not there.
+std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
+    const auto way = static_cast<std::intptr_t>(rows - 1 - first) * stride;
+    return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
+}
+
 } // namespace
+
+bool next_frame(Display& display, Surface& surface) {
+    const hal::Result<hal::Frame> frame = display.native->acquire();
+    if (!frame.ok()) {
+        fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
+        return false;
+    }
+    surface.frame = frame.value();
+    return true;
+}
 
 void free_surface(Surface* surface) {
     for (void* const plane : {static_cast<void*>(surface->color), static_cast<void*>(surface->depth),
@@ -168,30 +187,36 @@ void show_window(bool finish) {
     thread().error = before;
 }
 
-raster::Surface pixels_of(const Surface& surface) {
+raster::Surface pixels_of(Surface& surface) {
     raster::Surface out;
-    const std::int32_t last = surface.height - 1,
-                       lowest = stored_rows(surface.config.format, surface.height) - 1;
+    const PixelFormat format = surface.config.format;
+    const bool bands = surface.in_bands();
+    const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
+                       first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);
     out.width = surface.width;
     out.height = surface.height;
     out.format = surface.config.format;
     out.depth_format = surface.config.depth;
     if (surface.window) { // top row first
         out.color_stride = -surface.frame.stride;
-        out.color = surface.frame.pixels + static_cast<std::intptr_t>(lowest) * surface.frame.stride;
+        out.color = bottom_row(surface.frame.pixels, color_first / format_info(format).rows, rows,
+                               surface.frame.stride);
         out.extents = surface.frame.extents;
-        out.touched =
-            out.extents != nullptr && out.extents->rows != nullptr ? out.extents->rows + last : nullptr;
+        out.touched = out.extents != nullptr && out.extents->rows != nullptr
+                          ? out.extents->rows + (surface.height - 1)
+                          : nullptr;
         out.touched_step = -1;
     } else {
-        out.color_stride = -row_bytes(surface.config.format, surface.width);
-        out.color = surface.color - static_cast<std::intptr_t>(lowest) * out.color_stride;
+        out.color_stride = -row_bytes(format, surface.width);
+        out.color = bottom_row(surface.color, 0, rows, -out.color_stride);
     }
     if (surface.depth != nullptr) {
         out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);
-        out.depth = surface.depth - static_cast<std::intptr_t>(last) * out.depth_stride;
+        out.depth = bottom_row(surface.depth, first, surface.height, -out.depth_stride);
     }
     out.accum = surface.accum;
+    if (bands)
+        show_band(surface, out);
     return out;
 }
 
@@ -212,29 +237,32 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         problem = EGL_BAD_MATCH;
     if (problem == EGL_SUCCESS && win != 0)
         problem = EGL_BAD_NATIVE_WINDOW;
-    bool single = false, accum = false;
+    WindowWish wish;
+    Band band;
     if (problem == EGL_SUCCESS)
-        problem = read_window(attrib_list, single, accum);
+        problem = read_window(attrib_list, wish);
+    if (problem == EGL_SUCCESS)
+        problem = choose_band(*display, wish.band_height, band);
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
         if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
     if (problem != EGL_SUCCESS) {
         fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
-                                   "and no other window"));
+                                   "no other window, and bands no higher than the display's"));
         return EGL_NO_SURFACE;
     }
     const spangle::hal::DisplayInfo info = display->native->info();
-    Surface* const surface = make(found, info.width, info.height, {false, accum});
+    Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC,
              SPANGLE_TEXT("eglCreateWindowSurface: no memory for the depth buffer; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     surface->window = true;
-    surface->wants_single = single;
+    surface->wants_single = wish.single;
     // A wish that a display which flips buffers cannot grant (EGL 1.4, 3.5.1).
-    surface->back_buffered = !single || !info.keeps_buffer;
-    if (!next_frame(*display, *surface)) {
+    surface->back_buffered = !wish.single || !info.keeps_buffer || surface->in_bands();
+    if (!surface->in_bands() && !next_frame(*display, *surface)) {
         const EGLint error = thread().error;
         free_surface(surface);
         fail(error);
@@ -257,7 +285,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
         return EGL_NO_SURFACE;
     }
     const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
-    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum});
+    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreatePbufferSurface: not enough memory; see spangle::memory"));
         return EGL_NO_SURFACE;
@@ -301,6 +329,9 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         break;
     case EGL_ACCUM_SIZE_SPANGLE:
         *value = s->accum != nullptr ? accum_bits : 0;
+        break;
+    case EGL_BAND_HEIGHT_SPANGLE:
+        *value = s->band.height;
         break;
     case EGL_SWAP_BEHAVIOR:
         *value = EGL_BUFFER_DESTROYED;
@@ -359,6 +390,10 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
         return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
     if (thread().draw != surface)
         return fail(EGL_BAD_SURFACE);
+    if (surface->in_bands())
+        return fail(EGL_BAD_SURFACE,
+                    SPANGLE_TEXT("eglSwapBuffers: no memory holds a frame of this window; draw it by "
+                                 "spangle::frame"));
     return present(*display, *surface) ? succeed() : EGL_FALSE;
 }
 }

@@ -9,11 +9,12 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// What of `area` lies in a surface of the size given.
-spangle::Rect cut(const spangle::Rect& area, std::int32_t width, std::int32_t height) {
-    const std::int32_t w = width - area.x < area.w ? width - area.x : area.w;
-    const std::int32_t h = height - area.y < area.h ? height - area.y : area.h;
-    return {area.x, area.y, w, h};
+/// What two areas have in common; empty where it is nothing.
+spangle::Rect common(const spangle::Rect& a, const spangle::Rect& b) {
+    const auto later = [](std::int32_t v, std::int32_t w) { return v > w ? v : w; };
+    const auto sooner = [](std::int32_t v, std::int32_t w) { return v < w ? v : w; };
+    const std::int32_t x = later(a.x, b.x), y = later(a.y, b.y);
+    return {x, y, sooner(a.x + a.w, b.x + b.w) - x, sooner(a.y + a.h, b.y + b.h) - y};
 }
 
 } // namespace
@@ -33,7 +34,7 @@ void Accum(Context& context, GLenum op, Real value) {
     switch (op) {
     case GL_ACCUM:
     case GL_LOAD:
-        return raster::accumulate(surface, cut(area, read.width, read.height), read, v, op == GL_LOAD);
+        return raster::accumulate(surface, common(area, read.area()), read, v, op == GL_LOAD);
     case GL_MULT:
         return raster::multiply_accum(surface, area, v);
     case GL_ADD:

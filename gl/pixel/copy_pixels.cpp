@@ -20,14 +20,14 @@ namespace {
 /// here they are no groups.
 struct BufferGroups : GroupSource {
     BufferGroups(const Context& context, GLint left, GLint bottom, GLsizei width, GLsizei height)
-        : GroupSource{fill_groups<BufferGroups>, inside(left, width, context.drawable.read.width),
-                      inside(bottom, height, context.drawable.read.height)},
+        : GroupSource{fill_groups<BufferGroups>, inside(left, width, 0, context.drawable.read.area().w),
+                      inside(bottom, height, context.drawable.read.area().y, context.drawable.read.area().h)},
           surface(context.drawable.read), x(left), y(bottom), transfer(context.pixel_mode) {}
 
-    static Interval inside(GLint at, GLsizei size, std::int32_t limit) {
-        const std::int64_t end = std::int64_t{limit} - at, begin = -std::int64_t{at};
+    static Interval inside(GLint at, GLsizei size, std::int32_t low, std::int32_t count) {
+        const std::int64_t begin = std::int64_t{low} - at, end = begin + count;
         const std::int64_t last = end < size ? end : size;
-        return {at < 0 ? static_cast<std::int32_t>(begin < size ? begin : size) : 0,
+        return {begin > 0 ? static_cast<std::int32_t>(begin < size ? begin : size) : 0,
                 static_cast<std::int32_t>(last < 0 ? 0 : last)};
     }
 
@@ -63,17 +63,19 @@ Plane plane_of(raster::Surface& surface, Content content) {
     return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
 }
 
-/// Narrow formats share bytes across columns and rows: the whole plane.
+/// Narrow formats share bytes across columns and rows: the whole plane, as far as it is there.
 void* set_aside_narrow(Context& context, raster::Surface& surface) {
-    const std::int32_t rows = stored_rows(surface.format, surface.height);
-    const std::ptrdiff_t length = std::ptrdiff_t{surface.color_stride} * (rows - 1); // from row 0 to the last
-    const std::ptrdiff_t first = length < 0 ? length : 0, last = length < 0 ? 0 : length;
-    const auto bytes = static_cast<std::size_t>(last - first + row_bytes(surface.format, surface.width));
+    const Rect all = surface.area();
+    const std::uint8_t *const low = surface.color_row(all.y), *const high =
+                                                                  surface.color_row(all.y + all.h - 1);
+    const std::uint8_t* const first = low < high ? low : high;
+    const auto bytes = static_cast<std::size_t>((low < high ? high : low) - first +
+                                                row_bytes(surface.format, surface.width));
     auto* const memory = static_cast<std::uint8_t*>(context.arena->allocate(bytes));
     if (memory == nullptr)
         return nullptr;
-    std::memcpy(memory, surface.color + first, bytes);
-    surface.color = memory - first;
+    std::memcpy(memory, first, bytes);
+    surface.color = memory + (surface.color - first);
     return memory;
 }
 

@@ -184,16 +184,17 @@ std::uint32_t color_units(Real component) {
 }
 
 Rect drawing_rect(const Context& context) {
-    const raster::Surface& s = context.drawable.surface;
+    const Rect all = context.drawable.surface.area();
     if (!context.fragment_ops.scissor_test)
-        return {0, 0, s.width, s.height};
+        return all;
     const GLint* box = context.fragment_ops.scissor_box;
-    const auto clamp = [](std::int64_t v, std::int32_t high) {
-        return static_cast<std::int32_t>(v < 0 ? 0 : v > high ? high : v);
+    const auto clamp = [](std::int64_t v, std::int32_t low, std::int32_t high) {
+        return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
     };
-    const std::int32_t x0 = clamp(box[0], s.width), y0 = clamp(box[1], s.height);
-    const std::int32_t x1 = clamp(static_cast<std::int64_t>(box[0]) + box[2], s.width);
-    const std::int32_t y1 = clamp(static_cast<std::int64_t>(box[1]) + box[3], s.height);
+    const std::int32_t top = all.y + all.h;
+    const std::int32_t x0 = clamp(box[0], 0, all.w), y0 = clamp(box[1], all.y, top);
+    const std::int32_t x1 = clamp(static_cast<std::int64_t>(box[0]) + box[2], 0, all.w);
+    const std::int32_t y1 = clamp(static_cast<std::int64_t>(box[1]) + box[3], all.y, top);
     return {x0, y0, x1 - x0, y1 - y0};
 }
 

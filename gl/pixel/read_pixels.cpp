@@ -48,18 +48,20 @@ void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count,
     }
 }
 
-/// The part of [at, at + size) inside [0, limit): empty when begin >= end. Whatever the integers are.
+/// The part of [at, at + size) inside [first, limit), first >= 0: empty when begin >= end. Whatever the
+/// integers are.
 struct Inside {
     std::int32_t begin, end;
 };
-Inside inside(GLint at, GLsizei size, std::int32_t limit) {
+Inside inside(GLint at, GLsizei size, std::int32_t first, std::int32_t limit) {
     const std::int64_t end = std::int64_t{at} + size;
-    return {at < 0 ? 0 : at, static_cast<std::int32_t>(end < limit ? (end < 0 ? 0 : end) : limit)};
+    return {at < first ? first : at, static_cast<std::int32_t>(end < limit ? (end < 0 ? 0 : end) : limit)};
 }
 
 void read(const Read& r, const PixelStore& pack, GLint x, GLint y, GLsizei width, GLsizei height,
           unsigned char* pixels) {
-    const Inside columns = inside(x, width, r.surface.width), lines = inside(y, height, r.surface.height);
+    const Rect all = r.surface.area();
+    const Inside columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
     const std::int32_t count = columns.end - columns.begin;
     if (columns.begin >= columns.end)
         return;

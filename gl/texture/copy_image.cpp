@@ -26,10 +26,11 @@ class Copy {
     /// Pixels from (x, y) on into a box one texel deep.
     void run(const TexelBox& box, GLint x, GLint y) const {
         const std::size_t bytes = texel_size(image_.shape.format);
+        const Rect all = from_.area();
         for (std::uint32_t j = 0; j < box.size[1]; ++j)
             for (std::uint32_t i = 0; i < box.size[0]; ++i) {
                 const std::int64_t px = std::int64_t{x} + i, py = std::int64_t{y} + j;
-                if (px < 0 || py < 0 || px >= from_.width || py >= from_.height)
+                if (px < 0 || px >= all.w || py < all.y || py >= std::int64_t{all.y} + all.h)
                     continue;
                 pixel(static_cast<std::int32_t>(px), static_cast<std::int32_t>(py),
                       image_.own_texels() + std::size_t{box.at[2]} * image_.slice() +

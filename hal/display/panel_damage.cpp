@@ -19,7 +19,7 @@ void PanelDisplay::widen_damage() {
     if (shared.width == 1 && shared.height == 1)
         return;
     RowSpan* const damage = sent_damage();
-    for (std::int32_t y = 0; y < placement_.size.height; y += shared.height) {
+    for (std::int32_t y = 0; y < sent_rows(); y += shared.height) {
         RowSpan all;
         for (std::int32_t i = 0; i < shared.height; ++i)
             all = unite(all, damage[y + i]);

@@ -23,7 +23,9 @@ DisplayInfo PanelDisplay::info() const {
             size.height,
             config_.format,
             config_.buffers == 1 || (described && turns(config_)),
-            config_.wire.converts() ? config_.wire.format : WireFormat::none};
+            config_.wire.converts() ? config_.wire.format : WireFormat::none,
+            described && config_.band > size.height ? size.height : config_.band,
+            described ? band_unit(config_) : 1};
 }
 
 // --- Transfers ---
@@ -66,6 +68,7 @@ Result<void> PanelDisplay::complete() {
     if (!done) {
         suspect_ = true;
         windows_.forget();
+        forget_content();
     }
     return done;
 }
@@ -104,6 +107,8 @@ Result<void> PanelDisplay::poll() {
 Result<Frame> PanelDisplay::acquire() {
     if (!ready_)
         return Error{Fault::bad_argument, "display: acquire before init succeeded"};
+    if (config_.band != 0)
+        return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
     std::uint8_t* const pixels = buffers_[back_].to_draw(bus_);
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the frame"};
@@ -114,6 +119,8 @@ Result<Frame> PanelDisplay::acquire() {
 Result<void> PanelDisplay::present() {
     if (!ready_)
         return Error{Fault::bad_argument, "display: present before init succeeded"};
+    if (config_.band != 0)
+        return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
     if (put_off())
         return {};
     if (const auto r = settle(); !r)

@@ -20,8 +20,8 @@ Result<void> PanelDisplay::send() {
     for (;;) {
         if (apart)
             memory_.hash.code->plan(spans, hash_, cost);
-        FramePlan plan(WindowPlan(sent_damage(), placement_.size.height, cost, memory_.plan),
-                       apart ? &spans : nullptr, memory_.hash.code);
+        FramePlan plan(WindowPlan(sent_damage(), sent_rows(), cost, memory_.plan), apart ? &spans : nullptr,
+                       memory_.hash.code);
         // Two lists have a gap between them that nobody foresees, and the first is waited for.
         const bool one_list = config_.buffers == 2 || config_.wire.converts() || tear_free();
         if (!one_list || cost.window >= dearest_window || ops_of(plan) + sync_ops <= ops_.capacity())
@@ -42,7 +42,7 @@ Result<void> PanelDisplay::send_windows(FramePlan& plan) {
         plan.next(window);
     }
     do {
-        if (const auto r = append_windows(window); !r)
+        if (const auto r = append_windows({window.x, band_.first + window.y, window.w, window.h}); !r)
             return r;
     } while (plan.next(window));
     if (const auto r = start(); !r)
@@ -134,7 +134,8 @@ Result<void> PanelDisplay::append_windows(const Rect& area) {
 
 /// Turns the window's pixels into the wire's, behind those of the windows before it.
 std::size_t PanelDisplay::convert(const Rect& window) {
-    const Picture picture = {buffers_[back_].to_send(), static_cast<std::int32_t>(stride()),
+    const auto stride = static_cast<std::int32_t>(this->stride());
+    const Picture picture = {buffers_[back_].to_send() - std::ptrdiff_t{band_.first} * stride, stride,
                              placement_.size.height, config_.format, (placement_.madctl & dcs::MV) != 0};
     return config_.wire.convert(picture, window, wire_.to_draw(bus_) + wire_end_);
 }
@@ -149,9 +150,10 @@ Result<void> PanelDisplay::append_window(const Rect& window) {
         wire_end_ += bytes;
         return append_pixels(converted, static_cast<std::uint32_t>(bytes), 1);
     }
-    const std::uint8_t* data = sent_buffer().to_send() +
-                               static_cast<std::size_t>(window.y / rows_at_once()) * sent_stride() +
-                               line_bytes(window.x);
+    const std::uint8_t* data =
+        sent_buffer().to_send() +
+        static_cast<std::size_t>((window.y - band_.first) / rows_at_once()) * sent_stride() +
+        line_bytes(window.x);
     const std::uint32_t line = line_bytes(window.w);
     const auto rows = static_cast<std::uint32_t>(window.h / rows_at_once());
     return line == sent_stride() ? append_pixels(data, line * rows, 1) : append_pixels(data, line, rows);

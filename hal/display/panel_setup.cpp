@@ -26,6 +26,8 @@ Result<void> PanelDisplay::check_config() const {
     if (!lies_as_it_travels(config_))
         return Error{Fault::unsupported,
                      "display: pixels that share bytes lie otherwise in the panel's memory; give it a wire"};
+    if (const char* rule = band_flaw(config_))
+        return Error{Fault::unsupported, rule};
     if (config_.row_hash && !config_.wire.converts() && sharing(config_.format).height != 1)
         return Error{Fault::unsupported, "display: the row hash serves rows, not pages"};
     if (config_.wait_te && panel.commands->tearing.empty())
@@ -59,7 +61,9 @@ Result<void> PanelDisplay::check_config() const {
     if (config_.wire.converts() && config_.buffers != 1)
         return Error{Fault::bad_argument,
                      "display: a picture that is turned into another format needs one buffer"};
+    const bool sent_whole = config_.band != 0 && memory_.content_height == 0;
     if (memory_.buffers < config_.buffers || memory_.height < book_height(config_) ||
+        (memory_.content_height < picture_size(config_).height && !sent_whole) ||
         memory_.op_count < least_ops(*panel.commands))
         return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
     return {};
@@ -69,7 +73,8 @@ Result<void> PanelDisplay::check_config() const {
 /// hold.
 Result<void> PanelDisplay::take_buffers() {
     const std::size_t size =
-        std::size_t{stride()} * static_cast<std::size_t>(stored_rows(config_.format, picture_.height));
+        std::size_t{stride()} * static_cast<std::size_t>(stored_rows(
+                                    config_.format, config_.band != 0 ? config_.band : picture_.height));
     for (unsigned i = 0; i < config_.buffers; ++i) {
         if (!buffers_[i].empty())
             continue;
@@ -81,6 +86,8 @@ Result<void> PanelDisplay::take_buffers() {
         buffers_[i] = BusBuffer(buffer.value());
         for (std::size_t at = 0; at < size; ++at)
             buffer.value().bytes[at] = 0;
+        if (memory_.content_height == 0)
+            continue;
         content_[i].rows = memory_.content[i];
         for (std::int32_t y = 0; y < picture_.height; ++y)
             content_[i].rows[y] = {0, picture_.width};
@@ -88,8 +95,9 @@ Result<void> PanelDisplay::take_buffers() {
     if (!config_.wire.converts() || !wire_.empty())
         return {};
     // Windows that end inside a byte round up: one a row at most.
-    const std::size_t wire_size =
-        wire_bytes(placement_.size) + static_cast<std::size_t>(placement_.size.height);
+    const Extent most = {placement_.size.width, config_.band != 0 ? static_cast<std::int16_t>(config_.band)
+                                                                  : placement_.size.height};
+    const std::size_t wire_size = wire_bytes(most) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = bus_.acquire(wire_size);
     if (!wire)
         return wire.error();
@@ -121,15 +129,16 @@ Result<void> PanelDisplay::init() {
                         format_info(config_.format).bits);
     if (const auto r = take_buffers(); !r)
         return r;
+    forget_content();
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this
     if (!opened_) {
-        extents_ = {memory_.touched, picture_.height, false, 0};
+        extents_ = {memory_.touched, config_.band != 0 ? config_.band : picture_.height, false, 0};
         forget_extents();
         front_ = static_cast<std::uint8_t>(canvases() - 1);
         back_ = 0;
         opened_ = true;
     }
-    for (std::int32_t y = 0; y < picture_.height; ++y)
+    for (std::int32_t y = 0; y < extents_.height; ++y)
         memory_.damage[y] = {0, picture_.width};
     suspect_ = true;
     if (const auto r = reset_panel(); !r)

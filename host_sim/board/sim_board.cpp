@@ -31,8 +31,10 @@ struct Bookkeeping {
             changed.resize(n);
             windows.resize(hal::RowHashMemory::window_count);
         }
-        for (std::vector<RowSpan>* v : {&touched, &damage, &turned, &held, &content[0], &content[1]})
+        for (std::vector<RowSpan>* v : {&touched, &damage, &turned, &held})
             v->resize(n);
+        for (std::vector<RowSpan>& v : content)
+            v.resize(static_cast<std::size_t>(hal::picture_size(config).height));
         plan.resize(n);
     }
     hal::RowHashMemory hash_memory() {
@@ -42,10 +44,19 @@ struct Bookkeeping {
                 &hal::row_hash_code};
     }
     hal::PanelMemory memory() {
-        return {touched.data(), damage.data(), {content[0].data(), content[buffers - 1].data()},
-                plan.data(),    height,        buffers,
-                ops.data(),     params.data(), ops.size(),
-                hash_memory(),  turned.data(), &hal::turn,
+        return {touched.data(),
+                damage.data(),
+                {content[0].data(), content[buffers - 1].data()},
+                static_cast<std::int32_t>(content[0].size()),
+                plan.data(),
+                height,
+                buffers,
+                ops.data(),
+                params.data(),
+                ops.size(),
+                hash_memory(),
+                turned.data(),
+                &hal::turn,
                 held.data()};
     }
 };

@@ -33,11 +33,13 @@ bool valid(const FixedVertex& v) {
 
 /// The part of a rectangle inside the surface.
 Rect cut(const Rect& r, const Surface& surface) {
-    const auto inside = [](std::int64_t v, std::int32_t limit) {
-        return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, 0, limit));
+    const auto inside = [](std::int64_t v, std::int32_t low, std::int32_t high) {
+        return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, low, high));
     };
-    const std::int32_t x0 = inside(r.x, surface.width), x1 = inside(std::int64_t{r.x} + r.w, surface.width);
-    const std::int32_t y0 = inside(r.y, surface.height), y1 = inside(std::int64_t{r.y} + r.h, surface.height);
+    const Rect all = surface.area();
+    const std::int32_t top = all.y + all.h;
+    const std::int32_t x0 = inside(r.x, 0, all.w), x1 = inside(std::int64_t{r.x} + r.w, 0, all.w);
+    const std::int32_t y0 = inside(r.y, all.y, top), y1 = inside(std::int64_t{r.y} + r.h, all.y, top);
     return {x0, y0, x1 - x0, y1 - y0};
 }
 

@@ -323,7 +323,7 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
 }
 
 void record(const Surface& s, const ClearRequest& r) {
-    const bool whole = r.area == Rect{0, 0, s.width, s.height} && writes_all(s.format, r.channels);
+    const bool whole = r.area == s.area() && writes_all(s.format, r.channels);
     if (!whole || s.extents == nullptr) {
         for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y)
             touch(s, y, r.area.x, r.area.x + r.area.w);

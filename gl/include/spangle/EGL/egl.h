@@ -163,6 +163,11 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  */
 #define EGL_ACCUM_SIZE_SPANGLE 0x3F08
 
+/* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface, rows of the depth, stencil and
+ * accumulation buffers, and of a colour buffer that is no larger; 0: all. Such a window is drawn band by band,
+ * by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
+#define EGL_BAND_HEIGHT_SPANGLE 0x3F09
+
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
 EGLAPI EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor);

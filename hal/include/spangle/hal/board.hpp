@@ -36,6 +36,8 @@ constexpr const char* flaw(const Board& board, OnFlaw on = OnFlaw::tell) {
         return broken("board: one or two buffers", on);
     if (display.wire.converts() && display.buffers != 1)
         return broken("board: a picture that is turned into another format needs one buffer", on);
+    if (const char* rule = band_flaw(display))
+        return broken(rule, on);
     if (display.read_back && (board.read_hz == 0 || panel.quirks.no_read_back))
         return broken("board: reading back needs a read clock and a panel that answers", on);
     if (display.poll_line && !display.read_back)
@@ -102,11 +104,15 @@ template <const Board& board> class BusMemoryOf {
 };
 
 /// The display of a board with exactly the memory it needs: `static BoardDisplay<my_board> display(bus);`
-template <const Board& board>
+/// `Ops` and what bands remember are those of PanelStorage: boards with little memory say less.
+template <const Board& board, std::size_t Ops = 64, bool Remembers = true>
 class BoardDisplay final
-    : private PanelStorage<book_height(board.display), board.display.buffers, 64,
+    : private PanelStorage<book_height(board.display), board.display.buffers, Ops,
                            board.display.row_hash ? sent_size(board.display).width : 0, turns(board.display),
-                           board.display.pacing == Pacing::coalesce>,
+                           board.display.pacing == Pacing::coalesce,
+                           Remembers ? (board.display.band != 0 ? picture_size(board.display).height
+                                                                : book_height(board.display))
+                                     : 0>,
       public PanelDisplay {
   public:
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}

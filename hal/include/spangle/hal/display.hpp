@@ -20,6 +20,9 @@ struct DisplayInfo {
     PixelFormat format = PixelFormat::rgb565_be;
     bool keeps_buffer = false; ///< acquire() always gives the same buffer, with what was drawn before
     WireFormat wire = WireFormat::none; ///< what a present turns pixels into; none: they travel as they are
+    /// Rows that a buffer holds: frames are acquired and presented band by band; 0: whole.
+    std::int32_t band_height = 0;
+    std::int32_t band_unit = 1; ///< bands begin and end at multiples of so many rows, or with the picture
 };
 
 /// The buffer of the frame being drawn, top row first, in the display's pixel format.
@@ -45,8 +48,16 @@ class Display {
     /// 0: presents do not wait (EGL 1.4, 3.9.3); 1: as the display was set up.
     virtual void swap_interval(std::int32_t) {}
 
+    /// Where info().band_height is not 0, instead of acquire() and present(): the black buffer of rows
+    /// [first, first + rows) of a frame, whose pixels and extents begin with row `first`. Frames begin with
+    /// row 0 and go on downwards.
+    virtual Result<Frame> acquire_band(std::int32_t, std::int32_t) { return whole_frames(); }
+    /// Sends what differs between the panel's memory and that band.
+    virtual Result<void> present_band() { return whole_frames(); }
+
   protected:
     ~Display() = default;
+    static Error whole_frames() { return {Fault::unsupported, "display: frames of this display are whole"}; }
 };
 
 } // namespace spangle::hal

@@ -38,6 +38,10 @@ struct PanelConfig {
     bool scan_order = false;
     Pacing pacing = Pacing::block;
     bool row_hash = false; ///< cells of 16x1 pixels that were drawn again as they were are not sent
+    /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn band by band, and with
+    /// two buffers, or another format on the wire, a band is drawn while the one above it is on the wire.
+    /// 0: whole frames.
+    std::int32_t band = 0;
 };
 
 /// Pixels across and down that share bytes where they travel as they are; of the picture.
@@ -63,6 +67,24 @@ constexpr WireFormat wire_format(const PanelConfig& config) {
     return config.wire.converts() ? config.wire.format : same_bytes(config.format);
 }
 
+/// Rows of the picture that share bytes, as they lie or on the wire: bands end where these do.
+constexpr std::int32_t band_unit(const PanelConfig& c) {
+    const WireInfo wire = wire_info(wire_format(c));
+    const bool turned = (place(*c.panel, c.orientation).madctl & dcs::MV) != 0;
+    const std::int32_t on_wire = turned ? wire.columns : wire.rows, lying = sharing(c.format).height;
+    return on_wire > lying ? on_wire : lying;
+}
+
+/// The rule that bands of this display break, or null.
+constexpr const char* band_flaw(const PanelConfig& c) {
+    if (c.band < 0 || c.band % band_unit(c) != 0)
+        return "display: bands end where bytes do; pages of eight rows ask for a multiple of 8";
+    if (c.band != 0 && (c.wait_te || c.poll_line || c.scan_order || c.row_hash || c.pacing != Pacing::block))
+        return "display: bands go out as they are drawn: no waiting for the beam, no order of the scan, no "
+               "row hash, no frames put off";
+    return nullptr;
+}
+
 /// What is in one frame buffer: outside these rows, the clear value.
 struct PanelContent {
     RowSpan* rows = nullptr;
@@ -79,17 +101,19 @@ constexpr Extent picture_size(const PanelConfig& c) {
 constexpr Extent sent_size(const PanelConfig& c) {
     return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
 }
-/// Rows of either.
+/// Rows of either; of a band.
 constexpr std::int32_t book_height(const PanelConfig& c) {
     const std::int32_t drawn = picture_size(c).height, sent = sent_size(c).height;
-    return drawn > sent ? drawn : sent;
+    return c.band != 0 ? c.band : drawn > sent ? drawn : sent;
 }
 
-/// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows have `height` elements.
+/// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows but those of the content
+/// have `height` elements.
 struct PanelMemory {
     RowSpan* touched = nullptr;
     RowSpan* damage = nullptr;
     RowSpan* content[2] = {};
+    std::int32_t content_height = 0; ///< of the picture; of bands also 0: they are sent whole
     std::uint16_t* plan = nullptr;
     std::int32_t height = 0;
     std::uint8_t buffers = 0;
@@ -104,14 +128,15 @@ struct PanelMemory {
 
 /// That memory for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns if they are to be
 /// hashed. A list longer than `Ops` goes out in several transfers; frames that are tear-free or sent while
-/// the next is drawn are made of as few windows as one list holds.
+/// the next is drawn are made of as few windows as one list holds. `Content`: rows of the picture, where
+/// `Height` is that of bands; 0: nobody remembers what the panel shows, and bands are sent whole.
 template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
-          bool Turned = false, bool Held = false>
+          bool Turned = false, bool Held = false, std::int32_t Content = Height>
 struct PanelStorage {
     static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
 
-    RowSpan touched[Height], damage[Height], content[Buffers][Height], turned[Turned ? Height : 1],
-        held[Held ? Height : 1];
+    RowSpan touched[Height], damage[Height], content[Buffers][Content != 0 ? Content : 1],
+        turned[Turned ? Height : 1], held[Held ? Height : 1];
     std::uint16_t plan[Height];
     Op ops[Ops];
     OpParams params[Ops];
@@ -121,6 +146,7 @@ struct PanelStorage {
         return {touched,
                 damage,
                 {content[0], content[Buffers - 1]},
+                Content,
                 plan,
                 Height,
                 Buffers,
@@ -157,6 +183,10 @@ class PanelDisplay : public Display {
 
     /// Waits until everything presented is on the panel, and sends what was put off unless something was
     /// drawn since.
+    Result<Frame> acquire_band(std::int32_t first, std::int32_t rows) override;
+    /// The error of a transfer is reported as by present().
+    Result<void> present_band() override;
+
     Result<void> finish() override;
     /// The same without waiting, before the next frame is acquired: for idle loops of programs that coalesce.
     Result<void> poll();
@@ -184,6 +214,8 @@ class PanelDisplay : public Display {
     Result<void> append_black_window(const Rect& window);
 
     void collect_damage();
+    void collect_band_damage();
+    void forget_content();
     Result<void> send();
     Result<void> append_windows(const Rect& area);
     Result<void> append_window(const Rect& window);
@@ -214,7 +246,9 @@ class PanelDisplay : public Display {
     std::uint32_t wire_bits() const { return wire_info(wire_format(config_)).bits; }
     std::size_t wire_bytes(const Extent& size) const;
     bool tear_free() const { return config_.wait_te || config_.poll_line; }
-    std::uint8_t canvases() const { return turns_ ? 1 : config_.buffers; }
+    std::uint8_t canvases() const { return turns_ || config_.band != 0 ? 1 : config_.buffers; }
+    /// Rows of what is drawn and sent at once.
+    std::int32_t sent_rows() const { return config_.band != 0 ? band_.rows : placement_.size.height; }
     BusBuffer& sent_buffer() { return config_.wire.converts() ? wire_ : buffers_[turns_ ? 1 : back_]; }
     RowSpan* sent_damage() const { return turns_ ? memory_.turned : memory_.damage; }
     std::uint32_t line_bytes(std::int32_t columns) const {
@@ -244,6 +278,12 @@ class PanelDisplay : public Display {
     std::size_t wire_end_ = 0; ///< of what the list under way takes from it
     PanelContent content_[2];
     RowExtents extents_;
+    /// The band that is drawn or sent; of whole frames all zero.
+    struct Band {
+        std::int32_t first = 0, rows = 0; ///< of the picture
+        std::uint32_t clear_value = 0;    ///< of this frame's bands
+        bool complete = true;             ///< the frame's last one is accepted
+    } band_;
     std::uint32_t frame_ = 0;        ///< presents that succeeded
     std::uint32_t drawn_in_[2] = {}; ///< the last of them that each buffer holds; 0: none
     std::uint8_t front_ = 0;         ///< the buffer the panel shows

@@ -13,7 +13,7 @@ namespace spangle::raster {
 /// Everything off but dithering; the whole surface.
 constexpr FragmentState whole(const Surface& surface) {
     FragmentState state;
-    state.scissor = {0, 0, surface.width, surface.height};
+    state.scissor = surface.area();
     return state;
 }
 

@@ -20,9 +20,16 @@ struct Surface {
     RowSpan* touched = nullptr;    ///< its element of GL row 0, or null when nobody asks
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
     std::int32_t width = 0, height = 0;
+    /// GL rows that are there, of a band; the pointers are those that row 0 would have.
+    std::int32_t first_row = 0, end_row = INT32_MAX;
     PixelFormat format = PixelFormat::rgb565_be;
     DepthFormat depth_format = DepthFormat::none;
 
+    /// Pixels that are there.
+    constexpr Rect area() const {
+        const std::int32_t end = end_row < height ? end_row : height;
+        return {0, first_row, width, end - first_row};
+    }
     /// Rows of a page of PixelFormat::mono are one.
     std::uint8_t* color_row(std::int32_t y) const {
         return color + static_cast<std::intptr_t>(format == PixelFormat::mono ? y >> 3 : y) * color_stride;

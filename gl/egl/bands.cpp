@@ -1,0 +1,162 @@
+// Windows of which memory holds a band at a time: drawn by a callback, once for each.
+#include <spangle/frame.hpp>
+
+#include "gl/context/error.hpp"
+#include "gl/egl/objects.hpp"
+
+namespace spangle {
+
+#if SPANGLE_FEATURE_BANDS
+
+namespace egl {
+
+namespace {
+
+/// GL is given the rows [first, first + rows) of the window; none: nothing can be drawn or read.
+void move_to(Surface& surface, std::int32_t first, std::int32_t rows) {
+    surface.band.first = first;
+    surface.band.rows = rows;
+    const Thread& t = thread();
+    gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw);
+}
+
+bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows) {
+    Band& band = surface.band;
+    if (band.colors) {
+        const hal::Result<hal::Frame> frame = display.native->acquire_band(first, rows);
+        if (!frame.ok())
+            return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
+        surface.frame = frame.value();
+    } else if (first == 0 && !next_frame(display, surface)) {
+        return false;
+    }
+    const RowExtents* const all = surface.frame.extents;
+    if (all != nullptr && all->rows != nullptr && !band.colors)
+        band.extents = {all->rows + first, rows, false, 0};
+    move_to(surface, first, rows);
+    return true;
+}
+
+/// Touches all columns of rows of the picture.
+void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
+    for (std::int32_t y = first; y < first + rows; ++y)
+        surface.frame.extents->rows[y] = {0, static_cast<std::int16_t>(surface.width)};
+}
+
+/// A whole frame was cleared when all of its bands were, to the same value; else bands that were are touched.
+void gather_extents(Surface& surface) {
+    Band& band = surface.band;
+    RowExtents* const all = surface.frame.extents;
+    if (all == nullptr || all->rows == nullptr)
+        return;
+    const bool cleared = band.extents.cleared;
+    if (band.first == 0) {
+        band.cleared = cleared;
+    } else if (band.cleared && !(cleared && band.extents.clear_value == band.clear_value)) {
+        touch_rows(surface, 0, band.first);
+        band.cleared = false;
+    }
+    band.clear_value = band.extents.clear_value;
+    if (cleared && !band.cleared)
+        touch_rows(surface, band.first, band.rows);
+    if (band.cleared && band.first + band.rows == surface.height) {
+        all->cleared = true;
+        all->clear_value = band.clear_value;
+    }
+}
+
+bool send_band(Display& display, Surface& surface) {
+    if (!surface.band.colors)
+        gather_extents(surface);
+    else if (const hal::Result<void> sent = display.native->present_band(); !sent.ok())
+        return fail(EGL_BAD_NATIVE_WINDOW, sent.error().rule) != EGL_FALSE;
+    return true;
+}
+
+bool present_whole(Display& display) {
+    const hal::Result<void> shown = display.native->present();
+    return shown.ok() || fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
+}
+
+/// Every band, until one fails.
+bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* data) {
+    const std::int32_t height = surface.height, step = surface.band.height;
+    for (std::int32_t first = 0; first < height; first += step) {
+        if (!open_band(display, surface, first, step < height - first ? step : height - first))
+            return false;
+        draw(data);
+        if (thread().draw != &surface)
+            return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
+                   EGL_FALSE;
+        if (!send_band(display, surface))
+            return false;
+    }
+    return surface.band.colors || present_whole(display);
+}
+
+} // namespace
+
+EGLint choose_band(const Display& display, EGLint wish, Band& band) {
+    const hal::DisplayInfo info = display.native->info();
+    if (wish < 0)
+        return EGL_BAD_PARAMETER;
+    band.colors = info.band_height != 0;
+    if (band.colors && wish > info.band_height)
+        return EGL_BAD_MATCH; // the display holds no more
+    const std::int32_t unit = band.colors ? info.band_unit : 1, most = info.height + unit - 1;
+    const std::int32_t rows = wish != 0 ? (wish < most ? wish : most) : info.band_height;
+    band.height = (rows + unit - 1) / unit * unit;
+    return EGL_SUCCESS;
+}
+
+void show_band(Surface& surface, raster::Surface& out) {
+    Band& band = surface.band;
+    out.end_row = surface.height - band.first;
+    out.first_row = out.end_row - band.rows;
+    if (band.rows == 0)
+        out.end_row = out.first_row = 0;
+    if (out.accum != nullptr) // rows of a band count from its lowest one
+        out.accum -= std::ptrdiff_t{4} * surface.width * out.first_row;
+    if (out.touched != nullptr && band.colors)
+        out.touched -= band.first;
+    if (out.extents != nullptr && !band.colors)
+        out.extents = &band.extents;
+}
+
+bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data) {
+    const bool drawn = draw_each(display, surface, draw, data);
+    if (thread().draw == &surface)
+        move_to(surface, 0, 0);
+    surface.band.rows = 0;
+    return drawn;
+}
+
+} // namespace egl
+
+#else
+
+EGLint egl::choose_band(const Display& display, EGLint, Band&) {
+    return display.native->info().band_height == 0 ? EGL_SUCCESS : EGL_BAD_MATCH;
+}
+void egl::show_band(Surface&, raster::Surface&) {}
+
+#endif
+
+bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
+    egl::Display* const display = egl::find_display(handle);
+    if (display == nullptr)
+        return false;
+    egl::Surface* const surface = egl::thread().draw;
+    if (surface == nullptr || !surface->window || egl::thread().display != display)
+        return egl::fail(EGL_BAD_SURFACE,
+                         SPANGLE_TEXT("spangle::frame: a window of this display must be current")) !=
+               EGL_FALSE;
+#if SPANGLE_FEATURE_BANDS
+    if (surface->in_bands())
+        return egl::draw_bands(*display, *surface, draw, data) && egl::succeed() != EGL_FALSE;
+#endif
+    draw(data);
+    return eglSwapBuffers(handle, surface) != EGL_FALSE;
+}
+
+} // namespace spangle

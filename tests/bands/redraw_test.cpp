@@ -1,0 +1,141 @@
+// Bands drawn by callback: the glass holds what it holds of whole frames.
+#include "tests/bands/banded.hpp"
+#include "tests/bands/programs.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr int frames = 2; // what follows the first is sent as damage
+
+/// The board with its picture turned.
+hal::Board turned(hal::Board board, hal::Orientation orientation) {
+    board.display.orientation = orientation;
+    return board;
+}
+
+/// Heights to try, in rows that the display can begin a band at; the last one holds the picture.
+std::vector<std::int32_t> heights_of(const hal::Board& board) {
+    const std::int32_t unit = hal::band_unit(board.display), all = hal::picture_size(board.display).height;
+    std::vector<std::int32_t> heights;
+    for (const std::int32_t h : {1, 3, 8, 16, all}) {
+        const std::int32_t rows = (h + unit - 1) / unit * unit;
+        if (heights.empty() || heights.back() < rows)
+            heights.push_back(rows);
+    }
+    return heights;
+}
+
+void expect_same(const hal::Board& board, const Program& program, const Setting& setting,
+                 const std::vector<sim::Image>& whole) {
+    const std::vector<sim::Image> banded = play(board, setting, program, frames);
+    ASSERT_EQ(banded.size(), whole.size());
+    for (std::size_t f = 0; f < whole.size(); ++f)
+        EXPECT_EQ(sim::hash(banded[f]), sim::hash(whole[f]))
+            << program.name << " on " << board.name << ", bands of " << setting.display_band << " and "
+            << setting.band_height << " rows, frame " << f;
+}
+
+TEST(Redraw, ScenesAreTheSameAtEveryHeight) {
+    for (const scenes::Scene& scene : scenes::all()) {
+        const hal::Board& board = boards::st7735_80x160;
+        const std::vector<sim::Image> whole = play(board, {}, program_of(scene), frames);
+        for (const std::int32_t height : heights_of(board))
+            expect_same(board, program_of(scene), {.display_band = height}, whole);
+    }
+}
+
+TEST(Redraw, StatesAreTheSameAtEveryHeight) {
+    for (const Program& program : programs()) {
+        const hal::Board& board = boards::st7735_80x160;
+        const std::vector<sim::Image> whole = play(board, {}, program, frames);
+        for (const std::int32_t height : heights_of(board))
+            expect_same(board, program, {.display_band = height}, whole);
+    }
+}
+
+/// Pages of eight rows, pairs of columns, three bytes a pixel; bus buffers one and two; turned eight ways.
+TEST(Redraw, FormatsAndOrientations) {
+    const Program program = program_of(scenes::hud);
+    for (hal::Board board : {boards::ssd1306_128x32, boards::ssd0323_spi, boards::st7735_80x160})
+        for (const hal::Orientation orientation : hal::orientations) {
+            board = turned(board, orientation);
+            const std::vector<sim::Image> whole = play(board, {}, program, frames);
+            for (const std::int32_t height : heights_of(board)) {
+                expect_same(board, program, {.display_band = height}, whole);
+                if (board.display.wire.converts())
+                    continue;
+                hal::Board two = board;
+                two.display.buffers = 2;
+                expect_same(two, program, {.display_band = height}, whole);
+            }
+        }
+}
+
+/// Pixels that lie as they travel: pages drawn into, four-bit greys, 12 and 18 bits.
+TEST(Redraw, NarrowSurfaces) {
+    const Program program = program_of(scenes::hud);
+    hal::Board mono = boards::ssd1306_128x32, grey = boards::ssd0323_spi, wide = boards::ili9488_spi;
+    mono.display.wire = grey.display.wire = {};
+    mono.display.format = PixelFormat::mono;
+    grey.display.format = PixelFormat::grey4;
+    wide.display.format = PixelFormat::rgb666;
+    for (const hal::Board& board : {mono, grey, wide}) {
+        const std::vector<sim::Image> whole = play(board, {}, program, frames);
+        for (const std::int32_t height : heights_of(board))
+            expect_same(board, program, {.display_band = height}, whole);
+    }
+}
+
+/// The display holds whole frames, only depth is short of rows; the display's bands are higher than depth's.
+TEST(Redraw, DepthAloneInBands) {
+    const hal::Board& board = boards::st7735_80x160;
+    for (const scenes::Scene* scene : {&scenes::gears, &scenes::hud}) {
+        const Program program = program_of(*scene);
+        const std::vector<sim::Image> whole = play(board, {}, program, frames);
+        for (const std::int32_t height : {1, 7, 80})
+            expect_same(board, program, {.band_height = height}, whole);
+        expect_same(board, program, {.display_band = 32, .band_height = 5}, whole);
+    }
+}
+
+/// Bytes of the second frame of a scene that stands still: those of whole frames, or none at all.
+TEST(Redraw, WhatDoesNotChangeIsNotSent) {
+    const Program still = {"still", [](int w, int h) { glViewport(0, 0, w, h); },
+                           [](int f) {
+                               glClearColor(0.F, 0.F, f < 2 ? 0.F : 1.F, 0.F);
+                               glClear(GL_COLOR_BUFFER_BIT);
+                               glRectf(-0.5F, -0.5F, f == 1 ? 0.25F : 0.F, 0.25F);
+                           }};
+    for (const Setting& setting :
+         {Setting{}, Setting{.display_band = 8}, Setting{.display_band = 80}, Setting{.band_height = 8}}) {
+        Banded window(boards::st7735_80x160, setting);
+        window.set_up(still);
+        std::uint64_t bytes[4];
+        for (int f = 0; f < 4; ++f) {
+            const std::uint64_t before = window.sim.counters().pixel_bytes;
+            (void)window.show(still, f);
+            bytes[f] = window.sim.counters().pixel_bytes - before;
+        }
+        EXPECT_LT(bytes[1], 160U * 80 * 2 / 2);
+        EXPECT_EQ(bytes[1], 60U * 30 * 2);  // the rectangle in either place
+        EXPECT_EQ(bytes[2], 160U * 80 * 2); // another clear value
+        EXPECT_LT(bytes[3], 160U * 80 * 2 / 4);
+    }
+}
+
+TEST(Redraw, TheCallbackIsCalledOnceForEachBand) {
+    const Program program = program_of(scenes::clear);
+    for (const auto& [setting, calls] : {std::pair{Setting{}, 1},
+                                         {Setting{.display_band = 8}, 10},
+                                         {Setting{.display_band = 33}, 3},
+                                         {Setting{.band_height = 80}, 1},
+                                         {Setting{.display_band = 33, .band_height = 20}, 4}}) {
+        Banded window(boards::st7735_80x160, setting);
+        window.set_up(program);
+        (void)window.show(program, 0);
+        EXPECT_EQ(window.draws, calls);
+    }
+}
+
+} // namespace
+} // namespace spangle::test
