@@ -73,8 +73,8 @@ Result<void> PanelDisplay::check_config() const {
 /// hold.
 Result<void> PanelDisplay::take_buffers() {
     const std::size_t size =
-        std::size_t{stride()} * static_cast<std::size_t>(stored_rows(
-                                    config_.format, config_.band != 0 ? config_.band : picture_.height));
+        std::size_t{stride()} *
+        static_cast<std::size_t>(stored_rows(config_.format, held(config_, picture_).height));
     for (unsigned i = 0; i < config_.buffers; ++i) {
         if (!buffers_[i].empty())
             continue;
@@ -95,8 +95,7 @@ Result<void> PanelDisplay::take_buffers() {
     if (!config_.wire.converts() || !wire_.empty())
         return {};
     // Windows that end inside a byte round up: one a row at most.
-    const Extent most = {placement_.size.width, config_.band != 0 ? static_cast<std::int16_t>(config_.band)
-                                                                  : placement_.size.height};
+    const Extent most = held(config_, placement_.size);
     const std::size_t wire_size = wire_bytes(most) + static_cast<std::size_t>(most.height);
     const Result<Buffer> wire = bus_.acquire(wire_size);
     if (!wire)
@@ -132,7 +131,7 @@ Result<void> PanelDisplay::init() {
     forget_content();
     ready_ = false; // a present must not succeed on a panel that was left in the middle of this
     if (!opened_) {
-        extents_ = {memory_.touched, config_.band != 0 ? config_.band : picture_.height, false, 0};
+        extents_ = {memory_.touched, held(config_, picture_).height, false, 0};
         forget_extents();
         front_ = static_cast<std::uint8_t>(canvases() - 1);
         back_ = 0;

@@ -202,6 +202,19 @@ TEST(BandWindows, RulesOfDisplaysInBands) {
     EXPECT_FALSE(refused([](Config&) {}, boards::ssd1306_128x32));
 }
 
+TEST(BandWindows, BuffersTakeTheMemoryOfABand) {
+    hal::Board two = boards::st7735_80x160, pages = boards::ssd1306_128x32;
+    two.display.buffers = 2;
+    EXPECT_EQ(hal::bus_memory(two), 2U * 160 * 80 * 2);
+    two.display.band = 8;
+    EXPECT_EQ(hal::bus_memory(two), 2U * 160 * 8 * 2);
+    pages.display.band = 8;
+    const std::size_t pixels = 128 * 8 * 2, converted = 128 + 8;
+    constexpr std::size_t unit = hal::BusMemory::alignment;
+    EXPECT_EQ(hal::bus_memory(pages),
+              (pixels + unit - 1) / unit * unit + (converted + unit - 1) / unit * unit);
+}
+
 /// A frame ends after two of five bands, with another clear value: which band holds what is known no more.
 TEST(BandWindows, AFrameThatEndsEarlyIsForgotten) {
     const Program program = {"clears", nothing.setup, [](int f) {

@@ -83,7 +83,7 @@ constexpr std::size_t bus_memory(const Board& board) {
     const auto rounded = [](std::size_t n) {
         return (n + BusMemory::alignment - 1) / BusMemory::alignment * BusMemory::alignment;
     };
-    const Extent picture = picture_size(c), sent = sent_size(c);
+    const Extent picture = held(c, picture_size(c)), sent = held(c, sent_size(c));
     const auto frame = static_cast<std::size_t>(row_bytes(c.format, picture.width)) *
                        static_cast<std::size_t>(stored_rows(c.format, picture.height));
     if (!c.wire.converts())

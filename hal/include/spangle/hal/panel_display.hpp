@@ -77,7 +77,7 @@ constexpr std::int32_t band_unit(const PanelConfig& c) {
 
 /// The rule that bands of this display break, or null.
 constexpr const char* band_flaw(const PanelConfig& c) {
-    if (c.band < 0 || c.band % band_unit(c) != 0)
+    if (c.band < 0 || c.band > INT16_MAX || c.band % band_unit(c) != 0)
         return "display: bands end where bytes do; pages of eight rows ask for a multiple of 8";
     if (c.band != 0 && (c.wait_te || c.poll_line || c.scan_order || c.row_hash || c.pacing != Pacing::block))
         return "display: bands go out as they are drawn: no waiting for the beam, no order of the scan, no "
@@ -101,10 +101,14 @@ constexpr Extent picture_size(const PanelConfig& c) {
 constexpr Extent sent_size(const PanelConfig& c) {
     return turns(c) ? scan_order(*c.panel, c.orientation).placement.size : picture_size(c);
 }
-/// Rows of either; of a band.
+/// What a buffer holds of either: rows of a band, or all.
+constexpr Extent held(const PanelConfig& c, Extent whole) {
+    return {whole.width, c.band != 0 ? static_cast<std::int16_t>(c.band) : whole.height};
+}
+/// Rows of either.
 constexpr std::int32_t book_height(const PanelConfig& c) {
-    const std::int32_t drawn = picture_size(c).height, sent = sent_size(c).height;
-    return c.band != 0 ? c.band : drawn > sent ? drawn : sent;
+    const std::int32_t drawn = held(c, picture_size(c)).height, sent = held(c, sent_size(c)).height;
+    return drawn > sent ? drawn : sent;
 }
 
 /// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows but those of the content
