@@ -99,8 +99,11 @@ bool DmaBus::start_part(const Op& op) {
     }
     if (op.kind == Op::Kind::reset)
         port_.reset(part_ == 0);
-    if (part_++ != 0)
+    if (part_++ != 0) {
+        if (op.kind == Op::Kind::wait_te)
+            tell_moment(op, port_.micros()); // the edge's interrupt
         return false;
+    }
     if (op.kind == Op::Kind::wait_te)
         port_.wait_te(op.micros);
     else
@@ -141,8 +144,10 @@ bool DmaBus::start_wait_line(const Op& op) {
     if (part_ != 0) {
         port_.select(false);
         port_.select(true);
-        if (line_reached(op, answer_))
+        if (line_reached(op, answer_)) {
+            tell_moment(op, port_.micros());
             return false;
+        }
         if (port_.micros() - since_ >= op.micros) {
             end(Fault::timeout);
             return true;

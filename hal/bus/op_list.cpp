@@ -75,13 +75,16 @@ void OpList::delay(std::uint32_t micros) {
         op->micros = micros;
 }
 
-void OpList::wait_te(std::uint32_t at_most_micros) {
-    if (Op* op = append(Op::Kind::wait_te))
-        op->micros = at_most_micros;
+void OpList::wait_te(std::uint32_t at_most_micros, std::uint32_t* moment) {
+    Op* op = append(Op::Kind::wait_te);
+    if (op == nullptr)
+        return;
+    op->micros = at_most_micros;
+    op->into = reinterpret_cast<std::uint8_t*>(moment);
 }
 
 void OpList::wait_line(std::uint8_t dummy_bits, std::int32_t first, std::int32_t count, std::int32_t lines,
-                       std::uint32_t at_most_micros) {
+                       std::uint32_t at_most_micros, std::uint32_t* moment) {
     Op* op = append(Op::Kind::wait_line);
     if (op == nullptr)
         return;
@@ -91,6 +94,7 @@ void OpList::wait_line(std::uint8_t dummy_bits, std::int32_t first, std::int32_t
     op->rows = static_cast<std::uint32_t>(count);
     op->stride = lines;
     op->micros = at_most_micros;
+    op->into = reinterpret_cast<std::uint8_t*>(moment);
 }
 
 void OpList::read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) {

@@ -81,7 +81,7 @@ SafeStart PanelDisplay::safe_start(FramePlan& plan) const {
     const PanelTiming& timing = config_.panel->timing;
     Refresh refresh;
     if (timing.scan_lines != 0) {
-        refresh.line = static_cast<std::int32_t>(std::int64_t{timing.frame_us} * 1000 / timing.scan_lines);
+        refresh.line = line_ns_;
         refresh.lines = timing.scan_lines;
         refresh.porch = timing.porch_lines;
         // An edge is seen, a line is read, within a command or two; never closer than the line itself.

@@ -154,6 +154,8 @@ Result<void> PanelDisplay::init() {
         return r;
     if (const auto r = complete(); !r)
         return r;
+    if (const auto r = measure_refresh(); !r)
+        return r;
     ready_ = true;
     return {};
 }

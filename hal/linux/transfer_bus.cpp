@@ -71,9 +71,8 @@ Result<void> TransferBus::set_reset(bool high) {
     return set_pin(reset_, pins_.reset, high);
 }
 
-Result<void> TransferBus::await_te(std::uint32_t at_most_micros) {
-    const Result<std::uint64_t> edge = te_.next_edge(at_most_micros);
-    return edge ? Result<void>{} : edge.error();
+Result<std::uint64_t> TransferBus::await_te(std::uint32_t at_most_micros) {
+    return te_.next_edge(at_most_micros);
 }
 
 Result<Buffer> TransferBus::acquire(std::size_t size) {
@@ -203,8 +202,13 @@ Result<void> TransferBus::run(const Op& op) {
     case Kind::delay:
         pause_micros(op.micros);
         return {};
-    case Kind::wait_te:
-        return await_te(op.micros);
+    case Kind::wait_te: {
+        const Result<std::uint64_t> edge = await_te(op.micros);
+        if (!edge)
+            return edge.error();
+        tell_moment(op, static_cast<std::uint32_t>(edge.value() / 1000));
+        return {};
+    }
     case Kind::wait_line:
         return wait_line(op);
     case Kind::read:
@@ -227,9 +231,13 @@ Result<void> TransferBus::wait_line(const Op& op) {
     for (const auto end = Clock::now() + std::chrono::microseconds(op.micros);;) {
         if (const auto r = read(look); !r)
             return r;
-        if (line_reached(op, answer))
+        const auto now = Clock::now();
+        if (line_reached(op, answer)) {
+            const auto moment = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
+            tell_moment(op, static_cast<std::uint32_t>(moment.count()));
             return {};
-        if (Clock::now() >= end)
+        }
+        if (now >= end)
             return Error{Fault::timeout, "bus: the scanned line (45h) does not come; is the panel awake, and "
                                          "its data output wired?"};
     }

@@ -235,6 +235,7 @@ void SimBus::wait_line(const hal::Op& op) {
     do
         read(look);
     while (!hal::line_reached(op, answer) && wire_ < deadline);
+    hal::tell_moment(op, static_cast<std::uint32_t>(wire_ / 1000));
 }
 
 void SimBus::wait_te(const hal::Op& op) {
@@ -247,6 +248,7 @@ void SimBus::wait_te(const hal::Op& op) {
         wire_ += step;
     if (wire_ >= last_look)
         wire_ = std::max(wire_, deadline);
+    hal::tell_moment(op, static_cast<std::uint32_t>(wire_ / 1000));
 }
 
 } // namespace spangle::sim

@@ -26,6 +26,7 @@ class FakePanelBus final : public Bus {
     long fail_after_bytes = -1; ///< the transfer ends with short_write after so many bytes more
     int late_waits = 0;         ///< the next waits time out while the transfer goes on
     bool te_missing = false;    ///< wait_te ends the transfer with timeout
+    std::uint32_t te_period_us = 0, te_now_us = 0; ///< 0: it tells no moments
     int allow_acquires = 1000;
     std::uint8_t id_command = 0x04;
     std::uint8_t id[3] = {0x85, 0x85, 0x52}, status[4] = {0x00, 0x61, 0x00, 0x00};
@@ -138,6 +139,8 @@ class FakePanelBus final : public Bus {
             return true;
         case Op::Kind::wait_te:
             ++te_waits;
+            te_now_us += te_period_us;
+            tell_moment(op, te_now_us);
             if (te_missing)
                 outcome_ = {Fault::timeout, "fake: no TE edge"};
             return !te_missing;

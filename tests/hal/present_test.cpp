@@ -558,6 +558,7 @@ TEST(Present, TheBeamIsAskedForByReadingItsLine) {
     c.poll_line = true;
     Bench bench(c, spi(2000000));
     ASSERT_TRUE(bench.display.init().ok());
+    bench.bus.line_waits = 0; // init() looked at some refreshes
     ASSERT_TRUE(bench.display.present().ok());
     EXPECT_EQ(bench.bus.line_waits, 1);
     const Op wait = bench.bus.last_list.front();
@@ -577,6 +578,40 @@ TEST(Present, TheBeamIsAskedForByReadingItsLine) {
     Bench refused(c, deaf);
     EXPECT_STREQ(refused.display.init().error().rule,
                  "display: polling the scanned line, but the bus cannot read");
+}
+
+/// The datasheet says 10 ms; what the TE line says counts, unless no panel is so far off.
+TEST(Present, TheRefreshIsMeasured) {
+    const struct {
+        std::uint32_t period_us;
+        long lines_us;
+    } cases[] = {{10000, 10000}, {9800, 9800}, {11500, 11500}, {20000, 10000}, {5000, 10000}, {0, 10000}};
+    for (const auto& c : cases) {
+        PanelConfig cfg = config({}, 1);
+        cfg.wait_te = true;
+        BusCaps caps = spi(2000000);
+        caps.has_te = true;
+        Bench bench(cfg, caps);
+        bench.bus.te_period_us = c.period_us;
+        bench.bus.te_now_us = 0u - 30000; // the clock comes round
+        ASSERT_TRUE(bench.display.init().ok());
+        bench.bus.delay_us = 0;
+        ASSERT_TRUE(bench.display.present().ok());
+        EXPECT_NEAR(static_cast<double>(bench.bus.delay_us),
+                    static_cast<double>(c.lines_us * (6 + 9 + 1 + 8)) / 70 - 3, 1)
+            << c.period_us;
+    }
+    // Short lists look at fewer refreshes.
+    PanelConfig cfg = config({}, 1);
+    cfg.poll_line = true;
+    PanelStorage<64, 1, 8> small;
+    FakePanelBus bus(*cfg.panel, spi());
+    PanelDisplay display(bus, cfg, small.memory());
+    ASSERT_TRUE(display.init().ok());
+    EXPECT_EQ(bus.line_waits, 8);
+    // Nobody tells: the present will.
+    bus.te_missing = true;
+    EXPECT_TRUE(display.init().ok());
 }
 
 TEST(Present, FollowsOrLeadsTheBeam) {
@@ -602,6 +637,8 @@ TEST(Present, FollowsOrLeadsTheBeam) {
         Bench bench(cfg, caps);
         ASSERT_TRUE(bench.display.init().ok());
         EXPECT_TRUE(bench.bus.te_on);
+        EXPECT_EQ(bench.bus.te_waits, 8) << "refreshes are measured, as many as the list has room for";
+        bench.bus.te_waits = 0;
         bench.bus.delay_us = 0;
         ASSERT_TRUE(bench.display.present().ok());
         EXPECT_EQ(bench.bus.te_waits, 1) << c.why;

@@ -214,6 +214,26 @@ TEST_P(Faults, BusyLinesAndPermissions) {
     expect_unharmed_frame(rig);
 }
 
+/// The kernel stamps the edges; what is told is its time.
+TEST_P(Faults, TheMomentsOfTheTearingLineAreThePanels) {
+    RigOptions options;
+    options.wait_te = true;
+    Rig rig(GetParam(), options);
+    rig.start();
+    std::uint32_t moments[5] = {};
+    hal::Op waits[5];
+    for (int i = 0; i < 5; ++i) {
+        waits[i].kind = hal::Op::Kind::wait_te;
+        waits[i].micros = 100000;
+        waits[i].into = reinterpret_cast<std::uint8_t*>(&moments[i]);
+    }
+    const auto edges = rig.bus().submit(waits, 5);
+    ASSERT_TRUE(edges.ok());
+    ASSERT_TRUE(rig.bus().wait(edges.value(), 1000000).ok());
+    EXPECT_NEAR(moments[4] - moments[0], 4.0 * tiny_panel.timing.frame_us,
+                4.0 * tiny_panel.timing.frame_us / 100);
+}
+
 TEST_P(Faults, TheTearingLineMayBeMissing) {
     RigOptions options;
     options.wait_te = true;

@@ -264,6 +264,21 @@ TEST(DmaBus, ReadsPollsAndWaits) {
     const auto line = firmware.display.scanline();
     ASSERT_TRUE(line.ok());
     EXPECT_LT(line.value(), 324);
+    std::uint32_t moments[3] = {};
+    hal::Op waits[3];
+    for (int i = 0; i < 3; ++i) {
+        waits[i].kind = hal::Op::Kind::wait_te;
+        waits[i].micros = 100000;
+        waits[i].into = reinterpret_cast<std::uint8_t*>(&moments[i]);
+    }
+    Firmware with_te(board_of(true));
+    ASSERT_TRUE(with_te.display.init().ok());
+    const auto edges = with_te.bus.submit(waits, 3);
+    ASSERT_TRUE(edges.ok());
+    ASSERT_TRUE(with_te.bus.wait(edges.value(), 1000000).ok());
+    const auto period = static_cast<std::uint32_t>(with_te.controller->refresh_time() / 1000);
+    EXPECT_NEAR(moments[2], with_te.port.micros(), 1);
+    EXPECT_NEAR(moments[2] - moments[1], period, 2);
     hal::Op never;
     never.kind = hal::Op::Kind::wait_line;
     never.command = 0x45;

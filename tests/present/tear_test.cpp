@@ -27,6 +27,7 @@ struct Setup {
     std::uint8_t buffers = 1;
     Rect area = {0, 0, 0, 0}; ///< what each frame draws; empty: everything
     hal::BusKind bus = hal::BusKind::spi4;
+    int off_percent = 0; ///< the panel's oscillator, from the datasheet's time of a line
 };
 
 struct Seen {
@@ -49,7 +50,7 @@ struct Rig {
 
     explicit Rig(const Setup& s) {
         sim::Chip chip = sim::chip_of(panel);
-        chip.line_ns = s.line_ns;
+        chip.line_ns = s.line_ns * static_cast<unsigned>(100 + s.off_percent) / 100;
         panel.timing.frame_us = s.line_ns * 324u / 1000u;
         board.display.panel = &panel;
         board.display.orientation = s.orientation;
@@ -182,6 +183,28 @@ TEST(Tears, NoneInTheWholeTableWhereNoneNeedsToBe) {
     EXPECT_GE(led, 4);
     EXPECT_GE(lagged, 8);
     EXPECT_GE(impossible, 10);
+}
+
+/// Panels of one kind differ: what the datasheet says is not what this one does.
+TEST(Tears, NoneWhereTheOscillatorIsOff) {
+    for (const int off : {-12, -5, 5, 12})
+        for (const unsigned line_ns : lines_ns)
+            for (const Wire& wire : wires) {
+                const Regime r(line_ns * static_cast<unsigned>(100 + off) / 100, wire);
+                if (r.on_a_border() || !r.possible())
+                    continue;
+                SCOPED_TRACE(std::to_string(off) + " %: " + std::to_string(r.write_ms) +
+                             " ms of pixels in refreshes of " + std::to_string(r.refresh_ms) + " ms");
+                for (const Sync sync : {Sync::te, Sync::poll}) {
+                    const Seen seen = play({.line_ns = line_ns,
+                                            .write_hz = wire.hz,
+                                            .sync = sync,
+                                            .bus = wire.bus,
+                                            .off_percent = off});
+                    EXPECT_EQ(seen.torn, 0) << (sync == Sync::te ? "TE" : "45h");
+                    EXPECT_EQ(r.lead() ? seen.presents.led : seen.presents.lagged, 10u);
+                }
+            }
 }
 
 TEST(Tears, LandscapeIsFreeOfThemOnlyInTheOrderOfTheScan) {

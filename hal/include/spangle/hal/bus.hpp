@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <spangle/hal/result.hpp>
 
@@ -36,7 +37,7 @@ struct Op {
     std::uint8_t dummy_bits = 0;
     bool parameters_are_commands = false; ///< D/C low for the parameters too
     const std::uint8_t* data = nullptr;
-    std::uint8_t* into = nullptr;
+    std::uint8_t* into = nullptr; ///< wait_te, wait_line: the moment goes there, if not null; tell_moment()
     std::uint32_t length = 0;
     std::uint32_t rows = 1;
     std::int32_t stride = 0;
@@ -48,6 +49,12 @@ constexpr bool line_reached(const Op& op, const std::uint8_t (&answer)[2]) {
     const std::int32_t line = answer[0] << 8 | answer[1];
     const std::int32_t past = line - static_cast<std::int32_t>(op.length);
     return (past < 0 ? past + op.stride : past) < static_cast<std::int32_t>(op.rows);
+}
+
+/// What a wait_te or wait_line waited for has come: 32 bits of microseconds of any clock, that wrap.
+inline void tell_moment(const Op& op, std::uint32_t micros) {
+    if (op.into != nullptr)
+        std::memcpy(op.into, &micros, sizeof micros);
 }
 
 struct BusCaps {

@@ -39,10 +39,11 @@ class OpList {
     /// One pixel of `bytes` <= 4 zero bytes, `count` times.
     void repeat_black(std::uint32_t bytes, std::uint32_t count);
     void delay(std::uint32_t micros);
-    void wait_te(std::uint32_t at_most_micros);
+    /// `moment` must live until the transfer is done.
+    void wait_te(std::uint32_t at_most_micros, std::uint32_t* moment = nullptr);
     /// RDSCANLINE (45h) answers one of `count` lines from `first` on, of a refresh of `lines`.
     void wait_line(std::uint8_t dummy_bits, std::int32_t first, std::int32_t count, std::int32_t lines,
-                   std::uint32_t at_most_micros);
+                   std::uint32_t at_most_micros, std::uint32_t* moment = nullptr);
     void read(std::uint8_t code, std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count);
     void reset(std::uint32_t low_micros);
 

@@ -227,6 +227,7 @@ class PanelDisplay : public Display {
     void widen_damage();
     Result<void> append_pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows);
     void append_sync(FramePlan& plan);
+    Result<void> measure_refresh();
     SafeStart safe_start(FramePlan& plan) const;
     template <class Visit> void rehearse(FramePlan& plan, Visit visit) const;
     std::size_t ops_of(FramePlan& plan) const;
@@ -292,6 +293,9 @@ class PanelDisplay : public Display {
     std::uint32_t drawn_in_[2] = {}; ///< the last of them that each buffer holds; 0: none
     std::uint8_t front_ = 0;         ///< the buffer the panel shows
     std::uint8_t back_ = 0;          ///< the buffer being drawn
+
+    std::int32_t line_ns_ = 0;   ///< of the panel's scan, tear-free displays only
+    std::uint32_t moments_[2]{}; ///< of measure_refresh()
 
     Token token_;
     std::uint32_t token_time_ = 0; ///< microseconds the running transfer should take

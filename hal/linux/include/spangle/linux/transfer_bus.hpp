@@ -56,7 +56,7 @@ class TransferBus : public Bus {
     virtual bool has_backlight() const { return pins_.backlight.wired(); }
     virtual Result<void> set_reset(bool high);
     virtual Result<void> set_backlight(bool on);
-    virtual Result<void> await_te(std::uint32_t at_most_micros);
+    virtual Result<std::uint64_t> await_te(std::uint32_t at_most_micros);
 
     /// The rule this op breaks on this bus, or null. Called before anything of the list is sent.
     virtual const char* refusal(const Op& op) const = 0;

@@ -71,7 +71,7 @@ class FtdiBus final : public TransferBus {
     bool has_backlight() const override { return config_.pins.backlight != FtdiPins::none; }
     Result<void> set_reset(bool high) override;
     Result<void> set_backlight(bool on) override;
-    Result<void> await_te(std::uint32_t at_most_micros) override;
+    Result<std::uint64_t> await_te(std::uint32_t at_most_micros) override;
 };
 
 } // namespace spangle::hal
