@@ -585,7 +585,7 @@ TEST(Present, TheRefreshIsMeasured) {
     const struct {
         std::uint32_t period_us;
         long lines_us;
-    } cases[] = {{10000, 10000}, {9800, 9800}, {11500, 11500}, {20000, 10000}, {5000, 10000}, {0, 10000}};
+    } cases[] = {{10000, 10000}, {10300, 10300}, {11500, 11500}, {20000, 10000}, {5000, 10000}, {0, 10000}};
     for (const auto& c : cases) {
         PanelConfig cfg = config({}, 1);
         cfg.wait_te = true;
