@@ -12,6 +12,7 @@ import dataclasses
 import json
 import os
 import pathlib
+import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -20,6 +21,7 @@ import firmware  # noqa: E402
 import twin  # noqa: E402
 
 ROOT = firmware.ROOT
+FEATURES = re.findall(r"^spangle_feature\((\w+)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,7 +31,8 @@ class Board:
     target: str
     machine: tuple
     scenes: tuple
-    defines: tuple = ()  # the library's features and limits, where they are not the usual ones
+    features: tuple = None  # the optional systems its library has; all, where it does not say
+    limits: dict = dataclasses.field(default_factory=dict)  # {"SPANGLE_TEXTURE_UNITS": 1}
     left_out: dict = dataclasses.field(default_factory=dict)
     trace: dict = None  # where the display's lines are, for the trace of register writes
     screen: dict = None  # the emulator draws the display itself
@@ -38,6 +41,15 @@ class Board:
     @property
     def folder(self):
         return ROOT / "boards" / self.name
+
+    @property
+    def defines(self):
+        """The library's build, where it is not the usual one."""
+        unknown = set(self.features or ()) - set(FEATURES)
+        if unknown:
+            raise ValueError(f"{self.name}: no feature {', '.join(unknown)} in cmake/Features.cmake")
+        off = [] if self.features is None else [f"-DSPANGLE_FEATURE_{f}=0" for f in FEATURES if f not in self.features]
+        return off + [f"-D{name}={value}" for name, value in self.limits.items()]
 
 
 @dataclasses.dataclass
@@ -66,9 +78,8 @@ def discover():
 def add_image(build, board, report):
     """The demo of a board as an ELF file; `report`: "semihosting" or "silent"."""
     variant = board.name if board.defines else ""
-    defines = [f"-D{define}" for define in board.defines]
-    library = build.library(board.target, defines, variant)
-    demo = [*defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
+    library = build.library(board.target, board.defines, variant)
+    demo = [*board.defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
     paths = [ROOT / "boards/demo/main.cpp", ROOT / "boards/demo/demo.cpp", ROOT / f"boards/demo/report_{report}.cpp",
              *sorted(board.folder.glob("*.cpp")), *(ROOT / source for source in board.sources)]
     if report == "semihosting":
@@ -108,7 +119,10 @@ def mean(values):
 
 def check(board, image, host, frames):
     """The row of a board, and what is wrong."""
-    run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
+    try:
+        run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
+    except RuntimeError as error:
+        run = Run({}, {}, str(error).splitlines())
     wrong = list(run.problems)
     expected = twin.play(host, board, frames)
     for scene in board.scenes:

@@ -10,12 +10,15 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <memory>
+
 #include <spangle/sim/board.hpp>
 
 #include "board_table.hpp"
 #include "boards/demo/demo.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/boards/desk.hpp"
 
 namespace {
 
@@ -24,10 +27,10 @@ using namespace spangle;
 /// A board as its display.hpp describes it.
 struct Twin {
     const char* name;
-    const hal::Board* board;
+    std::unique_ptr<sim::Desk> (*make)();
 };
 
-#define SPANGLE_TWIN(name) {#name, &boards::name},
+#define SPANGLE_TWIN(name) {#name, [] { return sim::make_desk(boards::name); }},
 constexpr Twin twins[] = {SPANGLE_BOARDS(SPANGLE_TWIN)};
 #undef SPANGLE_TWIN
 
@@ -40,27 +43,27 @@ const Twin* find(const char* name) {
 
 class Printer final : public demo::Watcher {
   public:
-    explicit Printer(sim::SimBoard& board) : board_(board) {}
+    explicit Printer(sim::Desk& desk) : desk_(desk) {}
 
     void begin_frame() override {
         counters_ = {};
         gl::observe(*gl::current_context(), &counters_, false);
     }
-    void drawn() override { hash_ = demo::frame_hash(board_.display()); }
+    void drawn() override { hash_ = demo::frame_hash(desk_.display()); }
     void presented() override {
         std::printf("frame %08" PRIx32 " %" PRIu64 " %" PRIu64 "\n", hash_,
-                    static_cast<std::uint64_t>(counters_.fragments), board_.counters().bytes);
+                    static_cast<std::uint64_t>(counters_.fragments), desk_.bytes());
     }
 
   private:
-    sim::SimBoard& board_;
+    sim::Desk& desk_;
     raster::Counters counters_;
     std::uint32_t hash_ = 0;
 };
 
 int play(const Twin& twin, int frames, int count, char** ids) {
-    sim::SimBoard board(*twin.board);
-    Printer printer(board);
+    const std::unique_ptr<sim::Desk> desk = twin.make();
+    Printer printer(*desk);
     for (int i = 0; i < count; ++i) {
         const scenes::Scene* const scene = scenes::find(ids[i]);
         if (scene == nullptr) {
@@ -68,13 +71,14 @@ int play(const Twin& twin, int frames, int count, char** ids) {
             return 2;
         }
         std::printf("scene %s\n", scene->id);
-        if (const char* const problem = demo::play(board.display(), *scene, frames, printer)) {
+        if (const char* const problem = demo::play(desk->display(), *scene, frames, printer)) {
             std::fprintf(stderr, "spangle_twin: %s on %s: %s failed\n", scene->id, twin.name, problem);
             return 1;
         }
     }
-    std::fputs(board.violations_text().c_str(), stderr);
-    return board.violations().empty() ? 0 : 1;
+    const std::string wrong = desk->violations();
+    std::fputs(wrong.c_str(), stderr);
+    return wrong.empty() ? 0 : 1;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <spangle/mcu/cortex_a9.hpp>
 #include <spangle/mcu/systick.hpp>
 
 namespace spangle::mcu {
@@ -28,8 +29,10 @@ class InstructionCount {
 #if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
         const std::uint32_t ticks = (begin_ - after) & SysTick::most_ticks; // it counts down
         return static_cast<std::uint32_t>(std::uint64_t{ticks} * 1000000000u / clock_hz_);
-#else
+#elif defined(__riscv)
         return after - begin_;
+#else
+        return static_cast<std::uint32_t>(std::uint64_t{after - begin_} * 1000000000u / clock_hz_);
 #endif
     }
 
@@ -42,9 +45,7 @@ class InstructionCount {
         asm volatile(".option push\n.option arch, +zicsr\nrdinstret %0\n.option pop" : "=r"(value));
         return value;
 #else
-        std::uint32_t value; // PMCCNTR; start-up turned it on
-        asm volatile("mrc p15, 0, %0, c9, c13, 0" : "=r"(value));
-        return value;
+        return GlobalTimer().ticks();
 #endif
     }
 

@@ -1,0 +1,30 @@
+// The timer every RISC-V core has: mtime (Privileged specification, 3.2.1).
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/mcu/registers.hpp>
+
+namespace spangle::mcu {
+
+struct RiscvTimer {
+    std::uintptr_t mtime;
+    std::uint32_t clock_hz;
+
+    std::uint32_t ticks() const { return reg(mtime); }
+    std::uint32_t micros() const {
+        return static_cast<std::uint32_t>(std::uint64_t{ticks()} * 1000000 / clock_hz);
+    }
+    /// At least so long.
+    void pause(std::uint32_t micros) const {
+        const std::uint64_t wanted = (std::uint64_t{micros} * clock_hz + 999999) / 1000000;
+        std::uint64_t passed = 0;
+        for (std::uint32_t last = ticks(); passed <= wanted;) {
+            const std::uint32_t now = ticks();
+            passed += now - last;
+            last = now;
+        }
+    }
+};
+
+} // namespace spangle::mcu
