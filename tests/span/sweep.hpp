@@ -15,14 +15,13 @@ struct Canvas {
     std::vector<std::uint8_t> color, depth;
     Surface surface;
     Canvas(int width, int height, PixelFormat format, DepthFormat depth_format) {
-        const int bytes = format_info(format).bytes_per_pixel,
-                  depth_bytes = depth_format == DepthFormat::z16 ? 2 : 4;
-        color.resize(static_cast<std::size_t>(width) * height * bytes);
+        const int depth_bytes = depth_format == DepthFormat::z16 ? 2 : 4;
+        color.resize(static_cast<std::size_t>(row_bytes(format, width)) * stored_rows(format, height));
         if (depth_format != DepthFormat::none)
             depth.resize(static_cast<std::size_t>(width) * height * depth_bytes);
         surface.color = color.data();
         surface.depth = depth.empty() ? nullptr : depth.data();
-        surface.color_stride = width * bytes;
+        surface.color_stride = row_bytes(format, width);
         surface.depth_stride = width * depth_bytes;
         surface.width = width;
         surface.height = height;
@@ -66,6 +65,8 @@ struct RandomVertices {
             tex.q = 1 << 29;
             tex.q_is_one = 1;
         }
+        for (int i = 0; i < max_texture_units; ++i)
+            v.r[i] = static_cast<std::int32_t>(0x9E3779B9u * static_cast<std::uint32_t>(v.tex[i].s));
         return v;
     }
 };

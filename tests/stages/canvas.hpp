@@ -45,7 +45,7 @@ struct Point {
     double color[4] = {1, 1, 1, 1};
     double secondary[3] = {0, 0, 0};
     double fog = 0;
-    double s = 0, t = 0, q = 1;
+    double s = 0, t = 0, r = 0, q = 1;
 };
 
 inline FixedVertex fixed_vertex(const Point& p) {
@@ -66,7 +66,9 @@ inline FixedVertex fixed_vertex(const Point& p) {
     for (int i = 0; i < 3; ++i)
         v.secondary[i] = static_cast<std::uint32_t>(std::lround(p.secondary[i] * color_one));
     int exponent = 0;
-    std::frexp(std::fmax(std::fmax(std::fabs(p.s), std::fabs(p.t)), std::fabs(p.q)), &exponent);
+    std::frexp(
+        std::fmax(std::fmax(std::fabs(p.s), std::fabs(p.t)), std::fmax(std::fabs(p.r), std::fabs(p.q))),
+        &exponent);
     for (auto& unit : v.tex) {
         unit.exponent = static_cast<std::int16_t>(exponent - 30);
         unit.s = static_cast<std::int32_t>(std::lround(std::ldexp(p.s, 30 - exponent)));
@@ -74,6 +76,8 @@ inline FixedVertex fixed_vertex(const Point& p) {
         unit.q = static_cast<std::int32_t>(std::lround(std::ldexp(p.q, 30 - exponent)));
         unit.q_is_one = p.q == 1;
     }
+    for (auto& r : v.r)
+        r = static_cast<std::int32_t>(std::lround(std::ldexp(p.r, 30 - exponent)));
     return v;
 }
 
@@ -87,7 +91,7 @@ inline DoubleVertex double_vertex(const Point& p) {
     std::memcpy(v.color, p.color, sizeof v.color);
     std::memcpy(v.secondary, p.secondary, sizeof v.secondary);
     for (auto& unit : v.tex)
-        unit = {p.s, p.t, p.q, 0};
+        unit = {p.s, p.t, p.q, p.r};
     v.x_exact = p.x;
     v.y_exact = p.y;
     return v;

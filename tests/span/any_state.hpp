@@ -1,0 +1,84 @@
+// States of every kind, chosen at random.
+#pragma once
+
+#include "raster/span/draw_state.hpp"
+#include "tests/span/any_texture.hpp"
+#include "tests/span/sweep.hpp"
+
+namespace spangle::raster::test {
+
+inline constexpr PixelFormat all_formats[] = {
+    PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
+    PixelFormat::rgba8888,  PixelFormat::rgb666,    PixelFormat::rgb444,
+    PixelFormat::rgb332,    PixelFormat::grey4,     PixelFormat::mono};
+
+/// Fills a unit with any environment.
+inline void any_unit(RandomVertices& random, TextureUnit& unit, const Texture& texture) {
+    unit.texture = &texture;
+    unit.env = static_cast<TexEnv>(random.below(6));
+    unit.lod_bias = static_cast<std::int32_t>(random.below(513)) - 256;
+    for (Combiner* c : {&unit.rgb, &unit.alpha}) {
+        c->func = static_cast<CombineFunc>(random.below(c == &unit.rgb ? 8 : 6));
+        c->log2_scale = static_cast<std::uint8_t>(random.below(3));
+        for (auto& argument : c->argument)
+            argument = {static_cast<CombineSource>(random.below(6)),
+                        static_cast<CombineOperand>(random.below(4))};
+    }
+    for (auto& c : unit.env_color)
+        c = random.below(color_one + 1);
+}
+
+inline void any_blending(RandomVertices& random, FragmentState& state) {
+    const auto often = [&](std::uint32_t of) { return random.below(of) != 0; };
+    const auto blending = [&] {
+        return Blending{often(2) ? BlendFactor::src_alpha : static_cast<BlendFactor>(random.below(15)),
+                        often(2) ? BlendFactor::one_minus_src_alpha
+                                 : static_cast<BlendFactor>(random.below(15)),
+                        often(2) ? BlendEquation::add : static_cast<BlendEquation>(random.below(5))};
+    };
+    state.blend_rgb = blending();
+    state.blend_alpha = often(2) ? state.blend_rgb : blending();
+    for (auto& c : state.blend_color)
+        c = random.below(color_one + 1);
+}
+
+inline void any_stencil(RandomVertices& random, StencilState& stencil) {
+    const auto op = [&] { return static_cast<StencilOp>(random.below(8)); };
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+    stencil.func = static_cast<Compare>(random.below(8));
+    stencil.ref = byte();
+    stencil.compare_mask = byte();
+    stencil.write_mask = byte();
+    stencil.fail = op();
+    stencil.depth_fail = op();
+    stencil.pass = op();
+}
+
+/// What primitives bring along, and somebody who counts.
+struct Extras {
+    std::uint32_t pattern[32];
+    std::vector<std::uint32_t> coverage;
+    PrimitiveState primitive;
+
+    Extras(RandomVertices& random, int width) : coverage(static_cast<std::size_t>(width)) {
+        for (auto& row : pattern)
+            row = random.word();
+        for (auto& c : coverage)
+            c = random.below(4) == 0 ? full_coverage : random.below(full_coverage + 1);
+        primitive.coverage = coverage.data();
+        primitive.depth_offset = static_cast<std::int64_t>(random.word()) - (std::int64_t{1} << 31);
+        primitive.stippled = true;
+    }
+    void add_to(RandomVertices& random, FragmentState& state) const {
+        state.count = random.below(3) == 0;
+        state.coverage = random.below(3) == 0;
+        state.depth_offset = random.below(3) == 0;
+        state.polygon_stipple = random.below(3) == 0 ? pattern : nullptr;
+    }
+    void give_to(DrawState& draw, Counters& counters) const {
+        draw.primitive = &primitive;
+        draw.counters = &counters;
+    }
+};
+
+} // namespace spangle::raster::test
