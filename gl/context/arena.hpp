@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "gl/context/limits.hpp"
+
 namespace spangle::gl {
 
 /// allocate, free and shrink take constant time whatever was allocated before. Exhaustion gives null and
@@ -40,7 +42,7 @@ class Arena {
     struct Block;
     static constexpr unsigned second_bits = 3;
     static constexpr unsigned second_count = 1u << second_bits;
-    static constexpr unsigned first_count = sizeof(void*) == 4 ? 20 : 32; ///< blocks below 32 MiB, 128 GiB
+    static constexpr unsigned first_count = arena_log2 - 5;
 
     struct Slot {
         unsigned first, second;

@@ -6,12 +6,6 @@
 #ifndef SPANGLE_FEATURE_LISTS
 #define SPANGLE_FEATURE_LISTS 1
 #endif
-#ifndef SPANGLE_FEATURE_LIGHTING
-#define SPANGLE_FEATURE_LIGHTING 1
-#endif
-#ifndef SPANGLE_FEATURE_FOG
-#define SPANGLE_FEATURE_FOG 1
-#endif
 #ifndef SPANGLE_FEATURE_POLYGON_MODE
 #define SPANGLE_FEATURE_POLYGON_MODE 1
 #endif
@@ -83,19 +77,4 @@
 #endif
 #ifndef SPANGLE_FEATURE_GET_PROC_ADDRESS
 #define SPANGLE_FEATURE_GET_PROC_ADDRESS 1
-#endif
-
-/// Texture units, 1 or 2; GL 1.3 asks for 2.
-#ifndef SPANGLE_TEXTURE_UNITS
-#define SPANGLE_TEXTURE_UNITS 2
-#endif
-
-/// How many vertices of array draws are kept for indices that come again, about 120 bytes each; at least 1. A
-/// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
-#ifndef SPANGLE_VERTEX_CACHE
-#ifdef SPANGLE_FIRMWARE
-#define SPANGLE_VERTEX_CACHE 80
-#else
-#define SPANGLE_VERTEX_CACHE 128
-#endif
 #endif

@@ -1,14 +1,80 @@
-// Implementation limits (GL 1.3, tables 6.26 to 6.29).
+// Implementation limits (GL 1.3, tables 6.26 to 6.29), as low as a build asks for (cmake/Limits.cmake).
 #pragma once
 
 #include <cstdint>
+
+#include "raster/numeric/bits.hpp"
+
+#ifndef SPANGLE_LIGHTS
+#define SPANGLE_LIGHTS 8
+#endif
+#ifndef SPANGLE_MODELVIEW_STACK
+#define SPANGLE_MODELVIEW_STACK 32
+#endif
+#ifndef SPANGLE_PROJECTION_STACK
+#define SPANGLE_PROJECTION_STACK 2
+#endif
+#ifndef SPANGLE_TEXTURE_STACK
+#define SPANGLE_TEXTURE_STACK 2
+#endif
+#ifndef SPANGLE_NAME_STACK
+#define SPANGLE_NAME_STACK 64
+#endif
+#ifndef SPANGLE_LIST_NESTING
+#define SPANGLE_LIST_NESTING 64
+#endif
+#ifndef SPANGLE_CLIP_SPARE
+#define SPANGLE_CLIP_SPARE 2
+#endif
+#ifndef SPANGLE_LINE_BATCH
+#define SPANGLE_LINE_BATCH 0
+#endif
+#ifndef SPANGLE_ARENA_LOG2
+#define SPANGLE_ARENA_LOG2 0
+#endif
+
+#ifndef SPANGLE_VERTEX_CACHE
+#define SPANGLE_VERTEX_CACHE 0
+#endif
 
 namespace spangle::gl {
 
 inline constexpr std::int32_t max_viewport_dim = 2048; ///< 4 x it is raster::guard_band
 inline constexpr std::int32_t max_point_size = 64;     ///< sizes are whole pixels, 1 and up
 inline constexpr std::int32_t max_line_width = 64;
-inline constexpr std::int32_t modelview_stack_entries = 32, projection_stack_entries = 2,
-                              texture_stack_entries = 2, attrib_stack_entries = 16;
+inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
+                              projection_stack_entries = SPANGLE_PROJECTION_STACK,
+                              texture_stack_entries = SPANGLE_TEXTURE_STACK, attrib_stack_entries = 16,
+                              name_stack_entries = SPANGLE_NAME_STACK,
+                              max_list_nesting = SPANGLE_LIST_NESTING;
+inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
+inline constexpr int max_clip_planes = 6;
+
+inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;
+/// How many vertices of array draws are kept for indices that come again, about 120 bytes each. A
+/// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
+#ifdef SPANGLE_FIRMWARE
+inline constexpr unsigned usual_vertex_cache = 80;
+#else
+inline constexpr unsigned usual_vertex_cache = 128;
+#endif
+inline constexpr unsigned vertex_cache =
+    SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
+inline constexpr bool keeps_vertices = vertex_cache > 1; ///< else elements come one by one
+
+/// Lines under way, even; with two they are drawn one by one.
+inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0   ? SPANGLE_LINE_BATCH
+                                  : numeric::cheap_branches ? 8
+                                                            : 16;
+
+/// Blocks of the arena are smaller than 2^this.
+inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_LOG2
+                                       : sizeof(void*) == 4    ? 25
+                                                               : 37;
+
+static_assert(modelview_stack_entries >= 1 && projection_stack_entries >= 1 && texture_stack_entries >= 1 &&
+              name_stack_entries >= 1 && max_list_nesting >= 2);
+static_assert(max_lights >= 1 && max_lights <= 8, "the tokens GL_LIGHTi there are");
+static_assert(clip_spare >= 0 && line_batch % 2 == 0 && arena_log2 >= 7 && arena_log2 <= 37);
 
 } // namespace spangle::gl

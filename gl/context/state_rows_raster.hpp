@@ -3,6 +3,17 @@
 
 #include "gl/context/state_row.hpp"
 
+// Builds without stipples have no member for them.
+#if SPANGLE_FEATURE_STIPPLE
+#define STIPPLE_ROW(NAME, MEMBER) STORED(NAME, polygon.MEMBER)
+#define STIPPLE_SWITCH(NAME, MEMBER) SWITCH(NAME, polygon.MEMBER)
+#define STIPPLE HELD(polygon.stipple)
+#else
+#define STIPPLE_ROW(NAME, MEMBER) of_stipple(constant(NAME, 0))
+#define STIPPLE_SWITCH(NAME, MEMBER) of_stipple(absent_switch(NAME))
+#define STIPPLE in(Group::polygon_stipple)
+#endif
+
 namespace spangle::gl {
 
 inline constexpr auto raster_rows = std::to_array<StateRow>({
@@ -12,23 +23,27 @@ inline constexpr auto raster_rows = std::to_array<StateRow>({
     in(Group::line),
     STORED(GL_LINE_WIDTH, polygon.line_width),
     of_antialiasing(SWITCH(GL_LINE_SMOOTH, polygon.line_smooth)),
-    of_stipple(SWITCH(GL_LINE_STIPPLE, polygon.line_stipple)),
-    of_stipple(STORED(GL_LINE_STIPPLE_PATTERN, polygon.stipple_pattern)),
-    of_stipple(STORED(GL_LINE_STIPPLE_REPEAT, polygon.stipple_factor)),
+    STIPPLE_SWITCH(GL_LINE_STIPPLE, line_stipple),
+    STIPPLE_ROW(GL_LINE_STIPPLE_PATTERN, stipple_pattern),
+    STIPPLE_ROW(GL_LINE_STIPPLE_REPEAT, stipple_factor),
     in(Group::polygon),
     SWITCH(GL_CULL_FACE, polygon.cull_face),
     STORED(GL_CULL_FACE_MODE, polygon.cull_face_mode),
     of_polygon_mode(STORED(GL_POLYGON_MODE, polygon.mode)),
     STORED(GL_FRONT_FACE, polygon.front_face),
     of_antialiasing(SWITCH(GL_POLYGON_SMOOTH, polygon.polygon_smooth)),
-    of_stipple(SWITCH(GL_POLYGON_STIPPLE, polygon.polygon_stipple)),
+    STIPPLE_SWITCH(GL_POLYGON_STIPPLE, polygon_stipple),
     of_polygon_offset(STORED(GL_POLYGON_OFFSET_FACTOR, polygon.offset_factor)),
     of_polygon_offset(STORED(GL_POLYGON_OFFSET_UNITS, polygon.offset_units)),
     of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_POINT, polygon.offset_point)),
     of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_LINE, polygon.offset_line)),
     of_polygon_offset(SWITCH(GL_POLYGON_OFFSET_FILL, polygon.offset_fill)),
     in(Group::polygon_stipple),
-    of_stipple(HELD(polygon.stipple)),
+    STIPPLE,
 });
+
+#undef STIPPLE_ROW
+#undef STIPPLE_SWITCH
+#undef STIPPLE
 
 } // namespace spangle::gl

@@ -5,22 +5,29 @@
 
 #define TARGET(NAME, I)                                                                                      \
     of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].enabled[I]))
+#if SPANGLE_FEATURE_TEXGEN
 #define TEXGEN(NAME, I)                                                                                      \
-    of_texgen(of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I])))
+    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I]))
+#define TEXGENS of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen))
+#else // no member for it
+#define TEXGEN(NAME, I) of_texgen(absent_switch(NAME))
+#define TEXGENS in(Group::texture)
+#endif
 
 namespace spangle::gl {
 
 inline constexpr auto texture_rows = std::to_array<StateRow>({
     in(Group::texture),
     of_texture_1d(TARGET(GL_TEXTURE_1D, 0)),
-    TARGET(GL_TEXTURE_2D, 1),
+    of_feature(raster::has_textures, SPANGLE_TEXT("this build has no texture units"),
+               TARGET(GL_TEXTURE_2D, 1)),
     of_texture_3d(TARGET(GL_TEXTURE_3D, 2)),
     of_cube_map(TARGET(GL_TEXTURE_CUBE_MAP, 3)),
     TEXGEN(GL_TEXTURE_GEN_S, 0),
     TEXGEN(GL_TEXTURE_GEN_T, 1),
     TEXGEN(GL_TEXTURE_GEN_R, 2),
     TEXGEN(GL_TEXTURE_GEN_Q, 3),
-    of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen)),
+    TEXGENS,
     HELD(texture.active),
     of_texture_1d(computed(GL_TEXTURE_BINDING_1D, Kind::integer, 1, computed_state::binding)),
     computed(GL_TEXTURE_BINDING_2D, Kind::integer, 1, computed_state::binding),
@@ -29,10 +36,11 @@ inline constexpr auto texture_rows = std::to_array<StateRow>({
     in(Group::none),
     computed(GL_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
     computed(GL_CLIENT_ACTIVE_TEXTURE, Kind::integer, 1, computed_state::active_unit),
-    constant(GL_MAX_TEXTURE_UNITS, texture_units),
+    constant(GL_MAX_TEXTURE_UNITS, raster::has_textures ? texture_units : 0),
 });
 
 #undef TARGET
 #undef TEXGEN
+#undef TEXGENS
 
 } // namespace spangle::gl

@@ -5,8 +5,26 @@
 #include "gl/context/state_row.hpp"
 
 // Builds without a system may have no member for it.
-#define PLANE(I) of_clip_planes(SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I]))
-#define LIGHT(I) of_lighting(SWITCH(GL_LIGHT0 + I, lighting.light_enabled[I]))
+#if SPANGLE_FEATURE_CLIP_PLANES
+#define PLANE(I) SWITCH(GL_CLIP_PLANE0 + I, transform.clip_plane_on[I])
+#define PLANES HELD(transform.clip_plane)
+#else
+#define PLANE(I) of_clip_planes(absent_switch(GL_CLIP_PLANE0 + I))
+#define PLANES in(Group::transform)
+#endif
+#if SPANGLE_FEATURE_LIGHTING
+#define LIGHTING_ROW(NAME, MEMBER) STORED(NAME, lighting.MEMBER)
+#define LIGHTING_SWITCH(NAME, MEMBER) SWITCH(NAME, lighting.MEMBER)
+#define LIGHT(I) light_switch(I)
+#define LIGHTS HELD(lighting.light)
+#define MATERIALS HELD(lighting.material)
+#else
+#define LIGHTING_ROW(NAME, MEMBER) of_lighting(constant(NAME, 0))
+#define LIGHTING_SWITCH(NAME, MEMBER) of_lighting(absent_switch(NAME))
+#define LIGHT(I) of_lighting(absent_switch(GL_LIGHT0 + I))
+#define LIGHTS in(Group::lighting)
+#define MATERIALS in(Group::lighting)
+#endif
 #if SPANGLE_FEATURE_EVALUATORS
 #define EVAL_ROW(NAME, MEMBER) STORED(NAME, eval.MEMBER)
 #define EVAL_SWITCH(NAME, MEMBER) SWITCH(NAME, eval.MEMBER)
@@ -18,6 +36,16 @@
     EVAL_SWITCH(GL_MAP1_##TARGET, enabled[0][INDEX]), EVAL_SWITCH(GL_MAP2_##TARGET, enabled[1][INDEX])
 
 namespace spangle::gl {
+
+#if SPANGLE_FEATURE_LIGHTING
+/// A light beyond the limit has no name.
+constexpr StateRow light_switch(unsigned i) {
+    if (i >= max_lights)
+        return in(Group::lighting);
+    return stored<bool>(GL_LIGHT0 + i, offsetof(Context, lighting.light_enabled) + i * sizeof(bool),
+                        Switch::server);
+}
+#endif
 
 inline constexpr auto vertex_rows = std::to_array<StateRow>({
     in(Group::current),
@@ -55,20 +83,20 @@ inline constexpr auto vertex_rows = std::to_array<StateRow>({
     PLANE(3),
     PLANE(4),
     PLANE(5),
-    HELD(transform.clip_plane),
+    PLANES,
     in(Group::viewport),
     STORED(GL_VIEWPORT, transform.viewport),
     linear(STORED(GL_DEPTH_RANGE, transform.depth_range)),
     in(Group::lighting),
     STORED(GL_SHADE_MODEL, polygon.shade_model),
-    of_lighting(SWITCH(GL_LIGHTING, lighting.lighting)),
-    of_lighting(SWITCH(GL_COLOR_MATERIAL, lighting.color_material)),
-    of_lighting(STORED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_parameter)),
-    of_lighting(STORED(GL_COLOR_MATERIAL_FACE, lighting.color_material_face)),
-    of_lighting(linear(STORED(GL_LIGHT_MODEL_AMBIENT, lighting.model_ambient))),
-    of_lighting(STORED(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer)),
-    of_lighting(STORED(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side)),
-    of_lighting(STORED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control)),
+    LIGHTING_SWITCH(GL_LIGHTING, lighting),
+    LIGHTING_SWITCH(GL_COLOR_MATERIAL, color_material),
+    LIGHTING_ROW(GL_COLOR_MATERIAL_PARAMETER, color_material_parameter),
+    LIGHTING_ROW(GL_COLOR_MATERIAL_FACE, color_material_face),
+    linear(LIGHTING_ROW(GL_LIGHT_MODEL_AMBIENT, model_ambient)),
+    LIGHTING_ROW(GL_LIGHT_MODEL_LOCAL_VIEWER, local_viewer),
+    LIGHTING_ROW(GL_LIGHT_MODEL_TWO_SIDE, two_side),
+    LIGHTING_ROW(GL_LIGHT_MODEL_COLOR_CONTROL, color_control),
     LIGHT(0),
     LIGHT(1),
     LIGHT(2),
@@ -77,8 +105,8 @@ inline constexpr auto vertex_rows = std::to_array<StateRow>({
     LIGHT(5),
     LIGHT(6),
     LIGHT(7),
-    of_lighting(HELD(lighting.light)),
-    of_lighting(HELD(lighting.material)),
+    LIGHTS,
+    MATERIALS,
     in(Group::eval),
     EVAL_SWITCH(GL_AUTO_NORMAL, auto_normal),
     MAP_SWITCH(COLOR_4, eval_color),
@@ -97,7 +125,12 @@ inline constexpr auto vertex_rows = std::to_array<StateRow>({
 });
 
 #undef PLANE
+#undef PLANES
+#undef LIGHTING_ROW
+#undef LIGHTING_SWITCH
 #undef LIGHT
+#undef LIGHTS
+#undef MATERIALS
 #undef EVAL_ROW
 #undef EVAL_SWITCH
 #undef MAP_SWITCH

@@ -7,6 +7,7 @@
 #include <spangle/GL/gl.h>
 
 #include "gl/context/features.hpp"
+#include "gl/context/limits.hpp"
 #include "raster/numeric/real.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
@@ -15,8 +16,7 @@ namespace spangle::gl {
 using numeric::Real;
 
 /// Texture units of GL; arrays over units are sized by it.
-inline constexpr int texture_units = SPANGLE_TEXTURE_UNITS;
-static_assert(texture_units >= 1 && texture_units <= raster::max_texture_units);
+inline constexpr int texture_units = raster::max_texture_units;
 
 /// One canonical parameter: a Real or a 32-bit integer, by what its pname means (a colour and a factor are
 /// Reals, an enum, a boolean and a level are integers).

@@ -24,7 +24,8 @@ Config config_of(EGLint id) {
 }
 
 bool exists(const Config& config) {
-    return precision_of(config.precision).engine != nullptr;
+    return raster::has_format(config.format) && raster::has_format(config.depth) &&
+           precision_of(config.precision).engine != nullptr;
 }
 
 EGLConfig handle_of(const Config& config) {
@@ -246,13 +247,14 @@ Config find_config(const Display&, EGLConfig handle) {
 }
 
 Precision precision_of(EGLint precision) {
+    constexpr const gl::Engine* fixed_tiers = raster::has_tiers ? &gl::fixed_engine : nullptr;
     switch (precision) {
     case EGL_PRECISION_EXACT_SPANGLE:
         return {&gl::fixed_engine, raster::Tier::exact};
     case EGL_PRECISION_BALANCED_SPANGLE:
-        return {&gl::fixed_engine, raster::Tier::balanced};
+        return {fixed_tiers, raster::Tier::balanced};
     case EGL_PRECISION_FAST_SPANGLE:
-        return {&gl::fixed_engine, raster::Tier::fast};
+        return {fixed_tiers, raster::Tier::fast};
     case EGL_PRECISION_DOUBLE_SPANGLE:
         return {reference_engines[0], raster::Tier::exact};
     case EGL_PRECISION_SHADOW_SPANGLE:

@@ -11,8 +11,6 @@ using Word = std::uint32_t;
 struct Chunk;
 } // namespace list
 
-inline constexpr unsigned max_list_nesting = 64;
-
 /// A list that is being compiled: a chain of chunks, and the run of vertices that is still open.
 struct ListRecorder {
     list::Chunk* first = nullptr;

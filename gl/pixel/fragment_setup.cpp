@@ -151,7 +151,9 @@ void fill_modes(const PolygonState& polygon, Drawn drawn, raster::FragmentState&
     if (drawn != Drawn::polygons)
         return;
     out.depth_offset = offsets(polygon);
+#if SPANGLE_FEATURE_STIPPLE
     out.polygon_stipple = stipples(polygon) ? polygon.stipple.row : nullptr;
+#endif
 }
 
 void fill(const Context& context, raster::FragmentState& out) {
@@ -209,6 +211,8 @@ std::uint8_t written_channels(const Context& context) {
 }
 
 raster::Tier tier_of(const Context& context, GLenum hint) {
+    if (!raster::has_tiers)
+        return raster::Tier::exact;
     if (hint == GL_FASTEST)
         return raster::Tier::fast;
     return hint == GL_NICEST ? raster::Tier::exact : context.tier;

@@ -9,7 +9,7 @@ namespace spangle::gl {
 /// Level l has at most 2^(11 - l) texels a side, without border.
 inline constexpr int texture_levels = raster::max_texture_levels;
 inline constexpr GLsizei max_texture_size = 1 << (texture_levels - 1);
-inline constexpr GLsizei max_3d_texture_size = 256;
+inline constexpr GLsizei max_3d_texture_size = max_texture_size < 256 ? max_texture_size : 256;
 inline constexpr std::int32_t max_texture_lod_bias = 12; ///< past either end of every chain
 
 /// What an object is from its first binding on. A unit takes the last one that is enabled (GL 1.3, 3.8.15).

@@ -107,6 +107,8 @@ std::int32_t lod_bias(Real texture, Real unit) {
 } // namespace
 
 void fill_textures(const Context& context, raster::FragmentState& out) {
+    if constexpr (!raster::has_textures)
+        return;
     const TextureObject* textures[texture_units];
     for (int i = 0; i < texture_units; ++i) {
         textures[i] = sampled_texture(context, i);

@@ -27,17 +27,20 @@ struct TexEnvState {
 };
 
 struct TextureUnitState {
+#if SPANGLE_FEATURE_TEXGEN
     TextureUnitState() {
         for (int c = 0; c < 2; ++c)
             gen[c].object_plane[c] = gen[c].eye_plane[c] = numeric::one;
     }
-
-    bool enabled[texture_kinds] = {};
-    TextureObject* bound[texture_kinds] = {}; ///< null: the default texture (name 0)
-    bool on() const { return (enabled[0] | enabled[1] | enabled[2] | enabled[3]) != 0; }
-    TexEnvState env;
     bool gen_on[4] = {}; ///< of S, T, R, Q
     TexGenState gen[4];
+#endif
+    bool enabled[texture_kinds] = {};
+    TextureObject* bound[texture_kinds] = {}; ///< null: the default texture (name 0)
+    bool on() const {
+        return (enabled[0] | enabled[1] | enabled[2] | enabled[3]) != 0;
+    }
+    TexEnvState env;
 };
 
 /// Bits of units: bit u, unit u is on; bit u + third_coordinate, what it samples looks at r.
@@ -88,7 +91,7 @@ struct TextureState {
     }
     unsigned units_in_use() const {
         unsigned bits = 0;
-        for (unsigned u = 0; u < texture_units; ++u)
+        for (unsigned u = 0; u < texture_units && raster::has_textures; ++u)
             if (unit[u].on())
                 bits |= (wants_r(u) ? 1u << third_coordinate | 1u : 1u) << u;
         return bits;

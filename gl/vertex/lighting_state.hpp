@@ -5,8 +5,6 @@
 
 namespace spangle::gl {
 
-inline constexpr unsigned max_lights = 8;
-
 struct Light {
     Real ambient[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
     Real diffuse[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
@@ -27,6 +25,7 @@ struct Material {
     Real indexes[3] = {numeric::zero, numeric::one, numeric::one}; ///< ambient, diffuse, specular
 };
 
+#if SPANGLE_FEATURE_LIGHTING
 struct LightingState {
     LightingState() {
         for (int c = 0; c < 3; ++c)
@@ -45,5 +44,11 @@ struct LightingState {
     Light light[max_lights];
     Material material[2]; ///< front, back
 };
+#else
+struct LightingState {
+    static constexpr bool lighting = false, color_material = false;
+    static constexpr GLenum color_control = GL_SINGLE_COLOR;
+};
+#endif
 
 } // namespace spangle::gl

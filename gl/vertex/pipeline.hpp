@@ -110,9 +110,13 @@ template <class M, class L> class Pipeline {
     /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
     struct Cut : Vertex {
         typename M::Clip clip{};
+#if SPANGLE_FEATURE_FOG
         typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
+#endif
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
         typename M::Eye eye{};
-        typename L::Input light{};
+#endif
+        [[no_unique_address]] typename L::Input light{};
 #if SPANGLE_FEATURE_FEEDBACK
         typename M::Eye texture{}; ///< while primitives are fed back
 #endif
@@ -120,11 +124,13 @@ template <class M, class L> class Pipeline {
         typename M::Colors back{}; ///< while back_known
 #endif
     };
-    /// A quad gets a corner more at each plane of the volume and of the user; those a plane took away stay
-    /// among the Cuts.
-    static constexpr int slot_count = 4, clip_vertices = SPANGLE_FEATURE_CLIP_PLANES ? 20 : 16,
-                         cut_count = SPANGLE_FEATURE_CLIP_PLANES ? 28 : 20;
-    static constexpr int line_batch = numeric::cheap_branches ? 8 : 16; ///< lines under way, even
+    static constexpr int slot_count = 4;
+    /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
+    /// at every edge. Cuts that a plane took away are those that the next one makes.
+    static constexpr int clip_vertices = slot_count + 6 +
+                                         (SPANGLE_FEATURE_CLIP_PLANES ? max_clip_planes : 0) + 2 + clip_spare,
+                         cut_count = clip_vertices + clip_spare;
+    static_assert(cut_count <= 32);
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
@@ -165,8 +171,9 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_FEATURE_LIGHTING
     typename M::Colors back_[slot_count]; ///< of slot_, while back_known
 #endif
-    Vertex cache_[SPANGLE_VERTEX_CACHE]; ///< of elements, by their index
+    Vertex cache_[vertex_cache]; ///< of elements, by their index
     Cut cut_[cut_count];
+    std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
 #if SPANGLE_FEATURE_FEEDBACK
     typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
     Cut* gathered_ = nullptr;             ///< corners of a polygon that is fed back, in the arena
@@ -212,8 +219,10 @@ template <class M, class L> class Pipeline {
         whole_polygons_ = whole_polygons_ || offsets() || smooth_polygons();
         modal_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
                        (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth);
+#if SPANGLE_FEATURE_STIPPLE
         stipple_.pattern = polygon.stipple_pattern;
         stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
+#endif
         point_size_ = whole(polygon.point_size);
         line_width_ = whole(polygon.line_width);
     }
@@ -311,6 +320,8 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] bool project(Vertex& v);
 
     // pipeline_elements.hpp
+    void kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
+                       const Indices& indices);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
     bool has_lines() const;
     bool is_usual(const ElementReader& reader) const;
@@ -397,9 +408,13 @@ template <class M, class L> class Pipeline {
     int band() const;
     bool keeps(int plane, const Cut& v) const;
     void cut(int plane, const Cut& inside, const Cut& outside, Cut& out);
+#if SPANGLE_FEATURE_CLIP_PLANES
     void cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside, Cut& out);
+#endif
     bool clip_line(Vertex* (&ends)[2]);
-    int clip_polygon(Vertex** corners, Vertex** work, int room, int n, int used, unsigned planes);
+    Cut* free_cut();
+    void keep_cuts(Vertex* const* corners, int n);
+    int clip_polygon(Vertex** corners, Vertex** work, int room, int n, unsigned planes);
 };
 
 } // namespace spangle::gl

@@ -114,7 +114,7 @@ template <class M, class L> void Pipeline<M, L>::feed_gathered() {
         }
         const unsigned planes = clip_planes(any) | any_user << user_shift;
         const int left = all != 0 || all_user != 0 ? 0
-                         : planes != 0             ? clip_polygon(work, work + room, room, n, 0, planes)
+                         : planes != 0             ? clip_polygon(work, work + room, room, n, planes)
                                                    : n;
         if (left >= 3)
             feed_polygon(work, left);

@@ -1,6 +1,8 @@
 // Clipping (GL 1.3, 2.11).
 #pragma once
 
+#include <bit>
+
 #include "gl/vertex/pipeline.hpp"
 
 namespace spangle::gl {
@@ -15,10 +17,14 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     static_cast<Vertex&>(out) = v;
     out.flags |= is_cut;
     out.clip = M::to_clip(transforms_, v.position);
+#if SPANGLE_FEATURE_FOG
     if (fog_)
         out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
+#endif
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
     if (needs_eye())
         out.eye = M::to_eye(transforms_, v.position);
+#endif
     out.light = L::input(v.normal);
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
@@ -35,6 +41,7 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
 template <class M, class L>
 void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
     M::mix(a.window, b.window, t, units_, out.window);
+#if SPANGLE_FEATURE_FOG
     if (fog_) {
         out.eye_z = M::mix(a.eye_z, b.eye_z, t);
         if (fog_given_)
@@ -42,8 +49,11 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
         else
             M::set_fog(out.eye_z, out.window);
     }
+#endif
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
     if (needs_eye())
         out.eye = M::mix(a.eye, b.eye, t);
+#endif
     L::mix(a.light, b.light, t, out.light);
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
@@ -66,21 +76,28 @@ template <class M, class L> inline int Pipeline<M, L>::band() const {
 /// Planes are numbered: those of the view volume, from user_shift on the user's. These come last, so that
 /// they cut the same polygon as their complements do.
 template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const Cut& v) const {
-    if (plane < user_shift)
-        return M::distance(v.clip, plane, band()) >= 0;
-    const typename M::Plane& user = planes_[plane - user_shift];
-    return !M::outside(user, M::distance(user, v.eye));
+#if SPANGLE_FEATURE_CLIP_PLANES
+    if (plane >= user_shift) {
+        const typename M::Plane& user = planes_[plane - user_shift];
+        return !M::outside(user, M::distance(user, v.eye));
+    }
+#endif
+    return M::distance(v.clip, plane, band()) >= 0;
 }
 
 /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
 template <class M, class L>
 inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside, Cut& out) {
+#if SPANGLE_FEATURE_CLIP_PLANES
     if (plane >= user_shift)
         return cut_by_user(planes_[plane - user_shift], inside, outside, out);
+#endif
     mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, band()), out);
     // Rounding must not leave it outside of the plane it lies on.
     out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
 }
+
+#if SPANGLE_FEATURE_CLIP_PLANES
 
 /// From the side where distances are positive, whichever is kept: the same integers for a plane and its
 /// complement.
@@ -89,6 +106,28 @@ inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cu
                                         Cut& out) {
     const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
     mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
+}
+
+#endif
+
+/// A place for a new vertex; null: all hold corners.
+template <class M, class L> inline auto Pipeline<M, L>::free_cut() -> Cut* {
+    if (free_cuts_ == 0)
+        return nullptr;
+    const int i = std::countr_zero(free_cuts_);
+    free_cuts_ &= free_cuts_ - 1;
+    return &cut_[i];
+}
+
+/// All are free but those among the n corners.
+template <class M, class L> void Pipeline<M, L>::keep_cuts(Vertex* const* corners, int n) {
+    free_cuts_ = static_cast<std::uint32_t>((std::uint64_t{1} << cut_count) - 1);
+    for (int i = 0; i < n; ++i) {
+        const std::uintptr_t at =
+            reinterpret_cast<std::uintptr_t>(corners[i]) - reinterpret_cast<std::uintptr_t>(cut_);
+        if (at < sizeof cut_)
+            free_cuts_ &= ~(1u << at / sizeof(Cut));
+    }
 }
 
 template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends)[2]) {
@@ -110,18 +149,18 @@ template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends
 }
 
 /// Sutherland and Hodgman, plane by plane; what is left of the n corners, room at most, ends up in their
-/// place. The first `used` of cut_ are taken.
+/// place.
 template <class M, class L>
-inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int room, int n, int used,
-                                        unsigned planes) {
+inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int room, int n, unsigned planes) {
     for (int plane = 0; plane < user_shift + planes_.count(); ++plane) {
         if ((planes >> plane & 1) == 0)
             continue;
         int m = 0;
+        keep_cuts(corners, n);
         for (int i = 0; i < n; ++i) {
             // A convex polygon meets a plane twice. A quad that crosses itself, or one that rounding bent
             // at the limits of the mantissas, may do so more often; it may be left out (GL 1.3, 2.6.1).
-            if (used == cut_count || m + 2 > room)
+            if (m + 2 > room)
                 return 0;
             Cut& here = static_cast<Cut&>(*corners[i]);
             Cut& next = static_cast<Cut&>(*corners[i + 1 == n ? 0 : i + 1]);
@@ -130,12 +169,14 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
                 work[m++] = &here;
             if (here_in == next_in)
                 continue;
-            Cut& fresh = cut_[used++];
-            cut(plane, here_in ? here : next, here_in ? next : here, fresh);
+            Cut* const fresh = free_cut();
+            if (fresh == nullptr)
+                return 0;
+            cut(plane, here_in ? here : next, here_in ? next : here, *fresh);
             // On the way out an edge along the plane starts, a boundary; on the way in goes on what was
             // cut (GL 1.3, 2.11).
-            fresh.flags |= here_in ? unsigned{boundary} : here.flags & boundary;
-            work[m++] = &fresh;
+            fresh->flags |= here_in ? unsigned{boundary} : here.flags & boundary;
+            work[m++] = fresh;
         }
         n = m;
         for (int i = 0; i < n; ++i)

@@ -8,9 +8,16 @@ namespace spangle::gl {
 template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     const ElementReader reader(context.arrays);
-    CurrentState& current = context.current;
-    if (each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
+    if (!keeps_vertices || each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
         return elements_in_turn(context, reader, count, indices);
+    if constexpr (keeps_vertices)
+        kept_elements(context, reader, count, indices);
+}
+
+template <class M, class L>
+inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
+                                          const Indices& indices) {
+    CurrentState& current = context.current;
     const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
     arrays_begin(reader, current, textured);
     if (!lit_)
@@ -78,7 +85,7 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    return cache_[index % SPANGLE_VERTEX_CACHE];
+    return cache_[index % vertex_cache];
 }
 
 /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if

@@ -82,7 +82,11 @@ template <class M, class L> void Pipeline<M, L>::lines(Vertex* const* vertex, in
     if ((any & uncolored) != 0)
         for (int i = flat_ ? 1 : 0; i < n; i += flat_ ? step : 1)
             color(*vertex[i]);
-    raster::draw_lines(*state_, context_->drawable.surface, window, n, step, line_width_);
+    if constexpr (line_batch > 2)
+        return raster::draw_lines(*state_, context_->drawable.surface, window, n, step, line_width_);
+    for (int i = 0; i + 1 < n; i += step)
+        raster::draw_line(*state_, context_->drawable.surface, *window[i], *window[i + 1], *window[i + 1],
+                          line_width_);
 }
 
 /// A line that may be out of sight.
@@ -186,7 +190,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     // drawn.
     const bool slivers = planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0;
     const std::int64_t whole = slivers ? area_of(corners, n) : 0;
-    const int left = clip_polygon(work[0], work[1], clip_vertices, n, n, planes);
+    const int left = clip_polygon(work[0], work[1], clip_vertices, n, planes);
     if (left >= 3)
         visible(work[0], left, provoking, whole);
 }

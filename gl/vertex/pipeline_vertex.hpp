@@ -80,7 +80,7 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
 /// What is current goes with the vertex.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::attributes(const CurrentState& current, Vertex& v) {
-    if (units_ != 0)
+    if (raster::has_textures && units_ != 0)
         textures(current, v);
     if (lit_)
         return;
@@ -146,10 +146,12 @@ template <class M, class L> unsigned Pipeline<M, L>::flags_of(const typename M::
 
 /// Side 0 is the front, 1 the back.
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
+#if SPANGLE_FEATURE_LIGHTING
     if ((v.flags & is_cut) != 0) {
         const Cut& cut = static_cast<const Cut&>(v);
         return lighting_.light(*context_, cut.light, cut.eye, side, out);
     }
+#endif
     typename M::Eye eye{};
     if (lighting_.needs_eye())
         eye = M::to_eye(transforms_, v.position);

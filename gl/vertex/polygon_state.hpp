@@ -23,10 +23,14 @@ struct PolygonState {
     Real point_size = numeric::one;      ///< as set; clamped and rounded only in use
     Real line_width = numeric::one;
     bool point_smooth = false, line_smooth = false, polygon_smooth = false;
+#if SPANGLE_FEATURE_STIPPLE
     bool line_stipple = false, polygon_stipple = false;
     GLint stipple_factor = 1;
     GLuint stipple_pattern = 0xFFFF;
     StipplePattern stipple;
+#else
+    static constexpr bool line_stipple = false, polygon_stipple = false;
+#endif
     bool offset_point = false, offset_line = false, offset_fill = false;
     Real offset_factor = numeric::zero, offset_units = numeric::zero;
 };

@@ -6,8 +6,6 @@
 
 namespace spangle::gl {
 
-inline constexpr GLint name_stack_entries = 64;
-
 struct SelectState {
     const void* buffer = nullptr; ///< of GLuint
     GLsizei size = 0;             ///< of the buffer, as given

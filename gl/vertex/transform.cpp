@@ -18,16 +18,16 @@ struct StackRef {
 };
 
 StackRef modelview_stack(TransformState& t) {
-    return {t.modelview.entry, MatrixStack<32>::depth, &t.modelview.top};
+    return {t.modelview.entry, modelview_stack_entries, &t.modelview.top};
 }
 
 StackRef current_stack(Context& context) {
     TransformState& t = context.transform;
     if (t.matrix_mode == GL_PROJECTION)
-        return {t.projection.entry, MatrixStack<2>::depth, &t.projection.top};
+        return {t.projection.entry, projection_stack_entries, &t.projection.top};
     if (t.matrix_mode == GL_TEXTURE) {
-        MatrixStack<2>& stack = t.texture[context.texture.active];
-        return {stack.entry, MatrixStack<2>::depth, &stack.top};
+        auto& stack = t.texture[context.texture.active];
+        return {stack.entry, texture_stack_entries, &stack.top};
     }
     return modelview_stack(t);
 }
@@ -51,7 +51,7 @@ bool equal(Real a, Real b) {
 
 Matrix16 top_matrix(const Context& context, GLenum pname) {
     const TransformState& t = context.transform;
-    const MatrixStack<2>& texture = t.texture[context.texture.active];
+    const auto& texture = t.texture[context.texture.active];
     Matrix16 out;
     numeric::to_reals(pname == GL_PROJECTION_MATRIX ? t.projection.entry[t.projection.top]
                       : pname == GL_TEXTURE_MATRIX  ? texture.entry[texture.top]

@@ -6,26 +6,25 @@
 
 namespace spangle::gl {
 
-/// A stack of matrices; the minimum depths of GL 1.3, table 6.11.
+/// A stack of matrices (GL 1.3, table 6.11).
 template <int Depth> struct MatrixStack {
-    static constexpr int depth = Depth;
     numeric::Matrix entry[Depth];
     int top = 0;
 };
 
-inline constexpr int max_clip_planes = 6;
-
 struct TransformState {
     GLenum matrix_mode = GL_MODELVIEW;
-    MatrixStack<32> modelview;
-    MatrixStack<2> projection;
-    MatrixStack<2> texture[texture_units];
+    MatrixStack<modelview_stack_entries> modelview;
+    MatrixStack<projection_stack_entries> projection;
+    MatrixStack<texture_stack_entries> texture[texture_units];
     GLint viewport[4] = {0, 0, 0, 0};
     Real depth_range[2] = {numeric::zero, numeric::one};
     bool normalize = false;
     bool rescale_normal = false;
+#if SPANGLE_FEATURE_CLIP_PLANES
     bool clip_plane_on[max_clip_planes] = {};
     Real clip_plane[max_clip_planes][4] = {}; ///< in eye space
+#endif
 };
 
 } // namespace spangle::gl

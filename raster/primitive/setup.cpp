@@ -237,7 +237,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     const std::uint32_t bits = flat ? 0 : color_bits<Rgb>();
     if (state_.needs.z)
         add_depth();
-    if (!Rgb && state_.textured_or_fogged)
+    if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
         with_coordinates(bits, painted);
     else
         plain<Rgb>(bits, painted);

@@ -184,9 +184,9 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
     if (!same_w && color_bits != 0 && !colors_affine(color_bits))
         return Kind::full;
     for (int i = 0; i < max_texture_units; ++i)
-        if (needs.unit[i] && !unit_affine(i, units[i], same_w))
+        if (has_textures && needs.unit[i] && !unit_affine(i, units[i], same_w))
             return Kind::textured;
-    if (!needs.fog)
+    if (!has_fog || !needs.fog)
         return Kind::affine;
     const std::uint64_t four = state_.tier == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
     const bool affine = span_.fog_exponent == -24 && (same_w || state_.tier == Tier::fast ||
@@ -205,9 +205,9 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     UnitValues units[max_texture_units];
     std::int32_t fog[3] = {};
     for (int i = 0; i < max_texture_units; ++i)
-        if (needs.unit[i])
+        if (has_textures && needs.unit[i])
             load_unit(i, units[i]);
-    if (needs.fog)
+    if (has_fog && needs.fog)
         load_fog(fog);
     bool same_w = true;
     if (state_.fragment.perspective) {
@@ -223,7 +223,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     if (span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, q_);
     colors(color_bits, painted);
-    if (needs.fog) {
+    if (has_fog && needs.fog) {
         if (span_.kind == Kind::affine) {
             add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
         } else {
@@ -234,7 +234,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
         }
     }
     for (int i = 0; i < max_texture_units; ++i)
-        if (needs.unit[i])
+        if (has_textures && needs.unit[i])
             add_unit(i, units[i]);
 }
 

@@ -51,21 +51,28 @@ constexpr bool early_tests(const Key& key) {
     return key.alpha == Compare::always;
 }
 
+/// The stage of the depth buffer there is.
+template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& chain, const Key& key) {
+    if constexpr (has_format(DepthFormat::z16))
+        if (key.depth_format == DepthFormat::z16)
+            return chain.template add<When16>();
+    if constexpr (has_format(DepthFormat::z24s8))
+        chain.template add<When24>();
+}
+
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     using Offset = OffsetDepthValue<One>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<One>>();
-    if (key.stencil)
+    if (has_format(DepthFormat::z24s8) && key.stencil)
         chain.template choose<StencilDepth<One, Offset>, StencilDepth<One>>(SPANGLE_FEATURE_POLYGON_OFFSET &&
                                                                             key.depth_offset);
     else if (SPANGLE_FEATURE_POLYGON_OFFSET && key.depth_offset)
-        chain.template choose<DepthGeneral<One, DepthFormat::z16, Offset>,
-                              DepthGeneral<One, DepthFormat::z24s8, Offset>>(key.depth_format ==
-                                                                             DepthFormat::z16);
+        add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset>,
+                  DepthGeneral<One, DepthFormat::z24s8, Offset>>(chain, key);
     else if (key.depth != Compare::always || key.depth_write)
-        chain.template choose<DepthGeneral<N, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(
-            key.depth_format == DepthFormat::z16);
+        add_depth<N, DepthGeneral<N, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain, key);
     if (key.count)
         chain.template add<Count<One>>();
 }
@@ -104,14 +111,16 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
 template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     if (!key.combine) {
         add_unit<N, 0>(chain, key, state);
-        add_unit<N, 1>(chain, key, state);
+        if constexpr (max_texture_units > 1)
+            add_unit<N, 1>(chain, key, state);
         return;
     }
     if constexpr (has_combine) {
         if (key.unit[0].on)
             add_coordinates<N, 0>(chain, key, state);
-        if (key.unit[1].on)
-            add_coordinates<N, 1>(chain, key, state);
+        if constexpr (max_texture_units > 1)
+            if (key.unit[1].on)
+                add_coordinates<N, 1>(chain, key, state);
         if constexpr (is_fixed<N>)
             chain.add(&PacketTexture<N>::combined);
         else
@@ -131,9 +140,19 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
         chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither);
 }
 
+/// The one of these formats that the key names.
+template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& chain, const Key& key) {
+    const auto add = [&]<PixelFormat F>() {
+        if constexpr (has_format(F))
+            if (drawn(key.format) == F)
+                add_output<N, F>(chain, key);
+    };
+    (add.template operator()<Format>(), ...);
+}
+
 /// Fragments whose colour is all there is to them.
 constexpr bool only_color(const Key& key) {
-    return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.unit[1].on && !key.color_sum &&
+    return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
            !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count && !key.pixels &&
            !key.coverage && !key.polygon_stipple;
@@ -167,10 +186,11 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     } else {
         chain.template add<White<N>>();
     }
-    add_units(chain, key, state);
-    if (key.color_sum)
+    if constexpr (has_textures)
+        add_units(chain, key, state);
+    if (has_color_sum && key.color_sum)
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
-    if (key.fog) {
+    if (has_fog && key.fog) {
         chain.template choose<FogCoord<One, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
         if constexpr (is_fixed<N>)
             chain.template choose<FogLinear<N>, Fog<One>>(key.fog_mode == FogMode::linear);
@@ -183,19 +203,11 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
         chain.template add<AlphaTest<One>>();
     if (!early)
         add_tests(chain, key);
-    switch (key.format) {
-    case PixelFormat::rgb565_be:
-        return add_output<N, PixelFormat::rgb565_be>(chain, key);
-    case PixelFormat::rgb565_le:
-        return add_output<N, PixelFormat::rgb565_le>(chain, key);
-    case PixelFormat::rgb888:
-        return add_output<N, PixelFormat::rgb888>(chain, key);
-    case PixelFormat::rgba8888:
-        return add_output<N, PixelFormat::rgba8888>(chain, key);
-    default:
-        if constexpr (!std::is_same_v<N, Balanced<host_lanes>>) // key.cpp
-            add_narrow_output<N>(chain, key);
-    }
+    if constexpr (!std::is_same_v<N, Balanced<host_lanes>> && has_narrow_formats) // key.cpp
+        if (drawn_narrow(key.format))
+            return add_narrow_output<N>(chain, key);
+    add_wide_output<N, PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
+                    PixelFormat::rgba8888>(chain, key);
 }
 
 } // namespace spangle::raster

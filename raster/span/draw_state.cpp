@@ -73,11 +73,14 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     switch (key.number) {
     case Number::raw565:
-        key.format == PixelFormat::rgb565_be ? assemble_raw<PixelFormat::rgb565_be>(variant, key)
-                                             : assemble_raw<PixelFormat::rgb565_le>(variant, key);
+        if (has_format(PixelFormat::rgb565_be) && drawn(key.format) == PixelFormat::rgb565_be)
+            assemble_raw<PixelFormat::rgb565_be>(variant, key);
+        else if constexpr (has_format(PixelFormat::rgb565_le))
+            assemble_raw<PixelFormat::rgb565_le>(variant, key);
         break;
     case Number::balanced:
-        assemble<Balanced<host_lanes>>(variant, key, state);
+        if constexpr (has_tiers)
+            assemble<Balanced<host_lanes>>(variant, key, state);
         break;
     default:
         assemble<Exact>(variant, key, state);
@@ -131,7 +134,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =
-        is_narrow(target.format) ? std::uint8_t{0} : format_info(target.format).bytes_per_pixel;
+        drawn_narrow(target.format) ? std::uint8_t{0} : format_info(target.format).bytes_per_pixel;
     draw.depth_bytes = key.depth_format == DepthFormat::none  ? 0
                        : key.depth_format == DepthFormat::z16 ? 2
                                                               : 4;
@@ -139,13 +142,13 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.pixels = key.pixels;
     draw.words = key.pixels && key.number == Number::raw565;
     draw.needs = needs_of(key);
-    draw.textured_or_fogged = key.unit[0].on || key.unit[1].on || key.fog;
+    draw.textured_or_fogged = key.unit[0].on || key.second_unit() || key.fog;
     draw.smooth_rgb = draw.needs.rgb && !draw.needs.alpha && !draw.needs.secondary &&
                       !draw.textured_or_fogged && !state.flat;
-    if (key.fog)
+    if (has_fog && key.fog)
         draw.fog = fog_constants(state);
     for (int i = 0; i < max_texture_units; ++i) {
-        if (!key.unit[i].on)
+        if (!has_textures || !key.unit[i].on)
             continue;
         const Texture& texture = *state.unit[i].texture;
         const auto wraps = [](Wrap wrap) { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; };
@@ -168,7 +171,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
     for (int i = 0; i < kind_count && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
         const Key key = make_key(state, target, kind);
-        const bool plain = !draw.needs.unit[0] && !draw.needs.unit[1] && !draw.needs.fog;
+        const bool plain = !draw.needs.any_unit() && !draw.needs.fog;
         // A list of its own for one colour is worth it where the colour is stored as it is.
         if (kind == Kind::flat && !(plain && key.number == Number::raw565))
             continue;

@@ -62,6 +62,12 @@ struct Needs {
     bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
     bool unit[max_texture_units] = {};
     bool r[max_texture_units] = {}; ///< of a unit that is on: the third coordinate, too
+    bool any_unit() const {
+        bool any = false;
+        for (const bool on : unit)
+            any = any || on;
+        return any;
+    }
 };
 
 constexpr Needs needs_of(const Key& key) {

@@ -29,7 +29,7 @@ template <class N, int I> struct None : StageBase {
 
 /// What fused lists can do. Everything else is the chain's.
 constexpr bool fusible(const Key& key) {
-    return !key.unit[1].on && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
+    return !key.second_unit() && !key.unit[0].general && !key.color_sum && !key.stencil && !key.masked &&
            !key.logic && !key.count && key.alpha == Compare::always &&
            (!key.fog || key.fog_mode == FogMode::linear) &&
            (!key.blend || (!key.blend_general && key.blending == blend_over)) &&

@@ -178,13 +178,6 @@ constexpr FusedSpan table[] = {
 
 } // namespace
 
-const FusedSpan* find_fused(const Key& key) {
-    for (const FusedSpan& span : table)
-        if (span.key == key)
-            return &span;
-    return nullptr;
-}
-
 const FusedSpan* fused_spans() {
     return table;
 }

@@ -20,14 +20,22 @@ struct FusedSpan {
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };
 
-/// null: draw with the chain.
-const FusedSpan* find_fused(const Key& key);
-
 /// What runs the chain of a number system of the fixed policy.
 AnyFunction chain_runner(Number number);
 
 /// The whole table, for the tests.
 const FusedSpan* fused_spans();
 std::size_t fused_span_count();
+
+/// null: draw with the chain. A build without fused spans names none of them.
+inline const FusedSpan* find_fused(const Key& key) {
+    if constexpr (has_fused_spans) {
+        const FusedSpan* const end = fused_spans() + fused_span_count();
+        for (const FusedSpan* span = fused_spans(); span != end; ++span)
+            if (span->key == key)
+                return span;
+    }
+    return nullptr;
+}
 
 } // namespace spangle::raster

@@ -9,7 +9,7 @@ namespace spangle::raster {
 namespace {
 
 bool unit_on(const TextureUnit& unit) {
-    return unit.texture != nullptr;
+    return has_textures && unit.texture != nullptr;
 }
 
 /// Modes a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
@@ -78,15 +78,17 @@ bool alpha_is_read(const Key& key, const FragmentState& state) {
 
 /// The colour is 16 bits from its source to the surface.
 bool raw(const Key& key, const FragmentState& state) {
+    if (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le))
+        return false;
     if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
         key.masked || key.logic || key.stencil)
         return false;
     const UnitKey& unit = key.unit[0];
-    if (!unit.on && !key.unit[1].on)
+    if (!unit.on && !key.second_unit())
         return key.pixels
                    ? key.kind <= Kind::affine && (!state.dither || state.colors == Colors::of_pixels_565)
                    : key.kind == Kind::flat || (key.kind == Kind::affine && !state.dither);
-    if (key.unit[1].on || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
+    if (key.second_unit() || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
     if (key.kind == Kind::flat || key.kind == Kind::full)
@@ -100,17 +102,19 @@ bool raw(const Key& key, const FragmentState& state) {
 Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     Key key;
     key.kind = kind;
-    key.format = target.format;
+    key.format = drawn(target.format);
     for (int i = 0; i < max_texture_units; ++i)
         key.unit[i] = unit_key(state.unit[i]);
-    key.color_sum = state.color_sum;
-    key.fog = state.fog;
+    key.color_sum = has_color_sum && state.color_sum;
+    key.fog = has_fog && state.fog;
     if (key.fog)
         key.fog_mode = state.fog_mode;
     if (state.alpha_test)
         key.alpha = state.alpha_func;
-    const bool has_depth = target.depth != nullptr && target.depth_format != DepthFormat::none;
-    key.stencil = state.stencil_test && target.depth != nullptr && target.depth_format == DepthFormat::z24s8;
+    const bool has_depth =
+        depth_formats > 1 && target.depth != nullptr && target.depth_format != DepthFormat::none;
+    key.stencil = has_format(DepthFormat::z24s8) && state.stencil_test && target.depth != nullptr &&
+                  target.depth_format == DepthFormat::z24s8;
     if (has_depth && state.depth_test) {
         key.depth = state.depth_func;
         key.depth_write = state.depth_write;
@@ -142,7 +146,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.cubic = key.unit[0].on && key.kind == Kind::textured && state.tier == Tier::exact;
     } else {
         // One copy of the code for narrow formats, which are those of small displays: the exact one.
-        const bool exact = state.tier == Tier::exact || is_narrow(key.format);
+        const bool exact = !has_tiers || state.tier == Tier::exact || drawn_narrow(key.format);
         key.number = exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);
     }

@@ -57,6 +57,13 @@ struct Key {
     bool polygon_stipple = false;
     bool depth_offset = false;
     friend constexpr bool operator==(const Key&, const Key&) = default;
+
+    constexpr bool second_unit() const {
+        if constexpr (max_texture_units > 1)
+            return unit[1].on;
+        else
+            return false;
+    }
 };
 
 /// Something but texture coordinates varies over 1/w: every fragment divides. In the exact tier coordinates,

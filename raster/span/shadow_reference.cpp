@@ -146,13 +146,15 @@ template <class N> class Fragment {
     void units(const DrawState& state) {
         if (!combines(state.fragment)) {
             unit<0>(state, ShadowStage::coord0, ShadowStage::lod0, ShadowStage::texture0);
-            unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
+            if constexpr (max_texture_units > 1)
+                unit<1>(state, ShadowStage::coord1, ShadowStage::lod1, ShadowStage::texture1);
             return;
         }
         place<0>(state, ShadowStage::coord0, ShadowStage::lod0);
-        place<1>(state, ShadowStage::coord1, ShadowStage::lod1);
+        if constexpr (max_texture_units > 1)
+            place<1>(state, ShadowStage::coord1, ShadowStage::lod1);
         run<CombineUnits>();
-        colors(state.needs.unit[1] ? ShadowStage::texture1 : ShadowStage::texture0);
+        colors(state.needs.unit[max_texture_units - 1] ? ShadowStage::texture1 : ShadowStage::texture0);
     }
 
     void rest(const DrawState& state) {

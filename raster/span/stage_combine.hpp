@@ -9,8 +9,8 @@ namespace spangle::raster {
 
 /// Behind the coordinates and levels of detail of both units.
 template <class N> struct CombineUnits : StageBase {
-    static_assert(max_texture_units == 2);
-    static constexpr unsigned in = field_color | field_coord | field_coord << 1 | field_lod | field_lod << 1;
+    static constexpr unsigned second = max_texture_units > 1 ? field_coord << 1 | field_lod << 1 : 0;
+    static constexpr unsigned in = field_color | field_coord | field_lod | second;
     static constexpr unsigned out = field_color;
     using Span = raster::Span<typename N::Policy>;
     const Span& span;
@@ -21,8 +21,9 @@ template <class N> struct CombineUnits : StageBase {
         typename N::Color texel[max_texture_units]{};
         if (state.unit[0].texture != nullptr)
             texel[0] = texel_of<0>(p);
-        if (state.unit[1].texture != nullptr)
-            texel[1] = texel_of<1>(p);
+        if constexpr (max_texture_units > 1)
+            if (state.unit[1].texture != nullptr)
+                texel[1] = texel_of<1>(p);
         TextureCombine<N>::units(state, texel, p.color);
         return true;
     }

@@ -11,7 +11,7 @@ template <class N>
 [[gnu::noinline]] std::uint32_t narrow_word_of(PixelFormat format, const typename N::Color& c, bool dither,
                                                std::uint32_t threshold) {
     const Rgb8 rgb = {N::to8(c.r), N::to8(c.g), N::to8(c.b)};
-    if (format != PixelFormat::rgb666)
+    if (!has_format(PixelFormat::rgb666) || format != PixelFormat::rgb666)
         return narrow_word(format, rgb, dither, threshold);
     if (!dither)
         return word_666(rgb.r >> 2, rgb.g >> 2, rgb.b >> 2);

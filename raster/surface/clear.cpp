@@ -5,6 +5,7 @@
 #include "raster/surface/narrow.hpp"
 #include "raster/surface/quantize.hpp"
 #include "raster/surface/surface.hpp"
+#include <spangle/raster/limits.hpp>
 
 namespace spangle::raster {
 
@@ -134,7 +135,7 @@ Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std
     const std::uint32_t g = stored_component(color[1], info.green_bits, dither, threshold);
     const std::uint32_t b = stored_component(color[2], info.blue_bits, dither, threshold);
     const auto low = [](std::uint32_t v) { return static_cast<std::uint8_t>(v); };
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb565_be:
         return {{low(r << 3 | g >> 3), low(g << 5 | b), 0, 0}};
     case PixelFormat::rgb565_le:
@@ -183,7 +184,7 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pixel& mask, st
 /// The stored bits of a clear colour on a surface of a narrow format.
 std::uint32_t narrow_clear_word(PixelFormat format, const ClearRequest& r, std::uint32_t threshold) {
     const Rgb8 rgb = {color_to_8(r.color[0]), color_to_8(r.color[1]), color_to_8(r.color[2])};
-    if (format != PixelFormat::rgb666)
+    if (!has_format(PixelFormat::rgb666) || format != PixelFormat::rgb666)
         return narrow_word(format, rgb, r.dither, threshold);
     if (!r.dither)
         return word_666(rgb.r >> 2, rgb.g >> 2, rgb.b >> 2);
@@ -237,9 +238,7 @@ void clear_narrow(const Surface& s, const ClearRequest& r) {
         fill_narrow(s.format, s.color_row(y), y, r.area.x, r.area.x + r.area.w, word[y & 3]);
 }
 
-void clear_color(const Surface& s, const ClearRequest& r) {
-    if (is_narrow(s.format))
-        return clear_narrow(s, r);
+void clear_wide(const Surface& s, const ClearRequest& r) {
     const std::int32_t bytes = format_info(s.format).bytes_per_pixel, row_bytes = r.area.w * bytes;
     const bool all = writes_all(s.format, r.channels),
                dithers = r.dither && format_info(s.format).red_bits < 8;
@@ -259,6 +258,13 @@ void clear_color(const Surface& s, const ClearRequest& r) {
         else
             fill_masked(at, pattern[y & 3], mask, bytes, row_bytes);
     }
+}
+
+void clear_color(const Surface& s, const ClearRequest& r) {
+    if (has_wide_formats && !drawn_narrow(s.format))
+        clear_wide(s, r);
+    else if constexpr (has_narrow_formats)
+        clear_narrow(s, r);
 }
 
 void clear_z16(const Surface& s, const ClearRequest& r) {
@@ -306,13 +312,13 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
                alpha << 24;
     }
     std::uint32_t red = 0, green = 0, blue = 0;
-    for (std::uint32_t threshold = 1; is_narrow(s.format) && threshold < 32; threshold += 2) {
+    for (std::uint32_t threshold = 1; drawn_narrow(s.format) && threshold < 32; threshold += 2) {
         const NarrowColor c = narrow_color(s.format, narrow_clear_word(s.format, r, threshold));
         red += c.k[0];
         green += c.k[1];
         blue += c.k[2];
     }
-    if (is_narrow(s.format)) // at most 63 * 16 each
+    if (drawn_narrow(s.format)) // at most 63 * 16 each
         return red | green << 10 | blue << 20;
     for (std::uint32_t threshold = 1; threshold < 32; threshold += 2) {
         red += stored_component(r.color[0], 5, r.dither, threshold);
@@ -344,9 +350,10 @@ void clear(const Surface& surface, const ClearRequest& request) {
         clear_color(surface, request);
         record(surface, request);
     }
-    if (surface.depth_format == DepthFormat::z16 && request.depth)
+    if (has_format(DepthFormat::z16) && surface.depth_format == DepthFormat::z16 && request.depth)
         clear_z16(surface, request);
-    if (surface.depth_format == DepthFormat::z24s8 && (request.depth || request.stencil_mask != 0))
+    if (has_format(DepthFormat::z24s8) && surface.depth_format == DepthFormat::z24s8 &&
+        (request.depth || request.stencil_mask != 0))
         clear_z24s8(surface, request);
 }
 

@@ -1,5 +1,7 @@
 #include "raster/surface/narrow.hpp"
 
+#include <spangle/raster/limits.hpp>
+
 namespace spangle::raster {
 namespace {
 
@@ -41,7 +43,7 @@ void fill_pairs(std::uint8_t* row, std::int32_t x, std::int32_t end, const std::
 } // namespace
 
 std::uint32_t narrow_word(PixelFormat format, const Rgb8& c, bool dither, std::uint32_t threshold) {
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb444:
         return narrowed<4>(c.r, dither, threshold) << 8 | narrowed<4>(c.g, dither, threshold) << 4 |
                narrowed<4>(c.b, dither, threshold);
@@ -59,7 +61,7 @@ NarrowColor narrow_color(PixelFormat format, std::uint32_t word) {
     const auto part = [word](unsigned shift, std::uint32_t max) {
         return static_cast<std::uint8_t>(word >> shift & max);
     };
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb666:
         return {{part(12, 63), part(6, 63), part(0, 63)}, {63, 63, 63}};
     case PixelFormat::rgb444:
@@ -85,7 +87,7 @@ std::uint32_t narrow_open(PixelFormat format, std::uint32_t mask) {
 }
 
 std::uint32_t load_narrow(PixelFormat format, const std::uint8_t* row, std::int32_t x, std::int32_t y) {
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb666:
         row += 3 * x;
         return word_666(row[0] >> 2, row[1] >> 2, row[2] >> 2);
@@ -103,7 +105,7 @@ std::uint32_t load_narrow(PixelFormat format, const std::uint8_t* row, std::int3
 }
 
 void store_narrow(PixelFormat format, std::uint8_t* row, std::int32_t x, std::int32_t y, std::uint32_t word) {
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb666:
         row += 3 * x;
         row[0] = low_byte(word >> 12 << 2);
@@ -136,7 +138,7 @@ void store_narrow(PixelFormat format, std::uint8_t* row, std::int32_t x, std::in
 void fill_narrow(PixelFormat format, std::uint8_t* row, std::int32_t y, std::int32_t begin, std::int32_t end,
                  const std::uint32_t (&word)[4]) {
     std::int32_t x = begin;
-    switch (format) {
+    switch (drawn(format)) {
     case PixelFormat::rgb332:
         for (; x < end; ++x)
             row[x] = low_byte(word[x & 3]);
@@ -158,7 +160,7 @@ void fill_narrow(PixelFormat format, std::uint8_t* row, std::int32_t y, std::int
             store_narrow(format, row, x, y, word[x & 3]);
             ++x;
         }
-        if (format == PixelFormat::rgb444)
+        if (drawn(format) == PixelFormat::rgb444)
             fill_pairs(row, x, end & ~1, word);
         else
             for (std::int32_t i = x; i < (end & ~1); i += 2)

@@ -1,12 +1,13 @@
 #include "raster/surface/pixel.hpp"
 
 #include "raster/surface/narrow.hpp"
+#include <spangle/raster/limits.hpp>
 
 namespace spangle::raster {
 namespace {
 
 std::uint8_t* color_at(const Surface& s, std::int32_t x, std::int32_t y) {
-    return s.color_row(y) + static_cast<std::intptr_t>(x) * format_info(s.format).bytes_per_pixel;
+    return s.color_row(y) + static_cast<std::intptr_t>(x) * format_info(drawn(s.format)).bytes_per_pixel;
 }
 
 // Depth words are in host order; bytes are copied because a plane may start anywhere.
@@ -43,21 +44,22 @@ std::uint32_t word_of(PixelFormat format, const std::uint32_t k[4]) {
 } // namespace
 
 StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y) {
-    if (is_narrow(s.format))
+    if (drawn_narrow(s.format))
         return read_narrow(s, x, y);
-    return unpack_pixel(s.format, load_bytes(color_at(s, x, y), format_info(s.format).bytes_per_pixel));
+    return unpack_pixel(drawn(s.format),
+                        load_bytes(color_at(s, x, y), format_info(drawn(s.format)).bytes_per_pixel));
 }
 
 void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32_t count, StoredColor* out) {
-    if (is_narrow(s.format)) {
+    if (drawn_narrow(s.format)) {
         for (std::int32_t i = 0; i < count; ++i)
             out[i] = read_narrow(s, x + i, y);
         return;
     }
-    const unsigned bytes = format_info(s.format).bytes_per_pixel;
+    const unsigned bytes = format_info(drawn(s.format)).bytes_per_pixel;
     const std::uint8_t* p = color_at(s, x, y);
     for (std::int32_t i = 0; i < count; ++i, p += bytes)
-        out[i] = unpack_pixel(s.format, load_bytes(p, bytes));
+        out[i] = unpack_pixel(drawn(s.format), load_bytes(p, bytes));
 }
 
 StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y) {
@@ -73,29 +75,30 @@ StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y) {
 }
 
 std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y) {
-    return s.depth_format == DepthFormat::z24s8 ? static_cast<std::uint8_t>(load<std::uint32_t>(s, x, y))
-                                                : std::uint8_t{0};
+    return has_format(DepthFormat::z24s8) && s.depth_format == DepthFormat::z24s8
+               ? static_cast<std::uint8_t>(load<std::uint32_t>(s, x, y))
+               : std::uint8_t{0};
 }
 
 void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::uint32_t k[4]) {
     touch(s, y, x, x + 1);
-    if (is_narrow(s.format))
+    if (drawn_narrow(s.format))
         return store_narrow(s.format, s.color_row(y), x, y, word_of(s.format, k));
-    const std::uint32_t v = pack_pixel(s.format, k);
+    const std::uint32_t v = pack_pixel(drawn(s.format), k);
     std::uint8_t* p = color_at(s, x, y);
-    for (unsigned i = 0; i < format_info(s.format).bytes_per_pixel; ++i)
+    for (unsigned i = 0; i < format_info(drawn(s.format)).bytes_per_pixel; ++i)
         p[i] = static_cast<std::uint8_t>(v >> (8 * i));
 }
 
 void write_depth(const Surface& s, std::int32_t x, std::int32_t y, std::uint32_t k) {
-    if (s.depth_format == DepthFormat::z16)
+    if (has_format(DepthFormat::z16) && s.depth_format == DepthFormat::z16)
         store(s, x, y, static_cast<std::uint16_t>(k));
-    if (s.depth_format == DepthFormat::z24s8)
+    if (has_format(DepthFormat::z24s8) && s.depth_format == DepthFormat::z24s8)
         store(s, x, y, k << 8 | read_stencil(s, x, y));
 }
 
 void write_stencil(const Surface& s, std::int32_t x, std::int32_t y, std::uint8_t value) {
-    if (s.depth_format == DepthFormat::z24s8)
+    if (has_format(DepthFormat::z24s8) && s.depth_format == DepthFormat::z24s8)
         store(s, x, y, (load<std::uint32_t>(s, x, y) & 0xFFFFFF00u) | value);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/context/features.hpp"
+#include "gl/context/limits.hpp"
 #include "tests/gl_vertex/canvas.hpp"
 #include "tests/gl_vertex/window_recorder.hpp"
 
@@ -149,7 +150,8 @@ class VertexCache : public Canvas {
         int at = whole(0, elements - 1);
         for (GLushort& index : indices) {
             index = static_cast<GLushort>(at);
-            const int steps[] = {1, -1, 0, SPANGLE_VERTEX_CACHE, -SPANGLE_VERTEX_CACHE, whole(-300, 300)};
+            constexpr int most = static_cast<int>(spangle::gl::vertex_cache);
+            const int steps[] = {1, -1, 0, most, -most, whole(-300, 300)};
             at = (at + steps[whole(0, 5)] + elements) % elements;
         }
     }

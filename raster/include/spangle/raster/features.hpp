@@ -1,6 +1,12 @@
 // The optional systems of the rasterizer (design 5). CMake defines them; a build by hand has everything.
 #pragma once
 
+#ifndef SPANGLE_FEATURE_FOG
+#define SPANGLE_FEATURE_FOG 1
+#endif
+#ifndef SPANGLE_FEATURE_LIGHTING
+#define SPANGLE_FEATURE_LIGHTING 1
+#endif
 #ifndef SPANGLE_FEATURE_TEXTURE_COMBINE
 #define SPANGLE_FEATURE_TEXTURE_COMBINE 1
 #endif
@@ -28,6 +34,9 @@
 
 namespace spangle::raster {
 
+inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
+inline constexpr bool has_color_sum =
+    SPANGLE_FEATURE_LIGHTING != 0; ///< secondary colours are those of lights
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
 inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;

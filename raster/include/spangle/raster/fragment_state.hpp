@@ -7,6 +7,7 @@
 
 #include <spangle/format.hpp>
 #include <spangle/raster/features.hpp>
+#include <spangle/raster/limits.hpp>
 
 namespace spangle::raster {
 
@@ -108,8 +109,6 @@ struct TextureLevel {
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
 };
 
-inline constexpr int max_texture_levels = 12; // 2048 x 2048
-
 /// Texels of every face and level of a cube map, in the order of GL's tokens; all else is as with the first
 /// face.
 struct CubeFaces {
@@ -145,8 +144,6 @@ struct Texture {
 constexpr bool wants_r(const Texture& texture) {
     return texture.shape >= TextureShape::volume || texture.compares;
 }
-
-inline constexpr int max_texture_units = 2;
 
 /// What becomes of RGB or of alpha with COMBINE (GL 1.3, tables 3.24 to 3.26).
 struct Combiner {

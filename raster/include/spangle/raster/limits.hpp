@@ -1,0 +1,66 @@
+// What a build of the rasterizer is made for (cmake/Limits.cmake); a build by hand has all of it.
+#pragma once
+
+#include <spangle/format.hpp>
+
+#ifndef SPANGLE_TEXTURE_UNITS
+#define SPANGLE_TEXTURE_UNITS 2
+#endif
+#ifndef SPANGLE_TEXTURE_LEVELS
+#define SPANGLE_TEXTURE_LEVELS 12
+#endif
+#ifndef SPANGLE_TIERS
+#define SPANGLE_TIERS 3
+#endif
+#ifndef SPANGLE_FUSED_SPANS
+#define SPANGLE_FUSED_SPANS 1
+#endif
+#ifndef SPANGLE_COLOR_FORMATS
+#define SPANGLE_COLOR_FORMATS 511
+#endif
+#ifndef SPANGLE_DEPTH_FORMATS
+#define SPANGLE_DEPTH_FORMATS 7
+#endif
+
+namespace spangle::raster {
+
+/// Without units nothing is textured; arrays of them have one that is never on.
+inline constexpr bool has_textures = SPANGLE_TEXTURE_UNITS != 0;
+inline constexpr int max_texture_units = has_textures ? SPANGLE_TEXTURE_UNITS : 1;
+static_assert(max_texture_units == 1 || max_texture_units == 2);
+
+/// A texture of the most levels is 2^(levels - 1) texels wide and high.
+inline constexpr int max_texture_levels = SPANGLE_TEXTURE_LEVELS;
+static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
+
+/// Balanced and fast, beside exact.
+inline constexpr bool has_tiers = SPANGLE_TIERS > 1;
+inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
+
+inline constexpr unsigned color_formats = SPANGLE_COLOR_FORMATS, depth_formats = SPANGLE_DEPTH_FORMATS;
+static_assert(color_formats != 0 && color_formats < 1u << pixel_formats);
+static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may always be without depth");
+
+/// Surfaces of it are drawn on.
+constexpr bool has_format(PixelFormat format) {
+    return (color_formats >> static_cast<unsigned>(format) & 1) != 0;
+}
+constexpr bool has_format(DepthFormat format) {
+    return (depth_formats >> static_cast<unsigned>(format) & 1) != 0;
+}
+inline constexpr bool
+    has_narrow_formats = color_formats >> (static_cast<unsigned>(PixelFormat::rgba8888) + 1) != 0,
+    has_wide_formats = (color_formats & ((2u << static_cast<unsigned>(PixelFormat::rgba8888)) - 1)) != 0;
+
+/// The format of a surface. Where a build draws on one format only the compiler knows it.
+constexpr PixelFormat drawn(PixelFormat format) {
+    if constexpr ((color_formats & (color_formats - 1)) != 0)
+        return format;
+    else
+        return static_cast<PixelFormat>(__builtin_ctz(color_formats));
+}
+constexpr bool drawn_narrow(PixelFormat format) {
+    return has_narrow_formats && (!has_wide_formats || is_narrow(format));
+}
+
+} // namespace spangle::raster

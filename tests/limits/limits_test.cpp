@@ -1,0 +1,226 @@
+// What a build says of its limits, and that lower ones change no picture. The same tests run in a build whose
+// limits are as low as a board with 8 KB of memory has them (CMakeLists.txt).
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+#include <spangle/format.hpp>
+#include <spangle/native.hpp>
+
+#include "gl/context/context.hpp"
+#include "gl/context/limits.hpp"
+#include "tests/headless_gl.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr int width = 96, height = 16;
+
+/// On the mono pixels of small OLEDs: the format every one of these builds has.
+struct Limits : ::testing::Test {
+    HeadlessGl gl{width,
+                  height,
+                  {EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 0, EGL_BUFFER_SIZE, 1, EGL_PRECISION_SPANGLE,
+                   EGL_PRECISION_EXACT_SPANGLE, EGL_CONFIG_ID, mono_config()}};
+
+    /// Its id among those there are.
+    static EGLint mono_config() {
+        const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+        eglInitialize(display, nullptr, nullptr);
+        std::vector<EGLConfig> configs(256);
+        EGLint count = 0;
+        eglGetConfigs(display, configs.data(), 256, &count);
+        for (EGLint i = 0; i < count; ++i) {
+            EGLint visual = 0, depth = 0, precision = 0, id = 0;
+            eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_NATIVE_VISUAL_ID, &visual);
+            eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_DEPTH_SIZE, &depth);
+            eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_PRECISION_SPANGLE,
+                               &precision);
+            eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_CONFIG_ID, &id);
+            if (visual == static_cast<EGLint>(PixelFormat::mono) && depth == 0 &&
+                precision == EGL_PRECISION_EXACT_SPANGLE)
+                return id;
+        }
+        return 0;
+    }
+
+    static GLint get(GLenum name) {
+        GLint value = -1;
+        glGetIntegerv(name, &value);
+        return value;
+    }
+
+    /// Entries of a stack until it overflows.
+    static int pushes(GLenum mode) {
+        glMatrixMode(mode);
+        int entries = 1;
+        while (entries < 100) {
+            glPushMatrix();
+            if (glGetError() != GL_NO_ERROR)
+                break;
+            ++entries;
+        }
+        for (int i = 1; i < entries; ++i)
+            glPopMatrix();
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return entries;
+    }
+
+    /// FNV-1a of the picture's bytes.
+    static std::uint32_t hash() {
+        const raster::Surface& surface = gl::current_context()->drawable.surface;
+        std::uint32_t h = 2166136261u;
+        for (int y = 0; y < height; y += 8)
+            for (int x = 0; x < width; ++x)
+                h = (h ^ surface.color_row(y)[x]) * 16777619u;
+        return h;
+    }
+
+    static void view() {
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glFrustum(-0.6, 0.6, -0.1, 0.1, 0.5, 8.0);
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+};
+
+TEST_F(Limits, QueriesSayThem) {
+    EXPECT_EQ(get(GL_MAX_MODELVIEW_STACK_DEPTH), gl::modelview_stack_entries);
+    EXPECT_EQ(get(GL_MAX_PROJECTION_STACK_DEPTH), gl::projection_stack_entries);
+    EXPECT_EQ(get(GL_MAX_TEXTURE_STACK_DEPTH), gl::texture_stack_entries);
+    EXPECT_EQ(get(GL_MAX_TEXTURE_UNITS), SPANGLE_TEXTURE_UNITS);
+    EXPECT_EQ(get(GL_MAX_TEXTURE_SIZE), 1 << (SPANGLE_TEXTURE_LEVELS - 1));
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+#if SPANGLE_FEATURE_LIGHTING
+    EXPECT_EQ(get(GL_MAX_LIGHTS), static_cast<GLint>(gl::max_lights));
+#endif
+}
+
+TEST_F(Limits, StacksHoldAsMany) {
+    EXPECT_EQ(pushes(GL_MODELVIEW), gl::modelview_stack_entries);
+    EXPECT_EQ(pushes(GL_PROJECTION), gl::projection_stack_entries);
+    EXPECT_EQ(pushes(GL_TEXTURE), gl::texture_stack_entries);
+}
+
+#if SPANGLE_FEATURE_LIGHTING
+TEST_F(Limits, LightsBeyondTheLastHaveNoName) {
+    for (unsigned i = 0; i < 8; ++i) {
+        const GLenum expected = i < gl::max_lights ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_ENUM};
+        glEnable(GL_LIGHT0 + i);
+        EXPECT_EQ(glGetError(), expected) << i;
+        EXPECT_EQ(glIsEnabled(GL_LIGHT0 + i), i < gl::max_lights ? GL_TRUE : GL_FALSE) << i;
+        EXPECT_EQ(glGetError(), expected) << i;
+        const GLfloat white[4] = {1, 1, 1, 1};
+        glLightfv(GL_LIGHT0 + i, GL_DIFFUSE, white);
+        EXPECT_EQ(glGetError(), expected) << i;
+    }
+}
+#endif
+
+TEST_F(Limits, TexturesAreAsLargeAndAsManyAsThereAre) {
+    glEnable(GL_TEXTURE_2D);
+    EXPECT_EQ(glGetError(), raster::has_textures ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION});
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(raster::max_texture_units));
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
+    constexpr GLsizei most = 1 << (SPANGLE_TEXTURE_LEVELS - 1);
+    const std::vector<GLubyte> texels(static_cast<std::size_t>(2 * most) * 2);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, most, 1, 0, GL_ALPHA, GL_UNSIGNED_BYTE, texels.data());
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, 2 * most, 1, 0, GL_ALPHA, GL_UNSIGNED_BYTE, texels.data());
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
+    glTexImage2D(GL_TEXTURE_2D, SPANGLE_TEXTURE_LEVELS, GL_ALPHA, 1, 1, 0, GL_ALPHA, GL_UNSIGNED_BYTE,
+                 texels.data());
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
+}
+
+TEST_F(Limits, ConfigsAreThoseOfTheFormatsAndTiersThereAre) {
+    std::vector<EGLConfig> configs(256);
+    EGLint count = 0;
+    ASSERT_TRUE(eglGetConfigs(eglGetCurrentDisplay(), configs.data(), 256, &count));
+    const int formats = __builtin_popcount(raster::color_formats),
+              depths = __builtin_popcount(raster::depth_formats);
+    int of_product = 0;
+    for (EGLint i = 0; i < count; ++i) {
+        EGLint precision = 0;
+        eglGetConfigAttrib(eglGetCurrentDisplay(), configs[static_cast<std::size_t>(i)],
+                           EGL_PRECISION_SPANGLE, &precision);
+        of_product += precision <= EGL_PRECISION_FAST_SPANGLE ? 1 : 0;
+    }
+    EXPECT_EQ(of_product, formats * depths * SPANGLE_TIERS);
+}
+
+/// A fan seen from within: every triangle is cut by some of near, left, right, bottom, top.
+TEST_F(Limits, ClippedPictureIsTheSame) {
+    view();
+    glBegin(GL_TRIANGLE_FAN);
+    for (int i = 0; i < 12; ++i) {
+        glColor3f(static_cast<float>(i % 3) * 0.5f, static_cast<float>(i % 2), 0.25f);
+        glVertex3f(static_cast<float>(i % 5 - 2) * 9.0f, static_cast<float>(i % 4) - 1.5f,
+                   2.0f - static_cast<float>(i));
+    }
+    glEnd();
+    EXPECT_EQ(hash(), 4245182621u);
+}
+
+/// A quad that crosses every plane of the guard band, and one that crosses itself.
+TEST_F(Limits, QuadsThroughEveryPlane) {
+    view();
+    glShadeModel(GL_FLAT);
+    glBegin(GL_QUADS);
+    glVertex3f(-60, -0.1f, -0.4f);
+    glVertex3f(0, -30, -7);
+    glVertex3f(60, 0.1f, -9);
+    glVertex3f(0, 30, -0.6f);
+    glColor3f(0, 0, 0);
+    glVertex3f(-1, -0.1f, -0.4f);
+    glVertex3f(1, 0.2f, -2);
+    glVertex3f(1, -0.2f, -2);
+    glVertex3f(-1, 0.1f, 1);
+    glEnd();
+    EXPECT_EQ(hash(), 3206377518u);
+}
+
+TEST_F(Limits, LinesAndPointsOfArraysAreTheSame) {
+    view();
+    std::vector<GLfloat> at;
+    std::vector<GLubyte> order;
+    for (int i = 0; i < 24; ++i) {
+        at.insert(at.end(), {static_cast<float>(i * 7 % 11) - 5.0f,
+                             static_cast<float>(i * 5 % 7) * 0.3f - 0.9f, -1.0f - static_cast<float>(i % 6)});
+        order.push_back(static_cast<GLubyte>(i * 5 % 24));
+    }
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, at.data());
+    glDrawElements(GL_LINE_STRIP, 24, GL_UNSIGNED_BYTE, order.data());
+    glPointSize(3);
+    glDrawArrays(GL_POINTS, 3, 9);
+    glColor3f(0, 0, 0);
+    glDrawElements(GL_TRIANGLE_STRIP, 8, GL_UNSIGNED_BYTE, order.data());
+    EXPECT_EQ(hash(), 256275623u);
+}
+
+TEST_F(Limits, BlendedAndDitheredPictureIsTheSame) {
+    view();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    for (int i = 0; i < 5; ++i) {
+        glRotatef(17, 0, 0, 1);
+        glBegin(GL_TRIANGLES);
+        glColor4f(1, 1, 1, 0.7f);
+        glVertex3f(-4, -1, -3);
+        glColor4f(0.2f, 0.2f, 0.2f, 0.3f);
+        glVertex3f(4, -1, -5);
+        glColor4f(1, 1, 0, 1);
+        glVertex3f(0, 1, -7);
+        glEnd();
+    }
+    EXPECT_EQ(hash(), 853212545u);
+}
+
+} // namespace
+} // namespace spangle::test
