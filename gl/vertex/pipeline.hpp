@@ -386,7 +386,7 @@ template <class M, class L> class Pipeline {
     template <class At>
     [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
                                    GLenum mode);
-    void draw_back(Vertex* const* corners, int n, const Vertex& provoking, const std::int64_t* part);
+    [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking, const std::int64_t* part);
 
     // pipeline_capture.hpp
     [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking);

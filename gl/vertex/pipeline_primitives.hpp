@@ -214,7 +214,7 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
         return;
     if (SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides_)
         state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
-    if (ccw != front_is_ccw_ && two_sided_)
+    if (SPANGLE_FEATURE_LIGHTING && ccw != front_is_ccw_ && two_sided_)
         return draw_back(corners, n, provoking, part);
     for (int i = 0; i < n && !flat_; ++i)
         color(*corners[i]);
@@ -304,7 +304,7 @@ void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window&
 /// The same triangles lit from behind: back material, normals turned (GL 1.3, 2.13.1). A vertex that
 /// clipping made is lit from its mixed normal and position, or has a mixed colour where materials changed.
 template <class M, class L>
-inline void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
+void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                       const std::int64_t* part) {
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {

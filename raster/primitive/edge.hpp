@@ -248,7 +248,7 @@ template <class E> class TriangleRows {
 };
 
 /// A triangle up to this high has 16 rows at most.
-inline constexpr std::int32_t low_extent = 15 * subpixel_one;
+inline constexpr std::int32_t low_extent = (packet - 1) * subpixel_one;
 
 namespace detail {
 

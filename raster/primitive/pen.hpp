@@ -47,7 +47,7 @@ template <class P> class Pen {
             ++span.state->counters->triangles;
     }
 
-    static constexpr int batch = 16;
+    static constexpr int batch = packet;
     /// Room for that many rows.
     Row* rows() { return rows_; }
 

@@ -10,8 +10,8 @@
 
 namespace spangle::raster {
 
-/// 16, or four groups of lanes.
-inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : 16;
+/// A power of two, four groups of lanes where there are any.
+inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
 /// Fragments between two stages, in groups of N::lanes. Packets start at multiples of their length from the
 /// anchor.

@@ -12,6 +12,9 @@
 #ifndef SPANGLE_TIERS
 #define SPANGLE_TIERS 3
 #endif
+#ifndef SPANGLE_PACKET
+#define SPANGLE_PACKET 16
+#endif
 #ifndef SPANGLE_FUSED_SPANS
 #define SPANGLE_FUSED_SPANS 1
 #endif
@@ -36,6 +39,11 @@ static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 /// Balanced and fast, beside exact.
 inline constexpr bool has_tiers = SPANGLE_TIERS > 1;
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
+
+/// Fragments between two stages of the chain, where lanes do not ask for more, and most rows that a primitive
+/// hands to its span function at once. They lie on the stack.
+inline constexpr int packet = SPANGLE_PACKET;
+static_assert(packet == 2 || packet == 4 || packet == 8 || packet == 16);
 
 inline constexpr unsigned color_formats = SPANGLE_COLOR_FORMATS, depth_formats = SPANGLE_DEPTH_FORMATS;
 static_assert(color_formats != 0 && color_formats < 1u << pixel_formats);
