@@ -60,7 +60,6 @@ inline constexpr unsigned usual_vertex_cache = 128;
 #endif
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
-inline constexpr bool keeps_vertices = vertex_cache > 1; ///< else elements come one by one
 
 /// Lines under way, even; with two they are drawn one by one.
 inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0   ? SPANGLE_LINE_BATCH

@@ -22,18 +22,20 @@ template <class T> constexpr Source source_of_type() {
                                                   : Source::integer;
 }
 
+/// Every token of a state has 16 bits.
+constexpr std::uint16_t short_name(GLenum name) {
+    return static_cast<std::uint16_t>(name);
+}
+
 template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
-    return {name,
-            source == Source::real ? Kind::real : Kind::integer,
-            source,
-            toggle,
-            static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>)),
-            static_cast<std::uint32_t>(offset),
-            nullptr,
-            nullptr,
-            false};
+    return {.name = short_name(name),
+            .kind = source == Source::real ? Kind::real : Kind::integer,
+            .source = source,
+            .toggle = toggle,
+            .count = static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>)),
+            .where = static_cast<std::uint32_t>(offset)};
 }
 
 /// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
@@ -43,9 +45,7 @@ constexpr StateRow linear(StateRow row) {
 }
 
 constexpr StateRow constant(GLenum name, std::int32_t value) {
-    return {
-        name,    Kind::integer, Source::constant, Switch::none, 1, static_cast<std::uint32_t>(value), nullptr,
-        nullptr, false};
+    return {.name = short_name(name), .count = 1, .where = static_cast<std::uint32_t>(value)};
 }
 
 constexpr StateRow absent_switch(GLenum name) {
@@ -56,33 +56,29 @@ constexpr StateRow absent_switch(GLenum name) {
 
 constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
                             void (*compute)(const Context&, GLenum, Param*)) {
-    return {name, kind, Source::computed, Switch::none, count, 0, compute, nullptr, false};
+    return {.name = short_name(name),
+            .kind = kind,
+            .source = Source::computed,
+            .count = count,
+            .compute = compute};
 }
 
 /// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
 constexpr StateRow held(std::size_t offset, std::size_t bytes) {
-    return {0,
-            Kind::integer,
-            Source::held,
-            Switch::none,
-            0,
-            static_cast<std::uint32_t>(offset | bytes << 16),
-            nullptr,
-            nullptr,
-            false};
+    return {.source = Source::held, .where = static_cast<std::uint32_t>(offset | bytes << 16)};
 }
 
 /// The rows up to the next one of these belong to `group`.
 constexpr StateRow in(Group group) {
-    return {0, Kind::integer, Source::section, Switch::none, 0, 0, nullptr, nullptr, false, group};
+    return {.source = Source::section, .group = group};
 }
 
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.
-constexpr StateRow of_feature(bool present, const char* text, StateRow row) {
-    if (!present) {
-        row.left_out = true;
-        row.missing = text;
-    }
+constexpr StateRow of_feature(bool present, [[maybe_unused]] const char* text, StateRow row) {
+    row.left_out = !present;
+#if SPANGLE_MESSAGES
+    row.missing = present ? nullptr : text;
+#endif
     return row;
 }
 #define FEATURE(function, name)                                                                              \

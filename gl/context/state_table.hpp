@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <spangle/message.hpp>
+
 #include "gl/api/family.hpp"
 #include "gl/context/types.hpp"
 
@@ -64,19 +66,25 @@ enum class PerUnit : std::uint8_t {
     client, ///< that of ClientActiveTexture
 };
 
+/// A board's flash holds some 290 of them.
 struct StateRow {
-    GLenum name; ///< 0: no query
-    Kind kind;   ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
-    Source source;
-    Switch toggle;
-    std::uint8_t count;
-    std::uint32_t where; ///< offset in Context, or the constant; of held bytes also their number, from bit 16
-    void (*compute)(const Context& context, GLenum name, Param* out);
-    const char* missing; ///< the system this build left out, or null: then the row is there
-    bool left_out;
+    std::uint16_t name = 0;    ///< 0: no query
+    Kind kind = Kind::integer; ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    Source source = Source::constant;
+    Switch toggle = Switch::none;
+    std::uint8_t count = 0;
     Group group = Group::none; ///< every Switch::server is in Group::enable, too
     PerUnit per_unit = PerUnit::no;
     std::uint16_t unit_step = 0; ///< bytes from one unit's value to the next one's
+    bool left_out = false;       ///< of a system this build has not
+    std::uint32_t where =
+        0; ///< offset in Context, or the constant; of held bytes also their number, from bit 16
+    void (*compute)(const Context& context, GLenum name, Param* out) = nullptr;
+#if SPANGLE_MESSAGES
+    const char* missing = nullptr; ///< that system
+#else
+    static constexpr const char* missing = nullptr;
+#endif
 };
 
 inline constexpr int most_values = 16;

@@ -49,8 +49,10 @@ struct FixedMath {
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
         numeric::BlockMatrix to_clip, to_eye;
+#if SPANGLE_TEXTURE_UNITS
         numeric::BlockMatrix texture[texture_units]; ///< those that are not the identity
-        numeric::BlockRow eye_z;                     ///< row 2 of the modelview matrix, for what is loaded
+#endif
+        numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
         bool texture_is_identity[texture_units];
         /// Exponents of the rows x, y, z over that of w, less lift_room.
         std::int32_t lift[3] = {};
@@ -73,8 +75,10 @@ struct FixedMath {
         for (int u = 0; u < texture_units; ++u) {
             const numeric::Matrix& texture = state.texture[u].entry[state.texture[u].top];
             out.texture_is_identity[u] = is_identity(texture);
+#if SPANGLE_TEXTURE_UNITS
             if (!out.texture_is_identity[u])
                 out.texture[u] = numeric::to_block_matrix(texture);
+#endif
         }
         const GLint* v = state.viewport;
         const std::int32_t half_width = v[2] * (raster::subpixel_one / 2),
@@ -88,11 +92,15 @@ struct FixedMath {
 
     /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
     /// keep their bits.
-    static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_clip, v); }
+    static Clip to_clip(const Transforms& t, const Real (&v)[4]) {
+        return numeric::transform(t.to_clip, v);
+    }
     static Depth depth(const Transforms& t, const Real (&v)[4]) {
         return numeric::product(t.eye_z, numeric::load(t.to_clip.column, v));
     }
-    static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return numeric::transform(t.to_eye, v); }
+    static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
+        return numeric::transform(t.to_eye, v);
+    }
 
     /// N vertices on their way from the position to the window: perspective division, viewport, depth range
     /// (GL 1.3, 2.10.1). All are added before the first is divided, so that none waits for another.
@@ -168,7 +176,9 @@ struct FixedMath {
         return (plane & 1) != 0 ? w - v : w + v;
     }
     /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
-    static bool in_front(const Clip& c) { return c.m[3] > 0; }
+    static bool in_front(const Clip& c) {
+        return c.m[3] > 0;
+    }
 
     /// A user clip plane and its complement are one plane, turned: what is computed of it is the same to the
     /// bit (GL 1.3, 2.11: each pixel belongs to one side).
@@ -189,9 +199,15 @@ struct FixedMath {
         const auto at = [&](int i) { return turned ? -equation[i] : equation[i]; };
         return {numeric::to_block(at(0), at(1), at(2), at(3)), turned};
     }
-    static Distance distance(const Plane& p, const Eye& eye) { return numeric::dot(p.at, eye); }
-    static bool turned(const Plane& p) { return p.turned; }
-    static bool outside(const Plane& p, Distance d) { return p.turned ? d.m > 0 : d.m < 0; }
+    static Distance distance(const Plane& p, const Eye& eye) {
+        return numeric::dot(p.at, eye);
+    }
+    static bool turned(const Plane& p) {
+        return p.turned;
+    }
+    static bool outside(const Plane& p, Distance d) {
+        return p.turned ? d.m > 0 : d.m < 0;
+    }
 
     /// Where the edge from `inside` to `outside` meets a plane.
     static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
@@ -237,15 +253,17 @@ struct FixedMath {
                             numeric::to_block(part(&Window::TexCoord::s), part(&Window::TexCoord::t),
                                               part(&Window::TexCoord::q)));
             }
-            out.tex[u].q_is_one = a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0 ? 1 : 0;
+            set_q_is_one(out, u, a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0);
         }
     }
 
     template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
+#if SPANGLE_FEATURE_LIGHTING
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
+#endif
     }
 
     // --- numbers of any size, for what is seldom asked of a vertex
@@ -257,9 +275,15 @@ struct FixedMath {
         [[gnu::noinline]] friend Scalar operator+(Scalar a, Scalar b) { return {numeric::add(a.v, b.v)}; }
         friend Scalar operator-(Scalar a, Scalar b) { return a + Scalar{numeric::negate(b.v)}; }
     };
-    static Scalar scalar(Real v) { return {numeric::to_block(v)}; }
-    static Scalar scalar(const Eye& v, int i) { return {numeric::component(v, i)}; }
-    static Scalar rsqrt(Scalar v) { return {numeric::rsqrt(v.v)}; }
+    static Scalar scalar(Real v) {
+        return {numeric::to_block(v)};
+    }
+    static Scalar scalar(const Eye& v, int i) {
+        return {numeric::component(v, i)};
+    }
+    static Scalar rsqrt(Scalar v) {
+        return {numeric::rsqrt(v.v)};
+    }
 
     /// What normals are multiplied with, column-major; RESCALE_NORMAL is in it.
     static void normal_matrix(const TransformState& state, Scalar (&out)[9]) {
@@ -303,7 +327,9 @@ struct FixedMath {
     // --- what selection and feedback return
 
     /// Out of line: what goes back to the program needs few bytes rather than few cycles.
-    [[gnu::noinline]] static Real real(numeric::Block v) { return numeric::to_real(v); }
+    [[gnu::noinline]] static Real real(numeric::Block v) {
+        return numeric::to_real(v);
+    }
 
     /// Window z times 2^32 - 1, nearest.
     static std::uint32_t depth_word(const Window& v) {
@@ -332,12 +358,17 @@ struct FixedMath {
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
                             Window& out) {
         set_texture(out, unit, texture_of(t, strq, unit));
-        out.tex[unit].q_is_one = q_is_one && t.texture_is_identity[unit] ? 1 : 0;
+        set_q_is_one(out, unit, q_is_one && t.texture_is_identity[unit]);
     }
     /// Behind the matrix of the unit, all four.
-    static Eye texture_of(const Transforms& t, const Scalar (&strq)[4], int unit) {
+    static Eye texture_of([[maybe_unused]] const Transforms& t, const Scalar (&strq)[4],
+                          [[maybe_unused]] int unit) {
         const numeric::Block4 v = numeric::to_block(strq[0].v, strq[1].v, strq[2].v, strq[3].v);
-        return t.texture_is_identity[unit] ? v : numeric::transform(t.texture[unit], v);
+#if SPANGLE_TEXTURE_UNITS
+        if (!t.texture_is_identity[unit])
+            return numeric::transform(t.texture[unit], v);
+#endif
+        return v;
     }
     [[gnu::noinline]] static void reals(const Eye& v, Real (&out)[4]) {
         for (int c = 0; c < 4; ++c)
@@ -349,33 +380,42 @@ struct FixedMath {
     static void set_color(Window& out, const Real (&rgba)[4]) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = color_units(rgba[c]);
+#if SPANGLE_FEATURE_LIGHTING
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0;
+#endif
     }
 
     /// Of a vertex, without the rest.
     struct Colors {
-        std::uint32_t color[4], secondary[3];
+        std::uint32_t color[4];
+#if SPANGLE_FEATURE_LIGHTING
+        std::uint32_t secondary[3];
+#endif
     };
     template <class From, class To> static void copy_color(const From& from, To& to) {
         for (int c = 0; c < 4; ++c)
             to.color[c] = from.color[c];
+#if SPANGLE_FEATURE_LIGHTING
         for (int c = 0; c < 3; ++c)
             to.secondary[c] = from.secondary[c];
+#endif
     }
 
     /// As they are.
     static void set_texture(const Real (&stq)[4], int unit, Window& out) {
         const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
-        out.tex[unit].q_is_one = stq[3] == numeric::one ? 1 : 0;
+        set_q_is_one(out, unit, stq[3] == numeric::one);
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
         if (t.texture_is_identity[unit])
             return set_texture(stq, unit, out);
+#if SPANGLE_TEXTURE_UNITS
         const numeric::Block4 v = numeric::transform(t.texture[unit], stq);
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
-        out.tex[unit].q_is_one = 0;
+        set_q_is_one(out, unit, false);
+#endif
     }
 
     /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
@@ -388,8 +428,12 @@ struct FixedMath {
         out.fog_mantissa = coordinate.m;
         out.fog_exponent = coordinate.e;
     }
-    static Depth fog_coordinate(const Window& v) { return {v.fog_mantissa, v.fog_exponent}; }
-    static Depth fog_coordinate(Real coordinate) { return numeric::to_block(coordinate); }
+    static Depth fog_coordinate(const Window& v) {
+        return {v.fog_mantissa, v.fog_exponent};
+    }
+    static Depth fog_coordinate(Real coordinate) {
+        return numeric::to_block(coordinate);
+    }
 
     /// A colour index of so many bits takes the place of red, in units of 2^-20: interpolation is the same.
     /// Its integer part is masked (GL 1.3, 2.13.6).
@@ -403,10 +447,14 @@ struct FixedMath {
                       : static_cast<std::uint64_t>(numeric::shift_right_round(m, up < -62 ? 62 : -up));
         out.color[0] = static_cast<std::uint32_t>(units) & ((1u << (bits + index_fraction)) - 1);
         out.color[1] = out.color[2] = out.color[3] = 0;
+#if SPANGLE_FEATURE_LIGHTING
         for (std::uint32_t& c : out.secondary)
             c = 0;
+#endif
     }
-    static Real index_of(const Window& v) { return real(numeric::make_block(v.color[0], -index_fraction)); }
+    static Real index_of(const Window& v) {
+        return real(numeric::make_block(v.color[0], -index_fraction));
+    }
 
     /// What fragments of pixel rectangles and bitmaps have of the raster position: all but a place.
     static void set_raster(const RasterPosition& from, Window& out) {
@@ -421,7 +469,7 @@ struct FixedMath {
             set_texture(
                 out, u,
                 numeric::to_block(v[0], v[1], v[2], v[3])); // of all four: who looks at r is not known
-            out.tex[u].q_is_one = v[3] == numeric::one ? 1 : 0;
+            set_q_is_one(out, u, v[3] == numeric::one);
         }
     }
 
@@ -517,15 +565,30 @@ struct FixedMath {
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
     }
 
-    static void set_texture(Window& out, int unit, const numeric::Block4& strq) {
+    // A build without these has no place for them (raster/vertex.hpp).
+    static void set_texture([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
+                            [[maybe_unused]] const numeric::Block4& strq) {
+#if SPANGLE_TEXTURE_UNITS
         set_texture(out, unit, numeric::Block3{{strq.m[0], strq.m[1], strq.m[3]}, strq.e});
+#if SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES
         out.r[unit] = strq.m[2];
+#endif
+#endif
     }
-    static void set_texture(Window& out, int unit, const numeric::Block3& stq) {
+    static void set_texture([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
+                            [[maybe_unused]] const numeric::Block3& stq) {
+#if SPANGLE_TEXTURE_UNITS
         out.tex[unit].s = stq.m[0];
         out.tex[unit].t = stq.m[1];
         out.tex[unit].q = stq.m[2];
         out.tex[unit].exponent = stq.e;
+#endif
+    }
+    static void set_q_is_one([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
+                             [[maybe_unused]] bool is_one) {
+#if SPANGLE_TEXTURE_UNITS
+        out.tex[unit].q_is_one = is_one ? 1 : 0;
+#endif
     }
 };
 

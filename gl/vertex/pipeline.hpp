@@ -59,8 +59,7 @@ template <class M, class L> class Pipeline {
         v.position[1] = y;
         v.position[2] = z;
         v.position[3] = w;
-        for (int c = 0; c < 3; ++c)
-            v.normal[c] = current.normal[c];
+        set_normal(v, current.normal);
         process(v);
         attributes(current, v);
         if (each_vertex_)
@@ -98,13 +97,21 @@ template <class M, class L> class Pipeline {
         is_pending = 1 << 19, ///< lines that it is an end of are still to be drawn
         back_known = 1 << 20; ///< the colour of its back was settled when its front's was
 
+    /// Nobody asks for normals where neither lights nor generated coordinates are.
     struct Given {
-        Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one}, normal[3]{};
+        Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one};
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
+        Real normal[3]{};
+#else
+        static constexpr Real normal[3]{};
+#endif
     };
     struct Vertex : Given {
         std::uint32_t flags = 0;
+#if SPANGLE_VERTEX_CACHE != 1
         std::uint32_t time = 0; ///< in the cache: good while this is now_
         Real st[2]{};           ///< what read_texture() made window.tex of
+#endif
         Window window{};
     };
     /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
@@ -171,7 +178,9 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_FEATURE_LIGHTING
     typename M::Colors back_[slot_count]; ///< of slot_, while back_known
 #endif
+#if SPANGLE_VERTEX_CACHE != 1
     Vertex cache_[vertex_cache]; ///< of elements, by their index
+#endif
     Cut cut_[cut_count];
     std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
 #if SPANGLE_FEATURE_FEEDBACK
@@ -231,8 +240,10 @@ template <class M, class L> class Pipeline {
     void forget() {
         if (++now_ != 0)
             return;
+#if SPANGLE_VERTEX_CACHE != 1
         for (Vertex& v : cache_)
             v.time = 0;
+#endif
         now_ = 1;
     }
 
@@ -276,6 +287,13 @@ template <class M, class L> class Pipeline {
     /// Of flags: the planes to clip by, by number.
     unsigned clip_planes(unsigned flags) const {
         return exactly_clipped() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
+    }
+
+    static void set_normal([[maybe_unused]] Given& v, [[maybe_unused]] const Real (&normal)[3]) {
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
+        for (int c = 0; c < 3; ++c)
+            v.normal[c] = normal[c];
+#endif
     }
 
     template <int N> static bool same(const Real* a, const Real* b) {
@@ -386,7 +404,8 @@ template <class M, class L> class Pipeline {
     template <class At>
     [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
                                    GLenum mode);
-    [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking, const std::int64_t* part);
+    [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking,
+                                     const std::int64_t* part);
 
     // pipeline_capture.hpp
     [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking);

@@ -8,11 +8,29 @@ namespace spangle::gl {
 template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     const ElementReader reader(context.arrays);
-    if (!keeps_vertices || each_vertex_ || reader.seldom != nullptr || !reader.vertex.on())
-        return elements_in_turn(context, reader, count, indices);
-    if constexpr (keeps_vertices)
-        kept_elements(context, reader, count, indices);
+#if SPANGLE_VERTEX_CACHE != 1
+    if (!each_vertex_ && reader.seldom == nullptr && reader.vertex.on())
+        return kept_elements(context, reader, count, indices);
+#endif
+    elements_in_turn(context, reader, count, indices);
 }
+
+/// Colours that materials follow, or no vertex array: element by element.
+template <class M, class L>
+void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
+                                      const Indices& indices) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t index = indices.at(i);
+        set_attributes(context, reader, index);
+        if (!reader.vertex.on())
+            continue;
+        Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
+        reader.vertex.read(index, v);
+        vertex(context, v[0], v[1], v[2], v[3]);
+    }
+}
+
+#if SPANGLE_VERTEX_CACHE != 1
 
 template <class M, class L>
 inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
@@ -285,19 +303,6 @@ template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::fre
     return slot_;
 }
 
-/// Colours that materials follow, or no vertex array: element by element.
-template <class M, class L>
-void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
-                                      const Indices& indices) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t index = indices.at(i);
-        set_attributes(context, reader, index);
-        if (!reader.vertex.on())
-            continue;
-        Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
-        reader.vertex.read(index, v);
-        vertex(context, v[0], v[1], v[2], v[3]);
-    }
-}
+#endif
 
 } // namespace spangle::gl

@@ -305,7 +305,7 @@ void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window&
 /// clipping made is lit from its mixed normal and position, or has a mixed colour where materials changed.
 template <class M, class L>
 void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
-                                      const std::int64_t* part) {
+                               const std::int64_t* part) {
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {
         back[i] = corners[i]->window;

@@ -13,8 +13,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     Vertex& v = slot_[0];
     for (int c = 0; c < 4; ++c)
         v.position[c] = position[c];
-    for (int c = 0; c < 3; ++c)
-        v.normal[c] = current.normal[c];
+    set_normal(v, current.normal);
     const typename M::Clip clip = M::to_clip(transforms_, v.position);
     RasterPosition& out = context.current.raster;
     out.valid =

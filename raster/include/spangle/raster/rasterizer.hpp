@@ -27,8 +27,10 @@ constexpr FixedVertex at(std::int32_t x, std::int32_t y) {
     v.w_exponent = -31;
     for (std::uint32_t& c : v.color)
         c = color_one;
+#if SPANGLE_TEXTURE_UNITS
     for (auto& unit : v.tex)
         unit.q_is_one = 1;
+#endif
     return v;
 }
 

@@ -12,7 +12,8 @@ namespace spangle::raster {
 inline constexpr int subpixel_bits = 8;
 inline constexpr std::int32_t subpixel_one = 1 << subpixel_bits;
 
-/// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices.
+/// Fixed policy. Everything here is a pure function of the vertex's own values and the matrices. What a build
+/// never looks at is one constant of all vertices.
 struct FixedVertex {
     std::int32_t x, y; ///< window, n.8, y up; |x|, |y| within the guard band (4 x the largest viewport)
     std::uint32_t z;   ///< 0 .. depth_one
@@ -20,15 +21,28 @@ struct FixedVertex {
     std::int16_t w_exponent;
     std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
     std::int32_t fog_mantissa;
-    std::uint32_t color[4];     ///< RGBA, colour units, 0 .. color_one
+    std::uint32_t color[4]; ///< RGBA, colour units, 0 .. color_one
+#if SPANGLE_FEATURE_LIGHTING
     std::uint32_t secondary[3]; ///< RGB, colour units
+#else
+    static constexpr std::uint32_t secondary[3] = {};
+#endif
     struct TexCoord {
         std::int32_t s, t, q; ///< value = mantissa * 2^exponent, after the texture matrix; common exponent
         std::int16_t exponent;
         std::int16_t q_is_one; ///< nonzero: q is exactly 1 (and its mantissa is not looked at)
-    } tex[max_texture_units];
-    std::int32_t
-        r[max_texture_units]; ///< with the exponent of its unit; of textures that look at it (wants_r)
+    };
+#if SPANGLE_TEXTURE_UNITS
+    TexCoord tex[max_texture_units];
+#else
+    static constexpr TexCoord tex[max_texture_units] = {};
+#endif
+    /// Third coordinates, with the exponent of their unit; of textures that look at them (wants_r).
+#if SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES
+    std::int32_t r[max_texture_units];
+#else
+    static constexpr std::int32_t r[max_texture_units] = {};
+#endif
 };
 
 } // namespace spangle::raster
