@@ -38,7 +38,8 @@ numeric::Matrix& current_matrix(Context& context) {
     return stack.entry[*stack.top];
 }
 
-void multiply_current(Context& context, const numeric::Matrix& right) {
+/// By a matrix, or a rotation.
+template <class R> void multiply_current(Context& context, const R& right) {
     numeric::Matrix& top = current_matrix(context);
     top = numeric::multiply(top, right);
 }

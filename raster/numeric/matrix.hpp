@@ -107,12 +107,13 @@ constexpr Matrix transpose(const Matrix& a) {
 namespace detail {
 
 /// Sum of a[k] * b[k]: each product (below 2^62) is aligned to the largest exponent with two bits of room for
-/// the carries, so what alignment loses is below 2^-58 of the largest product.
-constexpr Element sum_of_products(const Element (&a)[4], const Element (&b)[4]) {
+/// the carries, so what alignment loses is below 2^-58 of the largest product. Of more than four terms only
+/// four may be large.
+template <int N> constexpr Element sum_of_products(const Element (&a)[N], const Element (&b)[N]) {
     constexpr std::int32_t none = -0x10000;
-    std::int64_t product[4] = {};
-    std::int32_t exponent[4] = {}, top = none;
-    for (int k = 0; k < 4; ++k) {
+    std::int64_t product[N] = {};
+    std::int32_t exponent[N] = {}, top = none;
+    for (int k = 0; k < N; ++k) {
         product[k] = mul_s32(a[k].m, b[k].m);
         exponent[k] = a[k].e + b[k].e - clz64(abs_u64(product[k]));
         if (product[k] != 0 && exponent[k] > top)
@@ -122,7 +123,7 @@ constexpr Element sum_of_products(const Element (&a)[4], const Element (&b)[4]) 
         return {};
     top += 3; // the largest product shifted to 2^61 at most: four of them stay below 2^63
     std::int64_t sum = 0;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < N; ++k) {
         const int right = top - (a[k].e + b[k].e);
         sum += right >= 0 ? shift_right_round(product[k], right)
                           : static_cast<std::int64_t>(static_cast<std::uint64_t>(product[k])

@@ -25,22 +25,49 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
     return r;
 }
 
-/// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector. Elements within
-/// 2^-31.
-constexpr Matrix rotation(Real degrees, Real x, Real y, Real z) {
+/// The upper left of a rotation to twice the bits of an Element: `rest` is what rounding took from `matrix`,
+/// so that turning by it again and again adds up no error but that of each sum.
+struct Rotation {
+    Matrix matrix;
+    Element rest[3][3]; ///< row, column
+
+    constexpr void set(int row, int column, std::int64_t q60) {
+        const Element nearest = make_element(q60, -60);
+        const int up = nearest.e + element_bias + 60; // below 0: nothing was rounded
+        matrix.set(row, column, nearest);
+        rest[row][column] = make_element(up > 0 ? q60 - nearest.m * (std::int64_t{1} << up) : 0, -60);
+    }
+};
+
+/// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector.
+constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
     const Block3 axis = to_block(x, y, z);
     if (axis.m[0] == 0 && axis.m[1] == 0 && axis.m[2] == 0)
         return {};
     const Unit3Q60 u = normalize_q60(axis);
     const SinCos a = sincos_degrees(degrees);
     const std::int64_t versine = q60_one - a.cos;
-    Matrix r;
+    Rotation r;
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
         const std::int64_t even = mul_q60(mul_q60(u.m[i], u.m[j]), versine), odd = mul_q60(u.m[k], a.sin);
-        r.set(i, i, make_element(a.cos + mul_q60(mul_q60(u.m[i], u.m[i]), versine), -60));
-        r.set(j, i, make_element(even + odd, -60));
-        r.set(i, j, make_element(even - odd, -60));
+        r.set(i, i, a.cos + mul_q60(mul_q60(u.m[i], u.m[i]), versine));
+        r.set(j, i, even + odd);
+        r.set(i, j, even - odd);
+    }
+    return r;
+}
+
+/// a * b: orthogonal matrices stay so within 2^-31 a product, in all directions alike.
+constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
+    Matrix r = a; // the last column stays
+    for (int i = 0; i < 4; ++i) {
+        const Element row[6] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 0), a.at(i, 1), a.at(i, 2)};
+        for (int j = 0; j < 3; ++j) {
+            const Element column[6] = {b.matrix.at(0, j), b.matrix.at(1, j), b.matrix.at(2, j),
+                                       b.rest[0][j],      b.rest[1][j],      b.rest[2][j]};
+            r.set(i, j, detail::sum_of_products(row, column));
+        }
     }
     return r;
 }
