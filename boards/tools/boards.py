@@ -18,9 +18,11 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import firmware  # noqa: E402
+import look  # noqa: E402
 import twin  # noqa: E402
 
 ROOT = firmware.ROOT
+LOOKED_AT = 3  # frames of each scene whose picture on the display is compared too
 FEATURES = re.findall(r"^spangle_feature\((\w+)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
 
 
@@ -117,8 +119,8 @@ def mean(values):
     return sum(values) / len(values)
 
 
-def check(board, image, host, frames):
-    """The row of a board, and what is wrong."""
+def check(board, image, host, frames, pictures):
+    """The row of a board, and what is wrong. `pictures`: where the last frame of each scene is drawn, or None."""
     try:
         run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
     except RuntimeError as error:
@@ -130,6 +132,11 @@ def check(board, image, host, frames):
         if ours != theirs:
             first = next((i for i, pair in enumerate(zip(ours, theirs)) if pair[0] != pair[1]), min(len(ours), len(theirs)))
             wrong.append(f"{scene}: frame {first} differs from the simulated board's")
+    drawn = "" if pictures is None else str(pictures / board.name)
+    if board.trace and not run.problems:
+        wrong += look.through_trace(host, board, image, LOOKED_AT, drawn, read_run)
+    if board.screen and not run.problems:
+        wrong += look.at_screen(host, board, image, LOOKED_AT, drawn)
     size = firmware.sizes(board.target, image)
     flash = sum(size.get(s, 0) for s in (".text", ".ARM.exidx", ".data"))
     ram = sum(size.get(s, 0) for s in (".data", ".bss", ".noinit")) - run.memory.get("arena", 0) + run.memory.get("peak", 0)
@@ -173,6 +180,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/boards", help="where images go")
     parser.add_argument("--frames", type=int, default=30, help="of each scene")
     parser.add_argument("--list", action="store_true", help="only names the boards")
+    parser.add_argument("--pictures", type=pathlib.Path, help="draws what the displays show into this folder")
     parser.add_argument("--hardware", action="store_true", help="only builds images for real boards, without reports")
     arguments = parser.parse_args()
     known = discover()
@@ -195,7 +203,7 @@ def main():
         return 0
 
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        results = list(pool.map(lambda board: check(board, images[board.name], arguments.host, arguments.frames), boards))
+        results = list(pool.map(lambda board: check(board, images[board.name], arguments.host.resolve(), arguments.frames, arguments.pictures), boards))
     print_table([cells(board, row, wrong) for board, (row, wrong) in zip(boards, results)])
     for board, (_, wrong) in zip(boards, results):
         for scene, why in board.left_out.items():

@@ -20,6 +20,7 @@ SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", 
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket"}
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
+ENVIRONMENT = {**os.environ, "QEMU_AUDIO_DRV": "none"}
 # What QEMU says of machines that are complete without it.
 HARMLESS = ("qemu: module audio-", "Timer with period zero")
 # The Arm package's C++ headers serve RISC-V too: same compiler version, headers only.
@@ -116,7 +117,7 @@ def qemu(machine, image, arguments=(), options=()):
 def emulate(machine, image, arguments=(), options=(), status=0, timeout=300):
     """What the program prints until it ends with this exit status."""
     done = subprocess.run(["timeout", str(timeout), *qemu(machine, image, arguments, ("-monitor", "none", *options))], capture_output=True,
-                          text=True, env={**os.environ, "QEMU_AUDIO_DRV": "none"})
+                          text=True, env=ENVIRONMENT)
     if done.returncode != status:
         raise RuntimeError(f"{image.name} on {machine[2]}: exit {done.returncode}\n{done.stdout}{done.stderr}")
     return "\n".join(line for line in (done.stdout + done.stderr).splitlines() if not line.startswith(HARMLESS))

@@ -1,4 +1,4 @@
-"""What the simulated twin of a board says, host_sim/boards."""
+"""What the simulated twin of a board says (host_sim/boards), and what it thinks of an emulated one."""
 import dataclasses
 import subprocess
 
@@ -7,12 +7,11 @@ import subprocess
 class Frame:
     hash: str
     fragments: int
-    bytes: int
 
 
-def play(host, board, frames):
+def play(program, board, frames):
     """{scene: [Frame]}"""
-    done = subprocess.run([str(host), "play", board.name, str(frames), *board.scenes], capture_output=True, text=True)
+    done = subprocess.run([str(program), "play", board.name, str(frames), *board.scenes], capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(f"{board.name}: its twin failed: {done.stderr}")
     scenes, scene = {}, None
@@ -20,5 +19,30 @@ def play(host, board, frames):
         if words[0] == "scene":
             scene = scenes.setdefault(words[1], [])
         else:
-            scene.append(Frame(words[1], int(words[2]), int(words[3])))
+            scene.append(Frame(words[1], int(words[2])))
     return scenes
+
+
+def _wire(value):
+    return ":".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+class Replay:
+    """A twin that reads a trace of register writes while the emulator writes it."""
+
+    def __init__(self, program, board, frames, trace, pictures):
+        wires = [f"{key}={_wire(value)}" for key, value in board.trace.items()]
+        self.process = subprocess.Popen([str(program), "replay", board.name, str(frames), str(trace), pictures, *wires, "--", *board.scenes],
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def verdict(self, sent):
+        """`sent`: bytes at the end of each frame. Lines that say what is wrong."""
+        out, _ = self.process.communicate("\n".join(map(str, sent)))
+        return out.splitlines() or ([] if self.process.returncode == 0 else ["the replay failed"])
+
+
+def screens(program, board, frames, folder, pictures):
+    """Lines that say what is wrong with the screens in the folder."""
+    done = subprocess.run([str(program), "screens", board.name, str(frames), str(folder), pictures, str(board.screen["scale"]), *board.scenes],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.stdout.splitlines() or ([] if done.returncode == 0 else ["looking at the screens failed"])

@@ -15,7 +15,6 @@ class PanelDesk final : public Desk {
     explicit PanelDesk(const hal::Board& board) : board_(board) {}
     hal::Display& display() override { return board_.display(); }
     Image glass() override { return board_.glass(); }
-    std::uint64_t bytes() const override { return board_.counters().bytes; }
     std::string violations() const override { return board_.violations_text(); }
 
   private:

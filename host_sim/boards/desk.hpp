@@ -17,8 +17,6 @@ class Desk {
     virtual ~Desk() = default;
     virtual hal::Display& display() = 0;
     virtual Image glass() = 0;
-    /// Sent to the display so far.
-    virtual std::uint64_t bytes() const { return 0; }
     /// Rules of the bus that were broken, a line each.
     virtual std::string violations() const { return ""; }
 };

@@ -1,97 +1,169 @@
-// The simulated twin of a board: plays the board's scenes on the model of its display and says what the board
-// should have said.
+// The simulated twin of a board: plays the board's scenes on the model of its display and holds what an
+// emulator did against it.
 //
 // usage: spangle_twin play BOARD FRAMES SCENE...
+//        spangle_twin replay BOARD FRAMES TRACE PICTURES WIRE... -- SCENE...
+//        spangle_twin screens BOARD FRAMES FOLDER PICTURES SCALE SCENE...
 //
-// Prints "scene ID" and for each frame "frame HASH FRAGMENTS BYTES": the hash of what was drawn, fragments
-// drawn, bytes sent to the display so far.
+// play prints "scene ID" and for each frame "frame HASH FRAGMENTS".
+// replay feeds a model of the display's controller with what a program sent: TRACE is QEMU's trace of
+// register writes, WIRE says where the lines are (wires.hpp); how many bytes had been sent at the end of each
+// frame comes from standard input, a number a line. screens looks at QEMU's own display: FOLDER/1.ppm, 2.ppm,
+// ... Both print what differs from the twin's glass and write the last frame of each scene to
+// PICTURES-SCENE.png ("": nowhere).
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-
-#include <memory>
-
-#include <spangle/sim/board.hpp>
+#include <fstream>
+#include <iostream>
 
 #include "board_table.hpp"
-#include "boards/demo/demo.hpp"
-#include "gl/context/context.hpp"
-#include "gl/pixel/fragment_setup.hpp"
-#include "host_sim/boards/desk.hpp"
+#include "host_sim/boards/player.hpp"
+#include "host_sim/boards/screen.hpp"
+#include "host_sim/boards/wires.hpp"
 
 namespace {
 
 using namespace spangle;
+using Words = std::vector<std::string>;
 
-/// A board as its display.hpp describes it.
+/// A board as its display.hpp describes it. `panel`: null where it scans memory.
 struct Twin {
     const char* name;
     std::unique_ptr<sim::Desk> (*make)();
+    const hal::Board* panel;
 };
 
-#define SPANGLE_TWIN(name) {#name, [] { return sim::make_desk(boards::name); }},
+constexpr const hal::Board* panel_of(const hal::Board& board) {
+    return &board;
+}
+constexpr const hal::Board* panel_of(const hal::MappedConfig&) {
+    return nullptr;
+}
+
+#define SPANGLE_TWIN(name) {#name, [] { return sim::make_desk(boards::name); }, panel_of(boards::name)},
 constexpr Twin twins[] = {SPANGLE_BOARDS(SPANGLE_TWIN)};
 #undef SPANGLE_TWIN
 
-const Twin* find(const char* name) {
+const Twin* find(const std::string& name) {
     for (const Twin& twin : twins)
-        if (std::strcmp(twin.name, name) == 0)
+        if (twin.name == name)
             return &twin;
     return nullptr;
 }
 
-class Printer final : public demo::Watcher {
-  public:
-    explicit Printer(sim::Desk& desk) : desk_(desk) {}
+int fail(const std::string& text) {
+    std::fprintf(stderr, "spangle_twin: %s\n", text.c_str());
+    return 1;
+}
 
-    void begin_frame() override {
-        counters_ = {};
-        gl::observe(*gl::current_context(), &counters_, false);
+int play(const Twin& twin, int frames, const Words& scenes) {
+    const std::unique_ptr<sim::Desk> desk = twin.make();
+    const std::string problem = sim::play(*desk, scenes, frames, [](const sim::PlayedFrame& frame) {
+        if (frame.index == 0)
+            std::printf("scene %s\n", frame.scene.id);
+        std::printf("frame %08" PRIx32 " %" PRIu32 "\n", frame.hash, frame.fragments);
+    });
+    return problem.empty() ? 0 : fail(problem);
+}
+
+/// Frames as somebody saw them, held against the twin's glass.
+class Comparison {
+  public:
+    Comparison(const Twin& twin, int frames, std::string pictures)
+        : desk_(twin.make()), frames_(frames), pictures_(std::move(pictures)) {}
+
+    /// `look` gives the n-th frame, counted from 1; false: it was not seen. `same` compares.
+    template <class Look, class Same> int run(const Words& scenes, Look look, Same same) {
+        int seen = 0, wrong = 0;
+        const std::string problem = sim::play(*desk_, scenes, frames_, [&](const sim::PlayedFrame& frame) {
+            sim::Image shown;
+            const bool there = look(++seen, shown);
+            if (!there || !same(shown, desk_->glass())) {
+                ++wrong;
+                std::printf("%s: frame %d %s\n", frame.scene.id, frame.index,
+                            there ? "looks different" : "was not seen");
+            }
+            if (!pictures_.empty() && frame.index + 1 == frames_)
+                sim::write_png(shown, pictures_ + "-" + frame.scene.id + ".png");
+        });
+        if (!problem.empty())
+            return fail(problem);
+        return wrong == 0 ? 0 : 1;
     }
-    void drawn() override { hash_ = demo::frame_hash(desk_.display()); }
-    void presented() override {
-        std::printf("frame %08" PRIx32 " %" PRIu64 " %" PRIu64 "\n", hash_,
-                    static_cast<std::uint64_t>(counters_.fragments), desk_.bytes());
-    }
+    PixelFormat format() { return desk_->display().info().format; }
 
   private:
-    sim::Desk& desk_;
-    raster::Counters counters_;
-    std::uint32_t hash_ = 0;
+    std::unique_ptr<sim::Desk> desk_;
+    int frames_;
+    std::string pictures_;
 };
 
-int play(const Twin& twin, int frames, int count, char** ids) {
-    const std::unique_ptr<sim::Desk> desk = twin.make();
-    Printer printer(*desk);
-    for (int i = 0; i < count; ++i) {
-        const scenes::Scene* const scene = scenes::find(ids[i]);
-        if (scene == nullptr) {
-            std::fprintf(stderr, "spangle_twin: no scene '%s'\n", ids[i]);
-            return 2;
-        }
-        std::printf("scene %s\n", scene->id);
-        if (const char* const problem = demo::play(desk->display(), *scene, frames, printer)) {
-            std::fprintf(stderr, "spangle_twin: %s on %s: %s failed\n", scene->id, twin.name, problem);
-            return 1;
-        }
-    }
-    const std::string wrong = desk->violations();
-    std::fputs(wrong.c_str(), stderr);
-    return wrong.empty() ? 0 : 1;
+int replay(const Twin& twin, int frames, const Words& words) {
+    sim::Wiring wiring;
+    std::size_t at = 2;
+    for (; at < words.size() && words[at] != "--"; ++at)
+        if (!sim::parse_wiring(words[at], wiring))
+            return fail("no wire: " + words[at]);
+    if (twin.panel == nullptr || at >= words.size())
+        return fail("replay: a board with a panel, and scenes behind --");
+    std::ifstream trace(words[0]);
+    sim::WiredPanel panel(*twin.panel, wiring, sim::read_trace(trace, wiring));
+    std::vector<std::uint64_t> sent;
+    for (std::uint64_t n; std::cin >> n;)
+        sent.push_back(n);
+
+    Comparison comparison(twin, frames, words[1]);
+    const int status = comparison.run(
+        Words(words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end()),
+        [&](int n, sim::Image& shown) {
+            const auto frame = static_cast<std::size_t>(n - 1);
+            const bool there = frame < sent.size() && panel.advance(sent[frame]);
+            shown = panel.glass();
+            return there;
+        },
+        [](const sim::Image& shown, const sim::Image& glass) { return shown == glass; });
+    if (!panel.at_end())
+        std::printf("the program sent more than its frames\n");
+    const std::string violations = panel.violations();
+    std::fputs(violations.c_str(), stdout);
+    return status != 0 || !panel.at_end() || !violations.empty() ? 1 : 0;
+}
+
+int screens(const Twin& twin, int frames, const Words& words) {
+    const int scale = std::atoi(words[2].c_str());
+    if (scale < 1)
+        return fail("screens: no scale");
+    Comparison comparison(twin, frames, words[1]);
+    const PixelFormat format = comparison.format();
+    return comparison.run(
+        Words(words.begin() + 3, words.end()),
+        [&](int n, sim::Image& shown) {
+            sim::Image screen;
+            if (!sim::read_ppm(words[0] + "/" + std::to_string(n) + ".ppm", screen).empty())
+                return false;
+            shown = sim::reduced(screen, scale);
+            return true;
+        },
+        [&](const sim::Image& shown, const sim::Image& glass) { return sim::shows(shown, glass, format); });
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 5 || std::strcmp(argv[1], "play") != 0) {
-        std::fprintf(stderr, "usage: spangle_twin play BOARD FRAMES SCENE...\n");
-        return 2;
-    }
-    const Twin* const twin = find(argv[2]);
-    if (twin == nullptr) {
-        std::fprintf(stderr, "spangle_twin: no board '%s'\n", argv[2]);
-        return 2;
-    }
-    return play(*twin, std::atoi(argv[3]), argc - 4, argv + 4);
+    const Words words(argv + 1, argv + argc);
+    const Twin* const twin = words.size() < 4 ? nullptr : find(words[1]);
+    if (twin == nullptr)
+        return fail(words.size() < 4 ? "usage: spangle_twin play|replay|screens BOARD FRAMES ..."
+                                     : "no board '" + words[1] + "'");
+    const int frames = std::atoi(words[2].c_str());
+    const Words rest(words.begin() + 3, words.end());
+    if (words[0] == "play")
+        return play(*twin, frames, rest);
+    if (words[0] == "replay" && rest.size() > 3)
+        return replay(*twin, frames, rest);
+    if (words[0] == "screens" && rest.size() > 3)
+        return screens(*twin, frames, rest);
+    return fail("no command '" + words[0] + "', or too few words");
 }

@@ -25,6 +25,7 @@ struct Mps2 {
 template <const hal::Board& board, const Mps2& blocks> class Mps2Display {
   public:
     hal::Display& start() {
+        blocks.misc(0).set(true); // not selected
         Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});
         blocks.misc(6).set(true); // back light
         return display_;
