@@ -100,6 +100,7 @@ TEST(Displays, HandlesAndInitialisation) {
     EXPECT_EQ(eglQueryString(display, EGL_WIDTH), nullptr);
     EXPECT_EQ(eglGetError(), EGL_BAD_PARAMETER);
 
+    EXPECT_EQ(eglQueryAPI(), EGLenum{EGL_OPENGL_API}); // of one API there is nothing to choose
     EXPECT_EQ(eglBindAPI(EGL_OPENGL_API), yes);
     EXPECT_EQ(eglQueryAPI(), EGLenum{EGL_OPENGL_API});
     EXPECT_EQ(eglBindAPI(EGL_OPENVG_API), no);

@@ -1,0 +1,299 @@
+"""The command table (commands/*.json): families, their entry points, arguments and parameters.
+
+One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
+  name, row     the family and its row of the feature matrix
+  kind          plain (default), components, matrix, plane, rect, flag, params, get_params
+  args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
+                A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
+  types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
+                suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
+  inside        legal between Begin and End
+  list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
+  feature       optional system it belongs to; "A|B": it is there with either; "and" is one more that it takes
+  vector        of a plain family of reals: they come as an array, too
+  refuses       the error that all arguments raise, legal or not
+  digits        of components: false where the name does not tell their number
+  pnames        parameter -> kind and count: c4 colour, r1 real, i1 integer; "=TOKEN" is a value to try, "@TOKEN" the
+                target it belongs to (else the first), "?FEATURE" the optional system, "!CODE" the error that it raises
+                as things are at first
+"""
+import json
+import re
+import sys
+from pathlib import Path
+
+API = Path(__file__).resolve().parent
+ROOT = API.parent.parent
+CHAPTERS = ["state", "vertex", "transform", "lighting", "pixel", "texture", "list", "selection", "evaluators"]
+
+C_TYPES = {"b": "GLbyte", "s": "GLshort", "i": "GLint", "f": "GLfloat", "d": "GLdouble", "ub": "GLubyte",
+           "us": "GLushort", "ui": "GLuint", "x": "GLfixed", "cf": "GLclampf", "cd": "GLclampd", "cx": "GLclampx"}
+CONVERT_AS = {"cf": "f", "cd": "d", "cx": "x"}
+ARRAY_TYPES = {"f": "GL_FLOAT", "d": "GL_DOUBLE", "i": "GL_INT", "x": "GL_FIXED", "ui": "GL_UNSIGNED_INT",
+               "us": "GL_UNSIGNED_SHORT"}
+INTEGERS = {"b", "s", "i", "ub", "us", "ui"}
+
+
+class Arg:
+    """One argument of a plain or params family."""
+
+    def __init__(self, text, groups):
+        declaration, _, accepted = text.partition("=")
+        self.type, self.name = declaration.rsplit(" ", 1)
+        self.pointer, self.array = "*" in self.type, self.type.startswith("array")
+        self.accepted, self.good, self.low, self.high = [], "0", None, None
+        self.parse(accepted, groups)
+
+    def parse(self, text, groups):
+        bounds = re.fullmatch(r"(-?\d+)\.\.(-?\d*)", text)
+        if bounds:
+            self.low, self.high, self.good = bounds[1], bounds[2] or None, bounds[1]
+        elif re.fullmatch(r"-?\d+", text):
+            self.good = text
+        elif text:
+            first = None
+            for word in text.split():
+                if word.startswith("@"):
+                    group, _, wish = word[1:].partition(":")
+                    first = first or wish or None
+                    self.accepted += groups[group].split()
+                else:
+                    self.accepted.append(word)
+            self.good = "GL_" + (first or self.accepted[0])
+
+    @property
+    def c_type(self):
+        return re.sub(r"\b(?!const|void)([a-z]+)", r"GL\1", self.type).replace("GL ", "")
+
+
+class Pname:
+    """One parameter of a params family."""
+
+    def __init__(self, name, text):
+        self.name = name
+        found = re.fullmatch(r"([cri])(\d+)(?:=(-?\w+))?(?:@(\w+))?(?:\?(\w+))?(?:!(\w+))?", text)
+        self.kind, self.count, good, target, self.feature, code = found.groups()
+        self.code = f"GL_{code or 'NO_ERROR'}"
+        self.good = "0" if good is None else good if re.fullmatch(r"-?\d+", good) else f"GL_{good}"
+        self.target = f"GL_{target}" if target else "0"
+
+    @property
+    def row(self):
+        present = f"SPANGLE_FEATURE_{self.feature} != 0" if self.feature else "true"
+        return f"{{GL_{self.name}, {self.count}, '{self.kind}', {self.good}, {self.target}, {present}, {self.code}}}"
+
+
+class Entry:
+    """One entry point: its C signature and how its arguments reach the family's function."""
+
+    def __init__(self, family, name, params, body, tries):
+        self.family, self.name, self.params, self.body, self.tries = family, name, params, body, tries
+
+    @property
+    def prototype(self):
+        return f"{self.family.returns} GLAPIENTRY {self.name}({self.c_params})"
+
+    @property
+    def needs(self):
+        """The optional systems this entry point takes, each a condition of the preprocessor."""
+        features = [self.family.feature] if self.family.feature else []
+        features += [self.family.data["and"]] if "and" in self.family.data else []
+        features += ["FIXED_POINT"] if re.search(r"xv?OES$", self.name) else []
+        return tuple(" || ".join(f"SPANGLE_FEATURE_{word}" for word in feature.split("|")) for feature in features)
+
+    @property
+    def c_params(self):
+        return ", ".join(f"{t} {n}" for t, n in self.params) or "void"
+
+
+class Family:
+    def __init__(self, data, groups, by_name):
+        self.name, self.row = data["name"], data["row"]
+        self.kind = data.get("kind", "plain")
+        self.args = [Arg(text, groups) for text in data.get("args", [])]
+        self.inside, self.feature = data.get("inside", False), data.get("feature")
+        self.listing = {True: "words", False: "never"}.get(data.get("list", True), data.get("list"))
+        if self.kind == "get_params":
+            self.listing = "never"
+        self.returns = "GL" + data["returns"] if "returns" in data else "void"
+        self.returns = self.returns.replace("GLconst ", "const GL").replace("GLvoid", "void")
+        self.types = [self.type_suffix(word) for word in data.get("types", "").split()]
+        self.data, self.by_name = data, by_name
+        self.pnames = dict(by_name[data["of"]].pnames if "of" in data else {}, **data.get("pnames", {}))
+        self.pnames.pop(data.get("without"), None)
+        self.entries = list(getattr(self, "entries_" + self.kind)())
+
+    @staticmethod
+    def type_suffix(word):
+        code, colon, suffix = word.partition(":")
+        return code, suffix if colon else ("xOES" if code in ("x", "cx") else code)
+
+    # --- entry points ------------------------------------------------------------------------------------------
+
+    def entry(self, name, params, call, tries, null=None):
+        """`call` are the canonical arguments; `null` names a pointer that must not be null."""
+        text = ", ".join(call)
+        guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n" if null else ""
+        verb = "return ask" if self.returns != "void" else "issue"
+        return Entry(self, name, params, f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
+
+    def entries_plain(self):
+        for code, suffix in self.types or [("", "")]:
+            params, call, tries = [], [], []
+            for arg in self.args:
+                if arg.type == "real":
+                    params.append((C_TYPES[code], arg.name))
+                    call.append(cast(code, arg.name))
+                    tries.append(("real", arg))
+                elif arg.array:
+                    params.append((("" if arg.pointer else "const ") + C_TYPES[code] + "*", arg.name))
+                    call.append(f"Values{{{arg.name}, {ARRAY_TYPES[code]}}}")
+                    tries.append(("values", arg))
+                else:
+                    params.append((arg.c_type, arg.name))
+                    call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
+                    tries.append((arg.type, arg))
+            yield self.entry("gl" + self.name + suffix, params, call, tries)
+            if self.data.get("vector"):
+                vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg("real value", {})
+                yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
+                                 [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v")
+
+    def entries_components(self):
+        pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]
+        names = {"Normal": ["nx", "ny", "nz"]}.get(self.name, self.component_names)
+        leading = [(a.c_type, a.name) for a in self.args]
+        first, first_tries = [n for _, n in leading], [(a.type, a) for a in self.args]
+        for size in self.data["sizes"]:
+            for code, suffix in self.types:
+                convert = normalize if self.data["integers"] == "normalize" else cast
+                rest = pad[size:]
+                one = first + [convert(code, n) for n in names[:size]] + rest
+                many = first + [convert(code, f"v[{i}]") for i in range(size)] + rest
+                stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
+                vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+                value = Arg("real value", {})
+                yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one,
+                                 first_tries + [("real", value)] * size)
+                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many,
+                                 first_tries + [("values", value)], "v")
+
+    def entries_flag(self):
+        value = Arg("boolean flag", {})
+        yield self.entry("gl" + self.name, [("GLboolean", "flag")], ["flag != 0"], [("boolean", value)])
+        yield self.entry(f"gl{self.name}v", [("const GLboolean*", "flag")], ["*flag != 0"], [("values", value)], "flag")
+
+    def entries_rect(self):
+        for code, suffix in self.types:
+            c, value = C_TYPES[code], Arg("real value", {})
+            vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+            names = ["x1", "y1", "x2", "y2"]
+            yield self.entry("glRect" + suffix, [(c, n) for n in names], [cast(code, n) for n in names],
+                             [("real", value)] * 4)
+            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")],
+                             [cast(code, n) for n in ("v1[0]", "v1[1]", "v2[0]", "v2[1]")], [("values", value)] * 2,
+                             null="v1 == nullptr || v2")
+
+    def entries_matrix(self):
+        for code, suffix in self.types:
+            yield self.entry(f"gl{self.name}{suffix}", [(f"const {C_TYPES[code]}*", "m")],
+                             [f"convert::matrix_{code}(m)"], [("values", Arg("real m", {}))], "m")
+
+    def entries_plane(self):
+        leading = [(a.c_type, a.name) for a in self.args]
+        call = [n for _, n in leading]
+        for code, suffix in self.types:
+            yield self.entry(f"gl{self.name}{suffix}", leading + [(f"const {C_TYPES[code]}*", "equation")],
+                             call + [cast(code, f"equation[{i}]") for i in range(4)],
+                             [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))], "equation")
+
+    def entries_params(self):
+        leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
+        call = [n for _, n in leading]
+        tries = [("enum", a) for a in self.args] + [("pname", None)]
+        for code, suffix in self.types:
+            c, shape = C_TYPES[code], f"shape::{self.name}(pname)"
+            yield self.entry(f"gl{self.name}{suffix}", leading + [(c, "param")],
+                             call + [f"convert::scalar_{code}({shape}, param)"], tries + [("pvalue", None)])
+            if not self.data.get("scalar_only"):
+                vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
+                yield self.entry(f"gl{self.name}{vector}", leading + [(f"const {c}*", "params")],
+                                 call + [f"convert::vector_{code}({shape}, params)"], tries + [("pvalues", None)],
+                                 "params")
+
+    def entries_get_params(self):
+        leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
+        call = [n for _, n in leading]
+        tries = [(a.type, a) for a in self.args] + [("pname", None), ("out", None)]
+        for code, suffix in self.types:
+            name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
+            body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n"
+                    f"    Params found;\n    fetch<family::{self.name}>(found, {', '.join(call)});\n"
+                    f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
+            yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
+
+    @property
+    def component_names(self):
+        known = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"), "MultiTexCoord": list("strq"),
+                 "Index": ["index"], "FogCoord": ["coord"]}
+        return known.get(self.name, list("xyzw")[:len(self.data["pad"].split())])
+
+    # --- the handwritten function ------------------------------------------------------------------------------
+
+    @property
+    def canonical(self):
+        """Parameter list of cmd::Name after the context."""
+        if self.kind == "components":
+            return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in self.component_names]
+        if self.kind == "flag":
+            return [("bool", "flag")]
+        if self.kind == "plane":
+            return [(a.c_type, a.name) for a in self.args] + [("Real", n) for n in "abcd"]
+        if self.kind == "rect":
+            return [("Real", n) for n in ("x1", "y1", "x2", "y2")]
+        if self.kind == "matrix":
+            return [("const Matrix16&", "matrix")]
+        plain = [("Real" if a.type == "real" else "bool" if a.type == "boolean" else "const Values&" if a.array else a.c_type, a.name)
+                 for a in self.args]
+        if self.kind == "params":
+            return plain + [("GLenum", "pname"), ("const Params&", "params")]
+        if self.kind == "get_params":
+            return plain + [("GLenum", "pname"), ("Params&", "params")]
+        return plain
+
+    @property
+    def signature(self):
+        params = ["Context& context"] + [f"{t} {n}".replace("* ", "* ") for t, n in self.canonical]
+        return ", ".join(params)
+
+
+def cast(code, name):
+    return f"convert::cast_{CONVERT_AS.get(code, code)}({name})"
+
+
+def normalize(code, name):
+    return f"convert::unit_{code}({name})" if code in INTEGERS else cast(code, name)
+
+
+def load():
+    chapters, by_name, groups, tokens = [], {}, {}, {}
+    raw = [json.loads((API / "commands" / f"{name}.json").read_text()) for name in CHAPTERS]
+    for data in raw:
+        groups.update(data["groups"])
+        for token, value in data["tokens"].items():
+            value = int(str(value), 0)
+            if tokens.setdefault(token, value) != value:
+                sys.exit(f"token {token} has two values")
+    for data in raw:
+        families = []
+        for row in data["families"]:
+            family = Family(row, groups, by_name)
+            by_name[family.name] = family
+            families.append(family)
+        chapters.append((data, families))
+    for family in by_name.values():
+        for arg in family.args:
+            for token in arg.accepted:
+                if token not in tokens:
+                    sys.exit(f"{family.name}: token {token} has no value")
+    return chapters, tokens

@@ -1,0 +1,166 @@
+"""The code that commands need beside their functions: declarations, wrappers, names, the public header."""
+from command_table import Pname
+
+NOTICE = "// Written by gl/api/generate.py from gl/api/commands: change those, not this.\n"
+
+HEADER_TOP = """/* OpenGL as Spangle has it: exactly the commands that exist. For C89 and up, and C++.
+   Written by gl/api/generate.py from gl/api/commands: change those, not this. */
+#ifndef SPANGLE_GL_GL_H
+#define SPANGLE_GL_GL_H
+
+#ifndef GLAPI
+#define GLAPI extern
+#endif
+#ifndef APIENTRY
+#define APIENTRY
+#endif
+#ifndef GLAPIENTRY
+#define GLAPIENTRY APIENTRY
+#endif
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SPANGLE_GL 1
+#define GL_VERSION_1_0 1
+
+typedef unsigned int GLenum;
+typedef unsigned char GLboolean;
+typedef unsigned int GLbitfield;
+typedef void GLvoid;
+typedef ptrdiff_t GLintptr;
+typedef ptrdiff_t GLsizeiptr;
+typedef signed char GLbyte;
+typedef short GLshort;
+typedef int GLint;
+typedef unsigned char GLubyte;
+typedef unsigned short GLushort;
+typedef unsigned int GLuint;
+typedef int GLsizei;
+typedef float GLfloat;
+typedef float GLclampf;
+typedef double GLdouble;
+typedef double GLclampd;
+typedef int GLfixed;  /* S15.16, GL_OES_fixed_point */
+typedef int GLclampx; /* S15.16, clamped to [0, 1] */
+"""
+
+
+def header(chapters, _tokens):
+    out = [HEADER_TOP]
+    for data, families in chapters:
+        out.append(f"\n/* {data['title']} (GL 1.3, {data['section']}) */\n")
+        for token, value in data["tokens"].items():
+            value = int(str(value), 0)
+            out.append(f"#define GL_{token} {value if value < 2 else f'0x{value:04X}'}\n")
+        for family in families:
+            out += [f"GLAPI {entry.prototype};\n" for entry in family.entries]
+    out.append("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n")
+    return "".join(out)
+
+
+# --- declarations and wrappers -----------------------------------------------------------------------------------
+
+def commands_header(chapters, _tokens):
+    out = ["// One handwritten function per family, and what the wrappers know about it.\n", NOTICE,
+           "#pragma once\n\n#include \"gl/api/family.hpp\"\n#include \"gl/context/types.hpp\"\n\n",
+           "namespace spangle::gl {\nstruct Context;\n}\n\nnamespace spangle::gl::cmd {\n"]
+    everything = [f for _, families in chapters for f in families]
+    for data, families in chapters:
+        out.append(f"\n// {data['title']} (GL 1.3, {data['section']}).\n")
+        out += [f"{f.returns} {f.name}({f.signature});\n" for f in families]
+    out.append("\n} // namespace spangle::gl::cmd\n\n/// Handwritten encoders of display lists, in gl/list.\n"
+               "namespace spangle::gl::encode {\n\n")
+    out += [f"void {f.name}({f.signature});\n" for f in everything if f.listing in ("attribute", "client_data")]
+    out.append("\n} // namespace spangle::gl::encode\n\nnamespace spangle::gl::family {\n\n")
+    for f in everything:
+        encoder = f"&encode::{f.name}" if f.listing in ("attribute", "client_data") else "nullptr"
+        out.append(f"struct {f.name} {{\n    static constexpr auto run = &cmd::{f.name};\n"
+                   f"    static constexpr auto encode = {encoder};\n"
+                   f"    static constexpr bool inside = {str(f.inside).lower()};\n"
+                   f"    static constexpr Listing listing = Listing::{f.listing};\n"
+                   f"    static constexpr const char* refusal = SPANGLE_TEXT(\"gl{f.name} between glBegin and glEnd\");\n}};\n")
+    out.append("\n} // namespace spangle::gl::family\n")
+    return "".join(out)
+
+
+def shapes_header(chapters, _tokens):
+    out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
+           "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
+    kinds = {"c": "color", "r": "real", "i": "integer"}
+    for _, families in chapters:
+        for f in families:
+            if not f.pnames:
+                continue
+            cases = {}
+            for pname in (Pname(n, t) for n, t in f.pnames.items()):
+                cases.setdefault(pname.kind + pname.count, []).append(pname.name)
+            out.append(f"\ninline Shape {f.name}(GLenum pname) {{\n    switch (pname) {{\n")
+            for text, names in cases.items():
+                out += [f"    case GL_{n}:\n" for n in names]
+                out.append(f"        return {{Kind::{kinds[text[0]]}, {text[1:]}}};\n")
+            out.append("    default:\n        return {};\n    }\n}\n")
+    out.append("\n} // namespace spangle::gl::shape\n")
+    return "".join(out)
+
+
+def wrappers(data, families):
+    out = [f"// Entry points: {data['title']}.\n", NOTICE,
+           "#include \"gl/api/convert.hpp\"\n#include \"gl/api/generated/commands.hpp\"\n"
+           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n\n"
+           "using namespace spangle::gl;\nnamespace numeric = spangle::numeric;\n\nextern \"C\" {\n"]
+    needs = ()
+    for f in families:
+        for entry in f.entries:
+            if entry.needs != needs:
+                out.append(("\n#endif\n" if needs else "") + (f"\n#if {both(entry.needs)}\n" if entry.needs else ""))
+                needs = entry.needs
+            out.append(f"\n{entry.prototype.replace('(void)', '()')} {{\n{entry.body}}}\n")
+    out.append("\n#endif\n" if needs else "")
+    out.append(refusals([e for f in families for e in f.entries]))
+    out.append("\n} // extern \"C\"\n")
+    return "".join(out)
+
+
+def both(needs):
+    """One condition of several."""
+    return " && ".join(f"({need})" if "||" in need and len(needs) > 1 else need for need in needs)
+
+
+def refusals(entries):
+    """What the entry points of a feature do in a build without it."""
+    out = []
+    for needs in sorted({e.needs for e in entries if e.needs}):
+        for i, need in enumerate(needs):
+            absent = f"!({need})" if "||" in need else f"!{need}"
+            out.append(f"\n#if {both([*needs[:i], absent])}\n")
+            for entry in (e for e in entries if e.needs == needs):
+                types = ", ".join(t for t, _ in entry.params)
+                back = "" if entry.family.returns == "void" else "    return 0;\n"
+                text = f"{entry.name}: this build has no {need.replace('||', 'and no')}"
+                out.append(f"\n{entry.family.returns} GLAPIENTRY {entry.name}({types}) {{\n"
+                           f"    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n{back}}}\n")
+            out.append("\n#endif\n")
+    return "".join(out)
+
+
+def names(chapters, _tokens):
+    found = sorted(e.name for _, families in chapters for f in families for e in f.entries)
+    out = ["// The name table of GetProcAddress: a feature, because it keeps every entry point in the program.\n", NOTICE,
+           "#include \"gl/api/names.hpp\"\n\n#include <spangle/GL/gl.h>\n\n"
+           "namespace spangle::gl {\n\n#if SPANGLE_FEATURE_GET_PROC_ADDRESS\n\nnamespace {\n\n"
+           "struct Name {\n    const char* text;\n    EntryPoint function;\n};\n\n"
+           "const Name table[] = {\n"]
+    out += [f"    {{\"{n}\", reinterpret_cast<EntryPoint>(&{n})}},\n" for n in found]
+    out.append("};\n\nint compare(const char* a, const char* b) {\n    while (*a != 0 && *a == *b)\n        ++a, ++b;\n"
+               "    return static_cast<unsigned char>(*a) - static_cast<unsigned char>(*b);\n}\n\n} // namespace\n\n"
+               "EntryPoint find_entry_point(const char* name) {\n"
+               "    unsigned low = 0, high = sizeof table / sizeof table[0];\n    while (low < high) {\n"
+               "        const unsigned middle = (low + high) / 2;\n        const int order = compare(name, table[middle].text);\n"
+               "        if (order == 0)\n            return table[middle].function;\n"
+               "        (order < 0 ? high : low) = order < 0 ? middle : middle + 1;\n    }\n    return nullptr;\n}\n\n#else\n\n"
+               "EntryPoint find_entry_point(const char*) { return nullptr; }\n\n#endif\n\n} // namespace spangle::gl\n")
+    return "".join(out)

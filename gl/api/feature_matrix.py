@@ -1,0 +1,54 @@
+"""The feature matrix: which rows of GL 1.3 work, and what is missing."""
+import json
+import re
+import sys
+
+from command_table import API, ROOT
+
+README_MATRIX = re.compile(r"(<!-- feature matrix: .*? -->\n).*?(<!-- end of the feature matrix -->\n)", re.S)
+
+
+def matrix(chapters):
+    """Of each row: id, name, commands, state, note."""
+    rows = json.loads((API / "commands" / "rows.json").read_text())
+    entries = {}
+    for _, families in chapters:
+        for f in families:
+            entries.setdefault(f.row, []).extend(e.name for e in f.entries if not e.name.endswith("OES"))
+    record = ROOT / "tests" / "mutants" / "caught.txt"
+    caught = set(re.findall(r"^\S+ (\w+)$", record.read_text(), re.M)) if record.exists() else set()
+    for row in rows:
+        have, want = len(entries.get(row["id"], [])), row["entry_points"]
+        complete = have >= want if want else row.get("exists", False)
+        some = have > 0 or row.get("exists", False)
+        missing = row.get("missing", "")
+        state = "works" if complete and not missing and row["id"] in caught else "partly" if some else "not yet"
+        note = missing or ("" if state != "partly" else
+                           f"{want - have} entry point{'s' if want - have > 1 else ''} to come" if have < want else "no seeded defect yet")
+        yield row["id"], row["name"], f"{min(have, want)}/{want}" if want else "-", state, note
+
+
+def totals(rows):
+    states = [row[3] for row in rows]
+    return ", ".join(f"{states.count(s)} {s}" for s in ("works", "partly", "not yet")) + f" of {len(states)} rows"
+
+
+def features(rows):
+    return ("# Feature matrix\n\n<!-- Written by gl/api/generate.py from gl/api/commands -->\n\n"
+            "Rows of GL 1.3. *works*: every command of the row exists, nothing is known to be missing, and a seeded defect of the\n"
+            "row is caught by the tests. *partly*: what is missing is said. *not yet*: nothing of it exists, or it is untested.\n\n"
+            "| row | system | commands | state | note |\n|---|---|---|---|---|\n"
+            + "".join(f"| {' | '.join(row)} |\n" for row in rows) + f"\n{totals(rows)}.\n")
+
+
+def readme(rows):
+    """The README with its matrix renewed."""
+    text = (ROOT / "README.md").read_text()
+    table = (f"\n<details><summary>{totals(rows)} (a row works when a seeded defect of it is caught)</summary>\n\n"
+             "| row | system | state |\n|---|---|---|\n"
+             + "".join(f"| {row} | {name} | {state}{': ' + note if note else ''} |\n" for row, name, _, state, note in rows)
+             + "\n</details>\n\n")
+    renewed, count = README_MATRIX.subn(lambda m: m[1] + table + m[2], text)
+    if count != 1:
+        sys.exit("README.md: no place for the feature matrix")
+    return renewed
