@@ -1,7 +1,6 @@
 // A context of ours to draw into: a pbuffer of RGBA8888 with 24 bits of depth.
 #pragma once
 
-#include <initializer_list>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,18 +12,18 @@ namespace spangle::test {
 class HeadlessGl {
   public:
     /// `more`: what else the config has, attribute by attribute; `of_surface`: what else the surface.
-    HeadlessGl(int width, int height, std::initializer_list<EGLint> more = {},
-               std::initializer_list<EGLint> of_surface = {})
+    HeadlessGl(int width, int height, const std::vector<EGLint>& more = {},
+               const std::vector<EGLint>& of_surface = {})
         : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
         EXPECT_TRUE(eglInitialize(display_, nullptr, nullptr));
         std::vector<EGLint> wish = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                                     EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT,
                                     EGL_ALPHA_SIZE,      8,
                                     EGL_DEPTH_SIZE,      24};
-        wish.insert(wish.end(), more);
+        wish.insert(wish.end(), more.begin(), more.end());
         wish.push_back(EGL_NONE);
         std::vector<EGLint> area = {EGL_WIDTH, width, EGL_HEIGHT, height};
-        area.insert(area.end(), of_surface);
+        area.insert(area.end(), of_surface.begin(), of_surface.end());
         area.push_back(EGL_NONE);
         EGLConfig config = nullptr;
         EGLint count = 0;

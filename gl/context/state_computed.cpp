@@ -4,6 +4,7 @@
 #include "gl/context/hooks.hpp"
 #include "gl/context/limits.hpp"
 #include "gl/texture/compressed_format.hpp"
+#include "raster/surface/samples.hpp"
 
 namespace spangle::gl::computed_state {
 
@@ -107,6 +108,11 @@ void bits(const Context& context, GLenum name, Param* out) {
         out[0] = integer(surface.depth_format == DepthFormat::z24s8 ? 8 : 0);
     else
         out[0] = integer(colors[name - GL_RED_BITS]);
+}
+
+void samples(const Context& context, GLenum name, Param* out) {
+    const bool has = context.drawable.surface.samples != nullptr;
+    out[0] = integer(!has ? 0 : name == GL_SAMPLE_BUFFERS ? 1 : std::int32_t{raster::sample_count});
 }
 
 void accum_bits(const Context& context, GLenum, Param* out) {

@@ -24,6 +24,7 @@ void active_unit(const Context& context, GLenum name, Param* out);
 void size_of_pixel_map(const Context& context, GLenum name, Param* out);
 void index_mode(const Context& context, GLenum name, Param* out);
 void bits(const Context& context, GLenum name, Param* out);
+void samples(const Context& context, GLenum name, Param* out);
 void accum_bits(const Context& context, GLenum name, Param* out);
 
 } // namespace computed_state

@@ -66,6 +66,7 @@ void gather_extents(Surface& surface) {
 }
 
 bool send_band(Display& display, Surface& surface) {
+    raster::resolve(pixels_of(surface));
     if (!surface.band.colors)
         gather_extents(surface);
     else if (const hal::Result<void> sent = display.native->present_band(); !sent.ok())

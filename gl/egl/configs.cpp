@@ -13,14 +13,16 @@ namespace {
 constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
 constexpr EGLint precision_count = 7;
 constexpr EGLint depth_count = 3, format_count = pixel_formats;
-constexpr EGLint config_count = format_count * depth_count * precision_count;
+constexpr EGLint plain_count = format_count * depth_count * precision_count;
+constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1); ///< those with samples last
 
 const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< double, shadow
 
 Config config_of(EGLint id) {
-    const EGLint i = id - 1;
+    const EGLint i = (id - 1) % plain_count;
     return {id, static_cast<PixelFormat>(i / (depth_count * precision_count)),
-            depths[i / precision_count % depth_count], EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
+            depths[i / precision_count % depth_count], id > plain_count,
+            EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
 }
 
 bool exists(const Config& config) {
@@ -91,6 +93,10 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_NATIVE_VISUAL_TYPE:
     case EGL_TRANSPARENT_TYPE:
         return {true, EGL_NONE};
+    case EGL_SAMPLES:
+        return {true, c.multisampled ? EGLint{raster::sample_count} : 0};
+    case EGL_SAMPLE_BUFFERS:
+        return {true, c.multisampled ? 1 : 0};
     case EGL_NATIVE_VISUAL_ID:
         return {true, visual_of(display, c)};
     case EGL_PRECISION_SPANGLE:
@@ -102,8 +108,6 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_LUMINANCE_SIZE:
     case EGL_ALPHA_MASK_SIZE:
     case EGL_LEVEL:
-    case EGL_SAMPLES:
-    case EGL_SAMPLE_BUFFERS:
     case EGL_TRANSPARENT_RED_VALUE:
     case EGL_TRANSPARENT_GREEN_VALUE:
     case EGL_TRANSPARENT_BLUE_VALUE:
@@ -222,7 +226,8 @@ bool before(const Display& display, const Wishes& wishes, const Config& a, const
     }
     if (bits_a != bits_b)
         return bits_a > bits_b;
-    for (const EGLint name : {EGL_BUFFER_SIZE, EGL_DEPTH_SIZE, EGL_STENCIL_SIZE}) {
+    for (const EGLint name :
+         {EGL_BUFFER_SIZE, EGL_SAMPLE_BUFFERS, EGL_SAMPLES, EGL_DEPTH_SIZE, EGL_STENCIL_SIZE}) {
         const EGLint va = attribute(display, a, name).value, vb = attribute(display, b, name).value;
         if (va != vb)
             return va < vb;
@@ -313,8 +318,8 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
     Wishes wishes;
     if (!read_wishes(attrib_list, wishes))
         return fail(EGL_BAD_ATTRIBUTE);
-    static_assert(config_count <= UINT8_MAX);
-    std::uint8_t found[config_count];
+    static_assert(config_count <= UINT16_MAX);
+    std::uint16_t found[config_count];
     EGLint n = 0;
     for (EGLint id = 1; id <= config_count; ++id) {
         const Config config = config_of(id);
@@ -323,7 +328,7 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
         EGLint at = n++;
         for (; at > 0 && before(*display, wishes, config, config_of(found[at - 1])); --at)
             found[at] = found[at - 1];
-        found[at] = static_cast<std::uint8_t>(id);
+        found[at] = static_cast<std::uint16_t>(id);
     }
     if (n == 0 && wish_for(wishes, EGL_RENDERABLE_TYPE) == EGL_OPENGL_ES_BIT)
         spangle::message(EGL_SUCCESS,

@@ -1,4 +1,4 @@
-// The configurations of a display: formats x depth buffers x precisions.
+// The configurations of a display: formats x depth buffers x precisions, with samples and without.
 #pragma once
 
 #include "gl/egl/objects.hpp"

@@ -12,7 +12,7 @@ namespace {
 
 /// Surface and context must agree on how pixels lie and in which numbers they are made (EGL 1.4, 2.2).
 bool compatible(const Config& a, const Config& b) {
-    return a.format == b.format && a.depth == b.depth;
+    return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
 
 /// Whether another thread has it.
@@ -129,8 +129,8 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     if (!compatible(context->config, draw_surface->config) ||
         !compatible(context->config, read_surface->config))
         return fail(EGL_BAD_MATCH,
-                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format "
-                                 "or depth buffer than the surface's"));
+                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
+                                 "depth buffer or multisample buffer than the surface's"));
     if (context->current && thread().context != context)
         return fail(EGL_BAD_ACCESS);
     if (elsewhere(draw_surface) || elsewhere(read_surface))

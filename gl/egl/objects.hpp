@@ -10,6 +10,7 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/create.hpp"
 #include "gl/context/features.hpp"
+#include "raster/surface/samples.hpp"
 
 namespace spangle::egl {
 
@@ -17,6 +18,7 @@ struct Config {
     EGLint id = 0;
     PixelFormat format{};
     DepthFormat depth{};
+    bool multisampled = false;
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
 };
 
@@ -41,6 +43,9 @@ struct Surface {
     std::uint8_t* color = nullptr; ///< a pbuffer's own; a window's belongs to the display
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
+    std::uint8_t* sample_colors = nullptr; ///< a plane for each, where the config is multisampled
+    RowSpan* unresolved = nullptr;         ///< of each row that is in memory
+    raster::Samples samples;
     hal::Frame frame; ///< of a window
     Band band;
 

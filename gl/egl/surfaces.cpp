@@ -27,6 +27,12 @@ struct Extras {
     Band band = {};
 };
 
+/// Of so many rows, wherever they begin: pages of eight may be one more.
+std::size_t bytes_of_sample(PixelFormat format, std::int32_t width, std::int32_t rows) {
+    const std::int32_t shared = format_info(format).rows, most = (rows + 2 * shared - 2) / shared;
+    return static_cast<std::size_t>(row_bytes(format, width)) * static_cast<std::size_t>(most);
+}
+
 /// A surface with its buffers, or null with nothing kept.
 Surface* make(const Config& config, std::int32_t width, std::int32_t height, const Extras& extras) {
     gl::Arena& a = arena();
@@ -49,13 +55,23 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     const auto color_bytes = static_cast<std::size_t>(row_bytes(config.format, width)) *
                              static_cast<std::size_t>(stored_rows(config.format, height));
     surface->color = static_cast<std::uint8_t*>(plane(extras.color, color_bytes));
-    surface->depth = static_cast<std::uint8_t*>(plane(
-        config.depth != DepthFormat::none, pixels * static_cast<std::size_t>(bytes_per_depth(config.depth))));
+    const std::size_t samples = config.multisampled ? raster::sample_count : 1;
+    const std::size_t sample_bytes = bytes_of_sample(config.format, width, rows);
+    const std::size_t depth_bytes = pixels * static_cast<std::size_t>(bytes_per_depth(config.depth));
+    surface->depth =
+        static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, depth_bytes * samples));
+    surface->sample_colors = static_cast<std::uint8_t*>(plane(config.multisampled, sample_bytes * samples));
+    surface->samples.next_color = static_cast<std::ptrdiff_t>(sample_bytes);
+    surface->samples.next_depth = static_cast<std::ptrdiff_t>(depth_bytes);
+    surface->unresolved =
+        static_cast<RowSpan*>(plane(config.multisampled, static_cast<std::size_t>(rows) * sizeof(RowSpan)));
     surface->accum = static_cast<std::int16_t*>(plane(extras.accum, pixels * (4 * accum_bits / 8)));
     if (!whole) {
         free_surface(surface);
         return nullptr;
     }
+    for (std::int32_t y = 0; config.multisampled && y < rows; ++y)
+        new (surface->unresolved + y) RowSpan;
     return surface;
 }
 
@@ -143,6 +159,18 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
     return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
 }
 
+/// The samples of the rows that are there; top row first, so that they have the stride of the surface's own
+/// planes where these have one.
+const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
+    const PixelFormat format = surface.config.format;
+    const std::int32_t stride = row_bytes(format, surface.width),
+                       top = (rows.y + rows.h - 1) / format_info(format).rows;
+    surface.samples.color = bottom_row(surface.sample_colors, 0, top + 1, stride);
+    surface.samples.color_stride = -stride;
+    surface.samples.unresolved = surface.unresolved - rows.y;
+    return surface.samples;
+}
+
 } // namespace
 
 bool next_frame(Display& display, Surface& surface) {
@@ -157,11 +185,13 @@ bool next_frame(Display& display, Surface& surface) {
 
 void free_surface(Surface* surface) {
     for (void* const plane : {static_cast<void*>(surface->color), static_cast<void*>(surface->depth),
-                              static_cast<void*>(surface->accum), static_cast<void*>(surface)})
+                              static_cast<void*>(surface->accum), static_cast<void*>(surface->sample_colors),
+                              static_cast<void*>(surface->unresolved), static_cast<void*>(surface)})
         arena().free(plane);
 }
 
 bool present(Display& display, Surface& surface) {
+    raster::resolve(pixels_of(surface));
     const hal::Result<void> shown = display.native->present();
     if (!shown.ok()) {
         fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
@@ -217,6 +247,8 @@ raster::Surface pixels_of(Surface& surface) {
     out.accum = surface.accum;
     if (bands)
         show_band(surface, out);
+    if (surface.config.multisampled)
+        out.samples = &show_samples(surface, out.area());
     return out;
 }
 
@@ -255,7 +287,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
     Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC,
-             SPANGLE_TEXT("eglCreateWindowSurface: no memory for the depth buffer; see spangle::memory"));
+             SPANGLE_TEXT("eglCreateWindowSurface: no memory for depth and samples; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     surface->window = true;

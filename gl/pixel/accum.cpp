@@ -4,6 +4,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "gl/pixel/targets.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -22,7 +23,7 @@ spangle::Rect common(const spangle::Rect& a, const spangle::Rect& b) {
 void Accum(Context& context, GLenum op, Real value) {
     if (op < GL_ACCUM || op > GL_ADD)
         return error(context, GL_INVALID_ENUM);
-    const raster::Surface &surface = context.drawable.surface, &read = context.drawable.read;
+    const raster::Surface& surface = context.drawable.surface;
     if (surface.accum == nullptr || context.drawable.index_bits != 0)
         return error(
             context, GL_INVALID_OPERATION,
@@ -33,15 +34,19 @@ void Accum(Context& context, GLenum op, Real value) {
     const std::int32_t v = numeric::to_fixed(value, raster::accum_value_bits);
     switch (op) {
     case GL_ACCUM:
-    case GL_LOAD:
+    case GL_LOAD: {
+        const raster::Surface& read = read_surface(context);
         return raster::accumulate(surface, common(area, read.area()), read, v, op == GL_LOAD);
+    }
     case GL_MULT:
         return raster::multiply_accum(surface, area, v);
     case GL_ADD:
         return raster::add_accum(surface, area, v);
     default: // RETURN
-        return raster::return_accum(surface, area, numeric::to_fixed(value, raster::accum_return_bits),
-                                    written_channels(context), context.fragment_ops.dither);
+        return raster::each_sample(surface, [&](const raster::Surface& sample, unsigned) {
+            raster::return_accum(sample, area, numeric::to_fixed(value, raster::accum_return_bits),
+                                 written_channels(context), context.fragment_ops.dither);
+        });
     }
 }
 

@@ -8,6 +8,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/group.hpp"
 #include "gl/pixel/rectangle.hpp"
+#include "gl/pixel/targets.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::gl {
@@ -46,7 +47,6 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
     static_cast<void>(pixel_layout(GL_COLOR_INDEX, GL_BITMAP, layout));
     const PixelStore& unpack = context.pixel_store.unpack;
     const Real* const at = context.current.raster.position;
-    const std::int32_t left = whole_pixels(at[0], xorig), low = whole_pixels(at[1], yorig);
     const Rect clip = drawing_rect(context);
     const auto part = [](std::int32_t begin, GLsizei size, std::int32_t clip_begin, std::int32_t clip_size) {
         const std::int64_t end = std::int64_t{begin} + size;
@@ -55,15 +55,24 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
                                end < clip_end ? static_cast<std::int32_t>(end) : clip_end};
     };
     const ImageRows rows = image_rows(unpack, layout, width);
-    BitRuns bits{{emit},
-                 bitmap + rows.skip,
-                 rows,
-                 unpack.lsb_first,
-                 left,
-                 low,
-                 part(left, width, clip.x, clip.w),
-                 part(low, height, clip.y, clip.h)};
-    context.engine->pixels(context, draw_state(context), bits);
+    const raster::DrawState& state = draw_state(context);
+    // Samples are looked for in the squares of bits, of which a corner is at the raster position; without
+    // them it is the corner's pixel that counts.
+    const bool samples = multisampling(context);
+    const auto ahead = [samples](std::int32_t shift) { return samples ? shift * 16 + ((1 << 11) - 1) : 0; };
+    each_target(context, [&](const raster::Surface& target, raster::Position shift) {
+        const std::int32_t left = whole_pixels(at[0], xorig, ahead(shift.x)),
+                           low = whole_pixels(at[1], yorig, ahead(shift.y));
+        BitRuns bits{{emit},
+                     bitmap + rows.skip,
+                     rows,
+                     unpack.lsb_first,
+                     left,
+                     low,
+                     part(left, width, clip.x, clip.w),
+                     part(low, height, clip.y, clip.h)};
+        context.engine->pixels(context, state, target, bits);
+    });
 }
 
 } // namespace

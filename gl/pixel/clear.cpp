@@ -5,6 +5,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "raster/surface/accum.hpp"
+#include "raster/surface/samples.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -45,7 +46,7 @@ void Clear(Context& context, GLbitfield mask) {
         request.color[c] = color_units(ops.color_clear[c]);
     request.z = static_cast<std::uint32_t>(numeric::to_fixed(ops.depth_clear, 30));
     request.stencil = static_cast<std::uint8_t>(ops.stencil_clear);
-    raster::clear(context.drawable.surface, request);
+    raster::clear_samples(context.drawable.surface, request);
     if ((mask & GL_ACCUM_BUFFER_BIT) != 0)
         clear_accum(context, request.area);
 }

@@ -11,6 +11,7 @@
 #include "gl/pixel/fetch.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/rectangle.hpp"
+#include "gl/pixel/targets.hpp"
 
 namespace spangle::gl {
 
@@ -22,7 +23,7 @@ struct BufferGroups : GroupSource {
     BufferGroups(const Context& context, GLint left, GLint bottom, GLsizei width, GLsizei height)
         : GroupSource{fill_groups<BufferGroups>, inside(left, width, 0, context.drawable.read.area().w),
                       inside(bottom, height, context.drawable.read.area().y, context.drawable.read.area().h)},
-          surface(context.drawable.read), x(left), y(bottom), transfer(context.pixel_mode) {}
+          surface(read_surface(context)), x(left), y(bottom), transfer(context.pixel_mode) {}
 
     static Interval inside(GLint at, GLsizei size, std::int32_t low, std::int32_t count) {
         const std::int64_t begin = std::int64_t{low} - at, end = begin + count;
@@ -109,6 +110,8 @@ bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end
 /// Some pixel may be drawn before it has been read.
 bool overlaps(const Context& context, BufferGroups source, Content content) {
     raster::Surface drawn = context.drawable.surface;
+    if (content == Content::color && has_sample_buffer(context))
+        return false; // what is read was resolved
     if (plane_of(drawn, content).first != plane_of(source.surface, content).first)
         return false;
     const Real* const at = context.current.raster.position;
@@ -138,7 +141,8 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
     if (source.n.begin >= source.n.end || source.m.begin >= source.m.end)
         return;
     const Real* const zoom = context.pixel_mode.zoom;
-    const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one;
+    // Depths are those of one sample, and drawn to all.
+    const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one && !has_sample_buffer(context);
     const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;

@@ -63,6 +63,7 @@ void AlphaFunc(Context& context, GLenum func, Real ref) {
 void SampleCoverage(Context& context, Real value, bool invert) {
     context.fragment_ops.sample_coverage_value = numeric::clamp01(value);
     context.fragment_ops.sample_coverage_invert = invert;
+    context.changed(dirty_fragment);
 }
 
 void DepthFunc(Context& context, GLenum func) {

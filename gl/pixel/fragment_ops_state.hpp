@@ -39,7 +39,7 @@ struct FragmentOpsState {
     bool color_logic_op = false, index_logic_op = false;
     GLenum logic_op = GL_COPY;
     bool dither = true;
-    // Without effect on surfaces that have no samples (GL 1.3, 4.1.3).
+    // Without effect on surfaces that have no multisample buffer (GL 1.3, 4.1.3).
     bool multisample = true, sample_alpha_to_coverage = false, sample_alpha_to_one = false,
          sample_coverage = false;
     Real sample_coverage_value = numeric::one;

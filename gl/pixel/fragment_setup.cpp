@@ -3,6 +3,7 @@
 #include "gl/context/features.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/pixel/targets.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
 #include "raster/numeric/real.hpp"
@@ -123,8 +124,10 @@ bool has_mode(const PolygonState& polygon, GLenum mode) {
     return polygon.mode[0] == mode || polygon.mode[1] == mode;
 }
 
-bool smooths(const PolygonState& polygon) {
-    return SPANGLE_FEATURE_ANTIALIASING &&
+/// Multisampling takes the place of antialiasing (GL 1.3, 3.2.1).
+bool smooths(const Context& context) {
+    const PolygonState& polygon = context.polygon;
+    return SPANGLE_FEATURE_ANTIALIASING && !multisampling(context) &&
            (polygon.point_smooth || polygon.line_smooth || polygon.polygon_smooth);
 }
 
@@ -145,9 +148,22 @@ bool has_coverage(const PolygonState& polygon, Drawn drawn) {
     return false;
 }
 
+/// GL 1.3, 4.1.3.
+void fill_samples(const Context& context, raster::FragmentState& out) {
+    const FragmentOpsState& ops = context.fragment_ops;
+    if (!multisampling(context))
+        return;
+    out.alpha_to_coverage = ops.sample_alpha_to_coverage;
+    out.alpha_to_one = ops.sample_alpha_to_one;
+    out.sample_coverage = ops.sample_coverage;
+    out.invert_sample_coverage = ops.sample_coverage_invert;
+    out.sample_coverage_value = static_cast<std::uint8_t>(numeric::to_unit(ops.sample_coverage_value, 8));
+}
+
 /// What depends on the primitive.
-void fill_modes(const PolygonState& polygon, Drawn drawn, raster::FragmentState& out) {
-    out.coverage = smooths(polygon) && has_coverage(polygon, drawn);
+void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out) {
+    const PolygonState& polygon = context.polygon;
+    out.coverage = smooths(context) && has_coverage(polygon, drawn);
     if (drawn != Drawn::polygons)
         return;
     out.depth_offset = offsets(polygon);
@@ -161,6 +177,7 @@ void fill(const Context& context, raster::FragmentState& out) {
     fill_textures(context, out);
     fill_fog(context, out);
     fill_tests(context, out);
+    fill_samples(context, out);
     out.flat = context.polygon.shade_model == GL_FLAT;
     // Without lighting the secondary colour is zero (GL 1.3, 2.13.1).
     out.color_sum = context.lighting.lighting && context.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
@@ -249,10 +266,10 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.texture_changes = texture_changes;
         cache.drawn = drawn;
         cache.colors = colors;
-        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context.polygon);
+        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context);
         raster::FragmentState fragment;
         fill(context, fragment);
-        fill_modes(context.polygon, drawn, fragment);
+        fill_modes(context, drawn, fragment);
         fragment.colors = colors;
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = counters_of(context);

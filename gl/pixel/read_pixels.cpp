@@ -2,6 +2,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fetch.hpp"
+#include "gl/pixel/targets.hpp"
 
 namespace spangle::gl {
 
@@ -89,7 +90,7 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
         return error(context, refused, SPANGLE_TEXT("glReadPixels: format and type do not go together"));
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
-    const raster::Surface& surface = context.drawable.read;
+    const raster::Surface& surface = read_surface(context);
     const Content content = content_of(layout);
     if ((content == Content::depth && surface.depth_format == DepthFormat::none) ||
         (content == Content::stencil && surface.depth_format != DepthFormat::z24s8))

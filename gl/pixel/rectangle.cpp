@@ -5,6 +5,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/rectangle.hpp"
+#include "gl/pixel/targets.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/engine.hpp"
 #include "raster/surface/pixel.hpp"
@@ -41,10 +42,11 @@ namespace {
 /// it covers.
 class Rectangle {
   public:
-    Rectangle(const Context& context, const GroupSource& source, RowForm form, RectangleOrder order)
+    Rectangle(const Context& context, const GroupSource& source, RowForm form, RectangleOrder order,
+              raster::Position shift)
         : source_(source), form_(form), order_(order),
-          x_(context.current.raster.position[0], context.pixel_mode.zoom[0]),
-          y_(context.current.raster.position[1], context.pixel_mode.zoom[1]) {
+          x_(context.current.raster.position[0], context.pixel_mode.zoom[0], shift.x),
+          y_(context.current.raster.position[1], context.pixel_mode.zoom[1], shift.y) {
         const Rect clip = drawing_rect(context);
         if (x_.is_empty() || y_.is_empty())
             return;
@@ -117,8 +119,7 @@ void emit(raster::PixelSource& source, raster::PixelSink& sink) {
 }
 
 /// Neither textured nor tested: ownership, scissor and mask alone (GL 1.3, 4.3.1).
-void store_stencil(const Context& context, Rectangle& rectangle) {
-    const raster::Surface& surface = context.drawable.surface;
+void store_stencil(const Context& context, const raster::Surface& surface, Rectangle& rectangle) {
     const auto mask = static_cast<std::uint8_t>(context.fragment_ops.stencil[0].write_mask);
     rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
         for (std::int32_t i = 0; i < count; ++i) {
@@ -134,16 +135,20 @@ void store_stencil(const Context& context, Rectangle& rectangle) {
 void draw_rectangle(Context& context, const GroupSource& source, Content content, raster::Colors colors,
                     RectangleOrder order) {
     if (content == Content::stencil) {
-        Rectangle rectangle(context, source, RowForm::stencil, order);
-        return store_stencil(context, rectangle);
+        return each_target(context, [&](const raster::Surface& target, raster::Position shift) {
+            Rectangle rectangle(context, source, RowForm::stencil, order, shift);
+            store_stencil(context, target, rectangle);
+        });
     }
     const bool depth = content == Content::depth;
     const raster::DrawState& state =
         draw_state(context, Drawn::pixels, depth ? raster::Colors::of_vertices : colors);
     const RowForm form = depth ? RowForm::depth : state.words ? RowForm::words : RowForm::color;
-    Rectangle rectangle(context, source, form, order);
-    Fragments fragments{{emit}, rectangle, form, state.pixels};
-    context.engine->pixels(context, state, fragments);
+    each_target(context, [&](const raster::Surface& target, raster::Position shift) {
+        Rectangle rectangle(context, source, form, order, shift);
+        Fragments fragments{{emit}, rectangle, form, state.pixels};
+        context.engine->pixels(context, state, target, fragments);
+    });
 }
 
 #endif

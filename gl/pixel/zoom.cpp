@@ -35,15 +35,16 @@ std::int64_t times(std::int64_t a, std::int32_t n) {
 
 } // namespace
 
-std::int32_t whole_pixels(numeric::Real at, numeric::Real origin) {
+std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead) {
     constexpr numeric::Real limit = numeric::from_fixed(1, fraction_bits - number_bits);
     const bool near = numeric::abs(at) < limit && numeric::abs(origin) < limit;
     const std::int64_t corner = near ? fixed(at) - fixed(origin) : fixed(numeric::sub(at, origin));
     constexpr std::int64_t nearly = one >> 13;
-    return static_cast<std::int32_t>((corner + nearly) >> fraction_bits);
+    return static_cast<std::int32_t>((corner + nearly + ahead * (one >> 12)) >> fraction_bits);
 }
 
-ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom) : at_(fixed(at)), zoom_(fixed(zoom)) {}
+ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift)
+    : at_(fixed(at) + shift * (one >> 8)), zoom_(fixed(zoom)) {}
 
 /// The first one whose centre is not before an edge.
 std::int32_t ZoomAxis::first_fragment(std::int64_t edge) const {

@@ -10,15 +10,16 @@ namespace spangle::gl {
 
 /// floor(at - origin + 2^-13) of window coordinates: the corner of a bitmap (GL 1.3, 3.7), at most 2^27;
 /// exact where both are less than 2^26. What a transformed raster position misses of a whole number, less
-/// than 2^-15 on the largest viewport, moves no bit.
-std::int32_t whole_pixels(numeric::Real at, numeric::Real origin);
+/// than 2^-15 on the largest viewport, moves no bit. `ahead` is added, in 2^-12.
+std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead = 0);
 
 /// One axis. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom (n + 1)), or with a
 /// negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits: those of floats from
 /// 2^-9 on lose nothing, of smaller ones the nearest 2^-32 counts.
 class ZoomAxis {
   public:
-    ZoomAxis(numeric::Real at, numeric::Real zoom);
+    /// `shift` moves all of it, in 1/256 pixel.
+    ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift = 0);
 
     /// Nothing is drawn.
     bool is_empty() const { return zoom_ == 0; }

@@ -4,6 +4,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/pixel/fetch.hpp"
+#include "gl/pixel/targets.hpp"
 #include "gl/texture/image_shape.hpp"
 #include "gl/texture/level_image.hpp"
 
@@ -20,7 +21,7 @@ bool has_depth(const Context& context) {
 class Copy {
   public:
     Copy(const Context& context, LevelImage& image)
-        : from_(context.drawable.read), image_(image), bits_(texel_bits(image.shape.format)),
+        : from_(read_surface(context)), image_(image), bits_(texel_bits(image.shape.format)),
           transfer_(context.pixel_mode) {}
 
     /// Pixels from (x, y) on into a box one texel deep.

@@ -28,7 +28,8 @@ struct Engine {
     void (*settle_colors)(Context&);
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
     /// Fragments of a pixel rectangle or a bitmap, with the values of the current raster position.
-    void (*pixels)(Context&, const raster::DrawState&, raster::PixelSource&) = nullptr;
+    void (*pixels)(Context&, const raster::DrawState&, const raster::Surface& target,
+                   raster::PixelSource&) = nullptr;
 #endif
 #if SPANGLE_FEATURE_RASTER_POS
     /// The current raster position from one in object space, with what is current.

@@ -54,8 +54,9 @@ void settle_colors(Context& context) {
 }
 
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
-void pixels(Context& context, const raster::DrawState& state, raster::PixelSource& source) {
-    draw_at_raster_position<FixedMath>(context, state, source);
+void pixels(Context& context, const raster::DrawState& state, const raster::Surface& target,
+            raster::PixelSource& source) {
+    draw_at_raster_position<FixedMath>(context, state, target, source);
 }
 #endif
 

@@ -34,9 +34,8 @@ template <class M, class L> constexpr Engine engine_of() {
             [](Context& context) { pipeline<P>(context).end(); },
             [](Context& context) { pipeline<P>(context).settle_colors(); },
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
-            [](Context& context, const raster::DrawState& state, raster::PixelSource& source) {
-                draw_at_raster_position<M>(context, state, source);
-            },
+            [](Context& context, const raster::DrawState& state, const raster::Surface& target,
+               raster::PixelSource& source) { draw_at_raster_position<M>(context, state, target, source); },
 #endif
 #if SPANGLE_FEATURE_RASTER_POS
             [](Context& context, const Real(&position)[4]) {

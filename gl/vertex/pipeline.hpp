@@ -8,6 +8,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "gl/pixel/targets.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/texgen.hpp"
@@ -21,12 +22,12 @@ namespace spangle::gl {
 /// Fragments that others place, with the values of the current raster position.
 template <class M>
 void draw_at_raster_position(const Context& context, const raster::DrawState& state,
-                             raster::PixelSource& source) {
+                             const raster::Surface& target, raster::PixelSource& source) {
     typename M::Window at;
     M::set_raster(context.current.raster, at);
     if (SPANGLE_FEATURE_COLOR_INDEX && context.drawable.index_bits != 0)
         M::set_index(context.current.raster.index, context.drawable.index_bits, at);
-    raster::draw_pixels(state, context.drawable.surface, at, source);
+    raster::draw_pixels(state, target, at, source);
 }
 
 template <class M, class L> class Pipeline {
@@ -155,8 +156,11 @@ template <class M, class L> class Pipeline {
     bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
     bool captures_ = false;       ///< primitives are selected or fed back, not drawn
     bool offsets_ = false;        ///< depths of polygons are offset in some mode
-    bool modal_lines_ = false;    ///< lines are stippled or antialiased
-    bool smooth_polygons_ = false, smooth_points_ = false;
+    bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
+    bool modal_points_ = false;   ///< points, likewise
+    bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
+    bool smooth_polygons_ = false;
+    bool multisampling_ = false;
     bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
     GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
     bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
@@ -221,13 +225,16 @@ template <class M, class L> class Pipeline {
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed();
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
-        smooth_polygons_ = polygon.polygon_smooth;
-        smooth_points_ = polygon.point_smooth;
+        const bool sampled = has_sample_buffer(context);
+        multisampling_ = multisampling(context);
+        smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !multisampling_;
+        fills_whole_ = smooth_polygons_ || sampled;
+        modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled;
         offsets_ = polygon.offset_fill || polygon.offset_line || polygon.offset_point;
         whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
-        whole_polygons_ = whole_polygons_ || offsets() || smooth_polygons();
+        whole_polygons_ = whole_polygons_ || offsets() || fills_whole();
         modal_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
-                       (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth);
+                       (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth) || sampled;
 #if SPANGLE_FEATURE_STIPPLE
         stipple_.pattern = polygon.stipple_pattern;
         stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
@@ -265,10 +272,14 @@ template <class M, class L> class Pipeline {
         return SPANGLE_FEATURE_POLYGON_OFFSET && offsets_;
     }
     bool modal_lines() const {
-        return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING) && modal_lines_;
+        return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
+               modal_lines_;
     }
-    bool smooth_polygons() const {
-        return SPANGLE_FEATURE_ANTIALIASING && smooth_polygons_;
+    bool modal_points() const {
+        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && modal_points_;
+    }
+    bool fills_whole() const {
+        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_;
     }
     /// Sizes of antialiased points and lines come in eighths of a pixel, 1 to 64 (GL 1.3, 3.3).
     static std::int32_t eighths(Real size) {
@@ -327,6 +338,7 @@ template <class M, class L> class Pipeline {
     bool generates(int unit) const;
     [[gnu::noinline]] void generated(const CurrentState& current, Vertex& v, int unit);
     [[gnu::noinline]] void textures(const CurrentState& current, Vertex& v);
+    [[gnu::noinline]] unsigned undivided_flags(const Vertex& v) const;
     [[gnu::noinline]] static unsigned flags_of(const typename M::Clip& clip);
     [[gnu::noinline]] void light(const Vertex& v, int side, Window& out);
     [[gnu::noinline]] void given(const CurrentState& current, Vertex& v);
@@ -380,6 +392,7 @@ template <class M, class L> class Pipeline {
     // pipeline_primitives.hpp
     void point(Vertex& v);
     void draw_point(const Vertex& v, const Window& window);
+    [[gnu::noinline]] void draw_modal_point(const Window& window);
     void draw_line(const Vertex& a, const Window& at_a, const Vertex& b, const Window& at_b,
                    const Window& provoking);
     [[gnu::noinline]] void draw_modal_line(const Window& a, const Window& b, const Window& provoking);
@@ -398,7 +411,10 @@ template <class M, class L> class Pipeline {
     template <class At>
     SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
                              const std::int64_t* part);
-    template <class At> [[gnu::noinline]] void draw_smooth(At at, int n, const Window& provoking);
+    template <class At>
+    [[gnu::noinline]] void fill_whole(At at, int n, const Window& provoking, const std::int64_t* part);
+    [[gnu::noinline]] void fill_corners(const Window* const* corner, int n, const Window& provoking,
+                                        const std::int64_t* part);
     template <class At>
     [[gnu::noinline]] void set_offset(At at, int n, GLenum mode, const std::int64_t* part);
     template <class At>

@@ -20,12 +20,35 @@ template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex&
                 return Corner{v, window};
             },
             1);
-#if SPANGLE_FEATURE_ANTIALIASING
-    if (smooth_points_)
-        return raster::draw_smooth_point(*state_, context_->drawable.surface, context_->fragments.primitive,
-                                         window, eighths(context_->polygon.point_size));
-#endif
+    if (modal_points())
+        return draw_modal_point(window);
     raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
+}
+
+namespace detail {
+
+template <class Window> Window shifted(const Window& window, raster::Position by) {
+    Window moved = window;
+    const raster::Position at = raster::position(window);
+    raster::place(moved, {at.x + by.x, at.y + by.y});
+    return moved;
+}
+
+} // namespace detail
+
+template <class M, class L> void Pipeline<M, L>::draw_modal_point(const Window& window) {
+    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+        const Window moved = detail::shifted(window, shift);
+        if constexpr (raster::has_samples)
+            if (multisampling_)
+                return raster::draw_disc(*state_, target, moved, eighths(context_->polygon.point_size));
+#if SPANGLE_FEATURE_ANTIALIASING
+        if (context_->polygon.point_smooth)
+            return raster::draw_smooth_point(*state_, target, context_->fragments.primitive, moved,
+                                             eighths(context_->polygon.point_size));
+#endif
+        raster::draw_point(*state_, target, moved, point_size_);
+    });
 }
 
 template <class M, class L>
@@ -40,22 +63,31 @@ inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const
 
 /// The stipple starts anew with each primitive, and with each line of LINES (GL 1.3, 3.4.2).
 template <class M, class L>
-void Pipeline<M, L>::draw_modal_line([[maybe_unused]] const Window& a, [[maybe_unused]] const Window& b,
-                                     [[maybe_unused]] const Window& provoking) {
+void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Window& provoking) {
     if (stipple_starts_)
         stipple_.position = 0;
     stipple_starts_ = mode_ == GL_LINES;
-    [[maybe_unused]] const raster::Surface& surface = context_->drawable.surface;
-#if SPANGLE_FEATURE_ANTIALIASING
     const PolygonState& polygon = context_->polygon;
-    if (polygon.line_smooth)
-        return raster::draw_smooth_line(*state_, surface, context_->fragments.primitive, a, b, provoking,
-                                        eighths(polygon.line_width),
-                                        polygon.line_stipple ? &stipple_ : nullptr);
+    const raster::LineStipple start = stipple_;
+    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+        const Window from = detail::shifted(a, shift), to = detail::shifted(b, shift);
+        [[maybe_unused]] raster::LineStipple* const stipple = polygon.line_stipple ? &stipple_ : nullptr;
+        stipple_ = start;
+        if constexpr (raster::has_samples)
+            if (multisampling_)
+                return raster::draw_line_rectangle(*state_, target, from, to, provoking,
+                                                   eighths(polygon.line_width), stipple);
+#if SPANGLE_FEATURE_ANTIALIASING
+        if (polygon.line_smooth)
+            return raster::draw_smooth_line(*state_, target, context_->fragments.primitive, from, to,
+                                            provoking, eighths(polygon.line_width), stipple);
 #endif
 #if SPANGLE_FEATURE_STIPPLE
-    raster::draw_stippled_line(*state_, surface, a, b, provoking, line_width_, stipple_);
+        if (polygon.line_stipple)
+            return raster::draw_stippled_line(*state_, target, from, to, provoking, line_width_, stipple_);
 #endif
+        raster::draw_line(*state_, target, from, to, provoking, line_width_);
+    });
 }
 
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
@@ -239,24 +271,41 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, c
                 return Corner{*corners[i], flat_ ? provoking : at(i)};
             },
             n);
-    if (smooth_polygons())
-        return draw_smooth(at, n, provoking);
+    if (fills_whole())
+        return fill_whole(at, n, provoking, part);
     for (int i = 1; i + 1 < n; ++i)
         if (part[i] != 0)
             raster::draw_triangle(*state_, context_->drawable.surface, at(0), at(i), at(i + 1), provoking,
                                   part[i]);
 }
 
-/// As a whole: the triangles of a fan would each cover a part of the pixels between them.
 template <class M, class L>
 template <class At>
-void Pipeline<M, L>::draw_smooth(At at, int n, const Window& provoking) {
-    static_assert(clip_vertices <= raster::most_smooth_corners);
+void Pipeline<M, L>::fill_whole(At at, int n, const Window& provoking, const std::int64_t* part) {
     const Window* corner[clip_vertices];
     for (int i = 0; i < n; ++i)
         corner[i] = &at(i);
-    raster::draw_smooth_polygon(*state_, context_->drawable.surface, context_->fragments.primitive, corner, n,
-                                provoking);
+    fill_corners(corner, n, provoking, part);
+}
+
+/// Antialiased as a whole: the triangles of a fan would each cover a part of the pixels between them.
+template <class M, class L>
+void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Window& provoking,
+                                  const std::int64_t* part) {
+    Window moved[clip_vertices];
+    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+        for (int i = 0; i < n; ++i)
+            moved[i] = detail::shifted(*corner[i], shift);
+#if SPANGLE_FEATURE_ANTIALIASING
+        static_assert(clip_vertices <= raster::most_smooth_corners);
+        if (smooth_polygons_) // never moved
+            return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
+                                               provoking);
+#endif
+        for (int i = 1; i + 1 < n; ++i)
+            if (part[i] != 0)
+                raster::draw_triangle(*state_, target, moved[0], moved[i], moved[i + 1], provoking, part[i]);
+    });
 }
 
 /// What all fragments of a polygon get, that of its largest part where it is not flat.

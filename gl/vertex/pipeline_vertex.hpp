@@ -71,9 +71,14 @@ template <class M, class L> bool Pipeline<M, L>::to_window(Vertex& v, unsigned& 
 
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) {
-    v.flags = divided ? planes : flags_of(M::to_clip(transforms_, v.position));
+    v.flags = divided ? planes : undivided_flags(v);
     if (lit_)
         v.flags |= uncolored;
+}
+
+/// Out of line, whatever else calls it: the loops over elements have no registers for what is seldom.
+template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
+    return flags_of(M::to_clip(transforms_, v.position));
 }
 
 /// What is current goes with the vertex.

@@ -60,6 +60,15 @@ template <class V>
 void draw_smooth_polygon(const DrawState& state, const Surface& target, PrimitiveState& primitive,
                          const V* const* corner, int corners, const V& provoking);
 
+/// Multisample rasterization (GL 1.3, 3.3.2, 3.4.4): fragments whose centres lie in the disc of a point, on
+/// its rim included, or in the rectangle of a line. Sizes count 1/8 of a pixel. A stipple cuts a line into
+/// parts of length 1.
+template <class V>
+void draw_disc(const DrawState& state, const Surface& target, const V& v, std::int32_t eighths);
+template <class V>
+void draw_line_rectangle(const DrawState& state, const Surface& target, const V& a, const V& b,
+                         const V& provoking, std::int32_t eighths, LineStipple* stipple);
+
 /// Aliased point, size in whole pixels >= 1 (GL 1.3, 3.3).
 template <class V>
 void draw_point(const DrawState& state, const Surface& target, const V& v, std::int32_t size);

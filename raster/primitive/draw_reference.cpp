@@ -2,6 +2,7 @@
 #include "raster/primitive/pixels.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/setup_double.hpp"
+#include "raster/primitive/shapes.hpp"
 #include "raster/primitive/smooth.hpp"
 #include "raster/primitive/triangle.hpp"
 
@@ -52,6 +53,19 @@ void draw_smooth_polygon<DoubleVertex>(const DrawState& state, const Surface& ta
                                        PrimitiveState& primitive, const DoubleVertex* const* corner,
                                        int corners, const DoubleVertex& provoking) {
     draw_smooth_polygon_of<Double>(state, target, primitive, corner, corners, provoking);
+}
+
+template <>
+void draw_disc<DoubleVertex>(const DrawState& state, const Surface& target, const DoubleVertex& v,
+                             std::int32_t eighths) {
+    draw_disc_of<Double>(state, target, v, eighths);
+}
+
+template <>
+void draw_line_rectangle<DoubleVertex>(const DrawState& state, const Surface& target, const DoubleVertex& a,
+                                       const DoubleVertex& b, const DoubleVertex& provoking,
+                                       std::int32_t eighths, LineStipple* stipple) {
+    draw_line_rectangle_of<Double>(state, target, a, b, provoking, eighths, stipple);
 }
 
 template <>

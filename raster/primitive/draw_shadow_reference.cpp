@@ -2,6 +2,7 @@
 #include "raster/primitive/pixels.hpp"
 #include "raster/primitive/point.hpp"
 #include "raster/primitive/setup_shadow.hpp"
+#include "raster/primitive/shapes.hpp"
 #include "raster/primitive/smooth.hpp"
 #include "raster/primitive/triangle.hpp"
 
@@ -52,6 +53,19 @@ void draw_smooth_polygon<ShadowVertex>(const DrawState& state, const Surface& ta
                                        PrimitiveState& primitive, const ShadowVertex* const* corner,
                                        int corners, const ShadowVertex& provoking) {
     draw_smooth_polygon_of<Shadow>(state, target, primitive, corner, corners, provoking);
+}
+
+template <>
+void draw_disc<ShadowVertex>(const DrawState& state, const Surface& target, const ShadowVertex& v,
+                             std::int32_t eighths) {
+    draw_disc_of<Shadow>(state, target, v, eighths);
+}
+
+template <>
+void draw_line_rectangle<ShadowVertex>(const DrawState& state, const Surface& target, const ShadowVertex& a,
+                                       const ShadowVertex& b, const ShadowVertex& provoking,
+                                       std::int32_t eighths, LineStipple* stipple) {
+    draw_line_rectangle_of<Shadow>(state, target, a, b, provoking, eighths, stipple);
 }
 
 template <>

@@ -55,6 +55,7 @@ Rasterizer::Rasterizer(const FragmentState& state, const Surface& surface) : sur
     FragmentState bounded = state;
     bounded.scissor = surface.color == nullptr ? Rect{} : cut(state.scissor, surface);
     bounded.count = bounded.coverage = bounded.depth_offset = false; // nobody keeps what these need
+    bounded.alpha_to_coverage = bounded.alpha_to_one = bounded.sample_coverage = false;
     bounded.polygon_stipple = nullptr;
     new (state_) DrawState(compile<FixedVertex>(bounded, surface));
 }

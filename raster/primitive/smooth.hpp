@@ -7,24 +7,12 @@
 #pragma once
 
 #include "raster/primitive/covered_row.hpp"
-#include "raster/primitive/line_stipple.hpp"
+#include "raster/primitive/line_outline.hpp"
 #include "raster/primitive/triangle.hpp"
 
 namespace spangle::raster {
 
 namespace detail {
-
-/// floor(sqrt(v)).
-constexpr std::uint32_t whole_root(std::uint64_t v) {
-    std::uint64_t root = 0;
-    for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
-        const bool fits = v >= root + bit;
-        if (fits)
-            v -= root + bit;
-        root = fits ? (root >> 1) + bit : root >> 1;
-    }
-    return static_cast<std::uint32_t>(root);
-}
 
 struct Columns {
     std::int32_t begin = 0, end = 0;
@@ -264,44 +252,6 @@ void draw_smooth_polygon_of(const DrawState& state, const Surface& target, Primi
     SmoothFan<P>(state, target, primitive, corner, corners, provoking).draw(outline, corners);
 }
 
-/// The rectangle around a line, and parts of it.
-class LineOutline {
-  public:
-    LineOutline(const Position& a, const Position& b, std::int32_t eighths)
-        : from_(outline_point(a)), dx_(std::int64_t{b.x} - a.x), dy_(std::int64_t{b.y} - a.y),
-          length_(detail::whole_root(static_cast<std::uint64_t>(dx_ * dx_ + dy_ * dy_) << 16)) {
-        constexpr std::int64_t up = std::int64_t{outline_one} * subpixel_one / 16;
-        aside_ = length_ == 0 ? OutlinePoint{}
-                              : OutlinePoint{static_cast<std::int32_t>(-dy_ * eighths * up / length_),
-                                             static_cast<std::int32_t>(dx_ * eighths * up / length_)};
-    }
-    bool empty() const { return length_ == 0; }
-    /// Parts of length 1, the last one shorter.
-    std::uint32_t parts() const { return static_cast<std::uint32_t>((length_ + one - 1) / one); }
-    /// From the beginning of part `begin` to that of part `end`.
-    void corners(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
-        const OutlinePoint a = at(begin), b = at(end);
-        out[0] = {a.x - aside_.x, a.y - aside_.y};
-        out[1] = {b.x - aside_.x, b.y - aside_.y};
-        out[2] = {b.x + aside_.x, b.y + aside_.y};
-        out[3] = {a.x + aside_.x, a.y + aside_.y};
-    }
-
-  private:
-    static constexpr std::int64_t one = std::int64_t{subpixel_one} << 8; ///< of length_
-    OutlinePoint at(std::uint32_t part) const {
-        const std::int64_t way = part * one < length_ ? part * one : length_;
-        constexpr int up = outline_one / subpixel_one;
-        return {from_.x + static_cast<std::int32_t>(dx_ * up * way / length_),
-                from_.y + static_cast<std::int32_t>(dy_ * up * way / length_)};
-    }
-
-    OutlinePoint from_;
-    std::int64_t dx_, dy_; ///< subpixels
-    std::int64_t length_;  ///< the same with 8 more bits
-    OutlinePoint aside_{};
-};
-
 template <class P>
 void draw_smooth_line_of(const DrawState& state, const Surface& target, PrimitiveState& primitive,
                          const typename P::Vertex& a, const typename P::Vertex& b,
@@ -310,31 +260,19 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
-    const std::uint32_t parts = line.parts();
-    OutlinePoint outline[4];
-    line.corners(0, parts, outline);
-    typename P::Vertex corner[4] = {a, b, b, a};
+    const LineCorners<typename P::Vertex> corners(line, a, b);
     const typename P::Vertex* fan[4];
-    for (int i = 0; i < 4; ++i) {
-        constexpr int down = outline_bits - subpixel_bits;
-        constexpr std::int32_t half = 1 << (down - 1);
-        const auto inside = [](std::int32_t v) { return numeric::clamp(v, 1 - guard_band, guard_band - 1); };
-        place(corner[i], {inside((outline[i].x + half) >> down), inside((outline[i].y + half) >> down)});
-        fan[i] = &corner[i];
-    }
+    for (int i = 0; i < 4; ++i)
+        fan[i] = &corners.at[i];
     SmoothFan<P> painted(state, target, primitive, fan, 4, provoking);
-    for (std::uint32_t begin = 0, end; begin < parts && !state.nothing; begin = end) {
-        const bool kept = stipple == nullptr || stipple->at(stipple->position + begin);
-        end = stipple == nullptr ? parts : begin + 1;
-        while (end < parts && stipple->at(stipple->position + end) == kept)
-            ++end;
-        if (!kept)
-            continue;
+    line.each_kept(stipple, [&](std::uint32_t begin, std::uint32_t end) {
+        OutlinePoint outline[4];
         line.corners(begin, end, outline);
-        painted.draw(outline, 4);
-    }
+        if (!state.nothing)
+            painted.draw(outline, 4);
+    });
     if (stipple != nullptr)
-        stipple->advance(parts);
+        stipple->advance(line.parts());
 }
 
 /// A row of a disc: sides of 16 chords.

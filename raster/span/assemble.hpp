@@ -15,6 +15,7 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_narrow.hpp"
 #include "raster/span/stage_pixels.hpp"
+#include "raster/span/stage_samples.hpp"
 #include "raster/span/stage_store.hpp"
 #include "raster/span/stage_tests.hpp"
 #include "raster/span/stage_texture_lod.hpp"
@@ -48,7 +49,7 @@ template <class N> class ChainBuilder {
 
 /// The depth test may go first when nothing after it can drop the fragment: same bytes, less work.
 constexpr bool early_tests(const Key& key) {
-    return key.alpha == Compare::always;
+    return key.alpha == Compare::always && !key.samples;
 }
 
 /// The stage of the depth buffer there is.
@@ -155,7 +156,7 @@ constexpr bool only_color(const Key& key) {
     return key.kind == Kind::affine && key.color && !key.unit[0].on && !key.second_unit() && !key.color_sum &&
            !key.fog && key.alpha == Compare::always && !key.stencil && key.depth == Compare::always &&
            !key.depth_write && !key.blend && !key.masked && !key.logic && !key.count && !key.pixels &&
-           !key.coverage && !key.polygon_stipple;
+           !key.coverage && !key.polygon_stipple && !key.samples;
 }
 
 template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key) {
@@ -199,6 +200,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     }
     if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
         chain.template add<Coverage<One>>();
+    if (has_samples && key.samples)
+        chain.template add<SampleCoverage<One>>();
     if (key.alpha != Compare::always)
         chain.template add<AlphaTest<One>>();
     if (!early)

@@ -121,7 +121,8 @@ struct DrawState {
     /// Of what a coordinate wraps around: two images where it is halved; rounded up.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};
     Counters* counters = nullptr; ///< may be null; not null where FragmentState::count
-    /// Not null where the fragment state has coverage, a polygon stipple or a depth offset.
+    /// Not null where the fragment state has coverage, a polygon stipple, a depth offset, or modes of
+    /// samples.
     const PrimitiveState* primitive = nullptr;
     Variant variant[kind_count];
     /// Lines of width 1 with both ends here may be drawn as paths.

@@ -73,6 +73,7 @@ void blend_key(Key& key, const FragmentState& state) {
 /// Something after the texture units looks at alpha.
 bool alpha_is_read(const Key& key, const FragmentState& state) {
     return key.alpha != Compare::always || has_alpha(key.format) ||
+           (has_samples && state.alpha_to_coverage) ||
            (key.blend && (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
 }
 
@@ -81,7 +82,7 @@ bool raw(const Key& key, const FragmentState& state) {
     if (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le))
         return false;
     if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
-        key.masked || key.logic || key.stencil)
+        key.masked || key.logic || key.stencil || key.samples)
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.second_unit())
@@ -129,6 +130,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     key.polygon_stipple = SPANGLE_FEATURE_STIPPLE && state.polygon_stipple != nullptr;
     key.depth_offset =
         SPANGLE_FEATURE_POLYGON_OFFSET && state.depth_offset && key.depth_format != DepthFormat::none;
+    key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
     key.combine = combines(state);
     // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.

@@ -56,6 +56,7 @@ struct Key {
     bool coverage = false;
     bool polygon_stipple = false;
     bool depth_offset = false;
+    bool samples = false; ///< alpha or a value decides which samples are covered
     friend constexpr bool operator==(const Key&, const Key&) = default;
 
     constexpr bool second_unit() const {

@@ -19,7 +19,8 @@ struct PrimitiveState {
 #ifndef SPANGLE_FIRMWARE
     double reference_depth_offset = 0; ///< that of the double policy, 0 .. 1
 #endif
-    bool stippled = false; ///< FragmentState::polygon_stipple applies
+    bool stippled = false;   ///< FragmentState::polygon_stipple applies
+    std::uint8_t sample = 0; ///< which one is drawn
 };
 
 } // namespace spangle::raster

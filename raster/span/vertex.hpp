@@ -41,6 +41,9 @@ inline void set_depth(ShadowVertex& v, std::uint32_t z) {
 struct Position {
     std::int32_t x, y;
 };
+constexpr Position position(const Position& p) {
+    return p;
+}
 constexpr Position position(const FixedVertex& v) {
     return {v.x, v.y};
 }

@@ -329,8 +329,7 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
 }
 
 void record(const Surface& s, const ClearRequest& r) {
-    const bool whole = r.area == s.area() && writes_all(s.format, r.channels);
-    if (!whole || s.extents == nullptr) {
+    if (!clears_all(s, r) || s.extents == nullptr) {
         for (std::int32_t y = r.area.y; y < r.area.y + r.area.h; ++y)
             touch(s, y, r.area.x, r.area.x + r.area.w);
         return;
@@ -342,6 +341,10 @@ void record(const Surface& s, const ClearRequest& r) {
 }
 
 } // namespace
+
+bool clears_all(const Surface& s, const ClearRequest& r) {
+    return r.area == s.area() && writes_all(s.format, r.channels);
+}
 
 void clear(const Surface& surface, const ClearRequest& request) {
     if (request.area.w <= 0 || request.area.h <= 0)

@@ -41,9 +41,9 @@ struct Configs : testing::Test {
         return choose_of(wishes.data());
     }
     std::vector<EGLConfig> choose_of(const EGLint* wishes) {
-        std::vector<EGLConfig> out(200);
+        std::vector<EGLConfig> out(500);
         EGLint n = 0;
-        EXPECT_EQ(eglChooseConfig(display, wishes, out.data(), 200, &n), EGLBoolean{EGL_TRUE});
+        EXPECT_EQ(eglChooseConfig(display, wishes, out.data(), 500, &n), EGLBoolean{EGL_TRUE});
         out.resize(static_cast<std::size_t>(n));
         return out;
     }
@@ -63,14 +63,16 @@ TEST_F(Configs, AllAreDistinctAndConsistent) {
         EXPECT_EQ(get(c, EGL_COLOR_BUFFER_TYPE), EGL_RGB_BUFFER);
         EXPECT_EQ(get(c, EGL_RENDERABLE_TYPE), EGL_OPENGL_BIT);
         EXPECT_NE(get(c, EGL_SURFACE_TYPE) & EGL_PBUFFER_BIT, 0);
-        EXPECT_EQ(get(c, EGL_SAMPLE_BUFFERS), 0);
+        const EGLint samples = get(c, EGL_SAMPLES);
+        EXPECT_TRUE(samples == 0 || samples == 4);
+        EXPECT_EQ(get(c, EGL_SAMPLE_BUFFERS), samples / 4);
         EXPECT_EQ(get(c, EGL_LUMINANCE_SIZE), 0);
         EXPECT_EQ(get(c, EGL_MAX_PBUFFER_WIDTH), 2048);
         EXPECT_EQ(get(c, EGL_MAX_SWAP_INTERVAL), 1);
         const EGLint stencil = get(c, EGL_STENCIL_SIZE), depth = get(c, EGL_DEPTH_SIZE);
         EXPECT_TRUE(stencil == 0 || (stencil == 8 && depth == 24));
-        kinds.insert(
-            {r, g, b, a, depth, stencil, get(c, EGL_PRECISION_SPANGLE), get(c, EGL_NATIVE_VISUAL_ID)});
+        kinds.insert({r, g, b, a, depth, stencil, samples, get(c, EGL_PRECISION_SPANGLE),
+                      get(c, EGL_NATIVE_VISUAL_ID)});
         if ((get(c, EGL_SURFACE_TYPE) & EGL_WINDOW_BIT) != 0) {
             EXPECT_EQ(r, 5); // the panel's own format and no other
             EXPECT_EQ(get(c, EGL_NATIVE_VISUAL_ID), static_cast<EGLint>(PixelFormat::rgb565_be));
@@ -142,7 +144,7 @@ TEST_F(Configs, NothingMatchesWhatDoesNotExist) {
                                           {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_ALPHA_SIZE, 8, EGL_NONE},
                                           {EGL_SURFACE_TYPE, EGL_PIXMAP_BIT, EGL_NONE},
                                           {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_NONE},
-                                          {EGL_SAMPLES, 1, EGL_NONE},
+                                          {EGL_SAMPLES, 5, EGL_NONE},
                                           {EGL_LEVEL, 1, EGL_NONE},
                                           {EGL_COLOR_BUFFER_TYPE, EGL_LUMINANCE_BUFFER, EGL_NONE},
                                           {EGL_CONFIG_CAVEAT, EGL_SLOW_CONFIG, EGL_NONE},
@@ -181,15 +183,15 @@ TEST_F(Configs, AConfigIdDecidesAlone) {
 /// Random wishes against a plain reading of the tables over what eglGetConfigAttrib says.
 TEST_F(Configs, RandomWishesMatchAndSort) {
     std::mt19937 random(5);
-    const EGLint sizes[] = {EGL_RED_SIZE,   EGL_GREEN_SIZE,   EGL_BLUE_SIZE,  EGL_ALPHA_SIZE,
-                            EGL_DEPTH_SIZE, EGL_STENCIL_SIZE, EGL_BUFFER_SIZE};
-    const EGLint values[] = {0, 1, 5, 6, 8, 16, 24, 32, EGL_DONT_CARE};
+    const EGLint sizes[] = {EGL_RED_SIZE,   EGL_GREEN_SIZE,   EGL_BLUE_SIZE,   EGL_ALPHA_SIZE,
+                            EGL_DEPTH_SIZE, EGL_STENCIL_SIZE, EGL_BUFFER_SIZE, EGL_SAMPLES};
+    const EGLint values[] = {0, 1, 5, 6, 8, 16, 24, 32, EGL_DONT_CARE, 4};
     for (int round = 0; round < 2000; ++round) {
         std::vector<EGLint> wishes = {EGL_SURFACE_TYPE,
                                       (random() & 1) != 0 ? EGL_PBUFFER_BIT : EGL_WINDOW_BIT};
         for (EGLint size : sizes)
             if (random() % 4 == 0)
-                wishes.insert(wishes.end(), {size, values[random() % 9]});
+                wishes.insert(wishes.end(), {size, values[random() % 10]});
         if (random() % 3 == 0)
             wishes.insert(wishes.end(), {EGL_PRECISION_SPANGLE,
                                          EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(random() % 3)});
@@ -219,8 +221,11 @@ TEST_F(Configs, RandomWishesMatchAndSort) {
         ASSERT_TRUE(std::is_permutation(found.begin(), found.end(), wanted.begin(), wanted.end())) << round;
         for (std::size_t i = 1; i < found.size(); ++i) {
             const auto key = [&](EGLConfig c) {
-                return std::vector<EGLint>{get(c, EGL_CONFIG_CAVEAT) == EGL_SLOW_CONFIG, -asked_bits(c),
-                                           get(c, EGL_BUFFER_SIZE), get(c, EGL_DEPTH_SIZE),
+                return std::vector<EGLint>{get(c, EGL_CONFIG_CAVEAT) == EGL_SLOW_CONFIG,
+                                           -asked_bits(c),
+                                           get(c, EGL_BUFFER_SIZE),
+                                           get(c, EGL_SAMPLES),
+                                           get(c, EGL_DEPTH_SIZE),
                                            get(c, EGL_STENCIL_SIZE)};
             };
             ASSERT_LE(key(found[i - 1]), key(found[i])) << round;

@@ -232,6 +232,79 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
     EXPECT_NE(eglCreateWindowSurface(display, config, 0, back), EGL_NO_SURFACE);
 }
 
+/// A window whose config has samples: what is presented was resolved, and no more of it is sent than was
+/// drawn.
+TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
+    const EGLConfig config =
+        choose(display, {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_SAMPLE_BUFFERS, 1});
+    const EGLSurface surface = eglCreateWindowSurface(display, config, 0, nullptr);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    ASSERT_EQ(eglMakeCurrent(display, surface, surface, context), yes);
+    glDisable(GL_DITHER);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    EXPECT_TRUE(panel.extents.cleared);
+    glMatrixMode(GL_PROJECTION);
+    glOrtho(0, 12, 0, 9, -1, 1);
+    glColor3f(1, 1, 1);
+    glRectf(2, 1, 4.5f, 2); // two samples of column 4
+    for (const std::uint8_t byte : panel.pixels)
+        ASSERT_EQ(byte, 0) << "not resolved yet";
+    EXPECT_EQ(eglSwapBuffers(display, surface), yes);
+    for (std::size_t y = 0; y < 9; ++y)
+        for (std::size_t x = 0; x < 12; ++x) {
+            const unsigned word = panel.shown[(y * 12 + x) * 2] * 256u + panel.shown[(y * 12 + x) * 2 + 1];
+            const bool row = y == 7; // GL's second
+            EXPECT_EQ(word, row && (x == 2 || x == 3) ? 0xFFFFu
+                            : row && x == 4           ? 16u << 11 | 32u << 5 | 16u
+                                                      : 0u)
+                << x << ' ' << y;
+            EXPECT_EQ(panel.shown_extents[y], (row ? RowSpan{2, 5} : RowSpan{}));
+        }
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+/// One without a back buffer is resolved by Flush.
+TEST_F(Surfaces, FlushResolvesSamplesOfASingleBuffer) {
+    const EGLConfig config =
+        choose(display, {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_DEPTH_SIZE, 16, EGL_SAMPLE_BUFFERS, 1});
+    const EGLint single[] = {EGL_RENDER_BUFFER, EGL_SINGLE_BUFFER, EGL_NONE};
+    const EGLSurface surface = eglCreateWindowSurface(display, config, 0, single);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    ASSERT_EQ(eglMakeCurrent(display, surface, surface, context), yes);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glBegin(GL_TRIANGLES);
+    glVertex2f(-1, -1), glVertex2f(3, -1), glVertex2f(-1, 3);
+    glEnd();
+    glFlush();
+    for (const std::uint8_t byte : panel.shown)
+        ASSERT_EQ(byte, 0xFF);
+}
+
+TEST_F(Surfaces, SamplesBelongToConfigsThatHaveThem) {
+    const std::vector<EGLint> wish = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 24};
+    std::vector<EGLint> sampled = wish;
+    sampled.insert(sampled.end(), {EGL_SAMPLES, 2});
+    const EGLint size[] = {EGL_WIDTH, 64, EGL_HEIGHT, 32, EGL_NONE};
+    const EGLConfig configs[] = {choose(display, wish), choose(display, sampled)};
+    EGLSurface surface[2];
+    EGLContext context[2];
+    std::size_t bytes[2];
+    for (int i = 0; i < 2; ++i) {
+        const std::size_t before = memory_use().used;
+        surface[i] = eglCreatePbufferSurface(display, configs[i], size);
+        bytes[i] = memory_use().used - before;
+        context[i] = eglCreateContext(display, configs[i], EGL_NO_CONTEXT, nullptr);
+    }
+    constexpr std::size_t pixels = 64 * 32; // four colours and depths more less one depth, and 32 rows
+    EXPECT_GE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan));
+    EXPECT_LE(bytes[1] - bytes[0], pixels * (4 * 2 + 3 * 4) + 32 * sizeof(RowSpan) + 128);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(eglMakeCurrent(display, surface[i], surface[i], context[1 - i]), no);
+        EXPECT_EQ(eglGetError(), EGL_BAD_MATCH);
+        EXPECT_EQ(eglMakeCurrent(display, surface[i], surface[i], context[i]), yes);
+    }
+}
+
 TEST_F(Surfaces, DrawingGoesStraightIntoTheFrameTopRowFirst) {
     EGLSurface surface;
     current_window(surface);

@@ -51,7 +51,7 @@ inline const gl::Engine recording_engine = {
     [](gl::Context&) { events().push_back({.what = Event::end}); },
     [](gl::Context&) {},
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
-    [](gl::Context&, const raster::DrawState&, raster::PixelSource&) {},
+    [](gl::Context&, const raster::DrawState&, const raster::Surface&, raster::PixelSource&) {},
 #endif
 #if SPANGLE_FEATURE_RASTER_POS
     [](gl::Context&, const gl::Real (&)[4]) {},

@@ -25,4 +25,7 @@ struct ClearRequest {
 /// the record of touched rows; any other colour clear widens it.
 void clear(const Surface& surface, const ClearRequest& request);
 
+/// Whether it is of the whole surface with all its channels.
+bool clears_all(const Surface& surface, const ClearRequest& request);
+
 } // namespace spangle::raster

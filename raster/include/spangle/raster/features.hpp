@@ -31,6 +31,9 @@
 #ifndef SPANGLE_FEATURE_POLYGON_OFFSET
 #define SPANGLE_FEATURE_POLYGON_OFFSET 1
 #endif
+#ifndef SPANGLE_FEATURE_MULTISAMPLE
+#define SPANGLE_FEATURE_MULTISAMPLE 1
+#endif
 
 namespace spangle::raster {
 
@@ -44,5 +47,6 @@ inline constexpr bool has_third_coordinates =
     SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES;
 inline constexpr bool has_compressed_textures = SPANGLE_FEATURE_COMPRESSED_TEXTURES != 0;
 inline constexpr bool has_depth_textures = SPANGLE_FEATURE_DEPTH_TEXTURES != 0;
+inline constexpr bool has_samples = SPANGLE_FEATURE_MULTISAMPLE != 0;
 
 } // namespace spangle::raster

@@ -209,6 +209,10 @@ struct FragmentState {
     bool coverage = false;     ///< alpha is multiplied by it: antialiasing (GL 1.3, 3.11)
     bool depth_offset = false; ///< of polygons (GL 1.3, 3.5.5)
     const std::uint32_t* polygon_stipple = nullptr; ///< 32 rows, bit x: column x is drawn; null: off
+    // Of the sample that is drawn (GL 1.3, 4.1.3); Rasterizer has none.
+    bool alpha_to_coverage = false, alpha_to_one = false;
+    bool sample_coverage = false, invert_sample_coverage = false;
+    std::uint8_t sample_coverage_value = 255; ///< 255ths
 };
 
 } // namespace spangle::raster

@@ -7,6 +7,8 @@
 
 namespace spangle::raster {
 
+struct Samples; // raster/surface/samples.hpp
+
 /// Row y of GL window space (y up, row 0 at the bottom) starts at `plane + y * stride`; a surface stored top
 /// row first has a negative stride. Planes may be null when their format says none. Rows of mono are stored
 /// by pages of eight, of which `color` is the lowest: row y lies in page y / 8, bit 7 - y % 8.
@@ -24,6 +26,7 @@ struct Surface {
     std::int32_t first_row = 0, end_row = INT32_MAX;
     PixelFormat format = PixelFormat::rgb565_be;
     DepthFormat depth_format = DepthFormat::none;
+    const Samples* samples = nullptr; ///< the multisample buffer of GL's surfaces that have one
 
     /// Pixels that are there.
     constexpr Rect area() const {

@@ -1,0 +1,105 @@
+// The rectangle around a line (GL 1.3, 3.4.2, 3.4.4): as wide as the line, from end to end; and the parts of
+// length 1 that a stipple leaves of it.
+#pragma once
+
+#include "raster/numeric/bits.hpp"
+#include "raster/primitive/area.hpp"
+#include "raster/primitive/edge.hpp"
+#include "raster/primitive/line_stipple.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// floor(sqrt(v)).
+constexpr std::uint32_t whole_root(std::uint64_t v) {
+    std::uint64_t root = 0;
+    for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
+        const bool fits = v >= root + bit;
+        if (fits)
+            v -= root + bit;
+        root = fits ? (root >> 1) + bit : root >> 1;
+    }
+    return static_cast<std::uint32_t>(root);
+}
+
+/// On the grid of vertices, inside of what they may be.
+constexpr Position snapped(const OutlinePoint& p) {
+    constexpr int down = outline_bits - subpixel_bits;
+    constexpr std::int32_t half = 1 << (down - 1);
+    const auto inside = [](std::int32_t v) {
+        return numeric::clamp((v + half) >> down, 1 - guard_band, guard_band - 1);
+    };
+    return {inside(p.x), inside(p.y)};
+}
+
+} // namespace detail
+
+/// The rectangle around a line, and parts of it.
+class LineOutline {
+  public:
+    LineOutline(const Position& a, const Position& b, std::int32_t eighths)
+        : from_(outline_point(a)), dx_(std::int64_t{b.x} - a.x), dy_(std::int64_t{b.y} - a.y),
+          length_(detail::whole_root(static_cast<std::uint64_t>(dx_ * dx_ + dy_ * dy_) << 16)) {
+        constexpr std::int64_t up = std::int64_t{outline_one} * subpixel_one / 16;
+        aside_ = length_ == 0 ? OutlinePoint{}
+                              : OutlinePoint{static_cast<std::int32_t>(-dy_ * eighths * up / length_),
+                                             static_cast<std::int32_t>(dx_ * eighths * up / length_)};
+    }
+    bool empty() const { return length_ == 0; }
+    /// Parts of length 1, the last one shorter.
+    std::uint32_t parts() const { return static_cast<std::uint32_t>((length_ + one - 1) / one); }
+    /// Calls draw(begin, end) for each stretch of parts that the stipple leaves, or for the whole line. The
+    /// stipple stays.
+    template <class Draw> void each_kept(const LineStipple* stipple, Draw draw) const {
+        for (std::uint32_t begin = 0, end, n = parts(); begin < n; begin = end) {
+            const bool kept = stipple == nullptr || stipple->at(stipple->position + begin);
+            end = stipple == nullptr ? n : begin + 1;
+            while (end < n && stipple->at(stipple->position + end) == kept)
+                ++end;
+            if (kept)
+                draw(begin, end);
+        }
+    }
+    /// From the beginning of part `begin` to that of part `end`.
+    void corners(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
+        around(begin * one, end * one < length_ ? end * one : length_, 1, out);
+    }
+    /// So much wider, and longer at the ends of the line, that only the cuts between parts bound it.
+    void strip(std::uint32_t begin, std::uint32_t end, OutlinePoint (&out)[4]) const {
+        around(begin == 0 ? -one : begin * one, end * one < length_ ? end * one : length_ + one, 2, out);
+    }
+
+  private:
+    static constexpr std::int64_t one = std::int64_t{subpixel_one} << 8; ///< of length_
+    void around(std::int64_t begin, std::int64_t end, std::int32_t widths, OutlinePoint (&out)[4]) const {
+        const OutlinePoint a = at(begin), b = at(end), aside = {aside_.x * widths, aside_.y * widths};
+        out[0] = {a.x - aside.x, a.y - aside.y};
+        out[1] = {b.x - aside.x, b.y - aside.y};
+        out[2] = {b.x + aside.x, b.y + aside.y};
+        out[3] = {a.x + aside.x, a.y + aside.y};
+    }
+    OutlinePoint at(std::int64_t way) const {
+        constexpr int up = outline_one / subpixel_one;
+        return {from_.x + static_cast<std::int32_t>(dx_ * up * way / length_),
+                from_.y + static_cast<std::int32_t>(dy_ * up * way / length_)};
+    }
+
+    OutlinePoint from_;
+    std::int64_t dx_, dy_; ///< subpixels
+    std::int64_t length_;  ///< the same with 8 more bits
+    OutlinePoint aside_{};
+};
+
+/// The rectangle's corners as vertices: what varies along the line does not vary across it.
+template <class V> struct LineCorners {
+    V at[4];
+    LineCorners(const LineOutline& line, const V& a, const V& b) : at{a, b, b, a} {
+        OutlinePoint outline[4];
+        line.corners(0, line.parts(), outline);
+        for (int i = 0; i < 4; ++i)
+            place(at[i], detail::snapped(outline[i]));
+    }
+};
+
+} // namespace spangle::raster
