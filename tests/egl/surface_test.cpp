@@ -8,6 +8,7 @@
 #include <cstring>
 #include <string>
 
+#include "gl/context/features.hpp"
 #include "gl/egl/objects.hpp"
 #include "tests/egl/fake_display.hpp"
 
@@ -232,6 +233,8 @@ TEST_F(Surfaces, TheWindowIsTheGlass) {
     EXPECT_NE(eglCreateWindowSurface(display, config, 0, back), EGL_NO_SURFACE);
 }
 
+#if SPANGLE_FEATURE_MULTISAMPLE
+
 /// A window whose config has samples: what is presented was resolved, and no more of it is sent than was
 /// drawn.
 TEST_F(Surfaces, SamplesAreResolvedWhenTheWindowIsShown) {
@@ -304,6 +307,8 @@ TEST_F(Surfaces, SamplesBelongToConfigsThatHaveThem) {
         EXPECT_EQ(eglMakeCurrent(display, surface[i], surface[i], context[i]), yes);
     }
 }
+
+#endif
 
 TEST_F(Surfaces, DrawingGoesStraightIntoTheFrameTopRowFirst) {
     EGLSurface surface;
