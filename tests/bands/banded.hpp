@@ -31,6 +31,7 @@ struct Setting {
     std::int32_t band_height = 0;  ///< EGL_BAND_HEIGHT_SPANGLE
     EGLint depth = 24, stencil = 8, accum = 16;
     EGLint precision = EGL_DONT_CARE;
+    EGLint samples = 0;
 };
 
 /// A window on a board, and a context that is current to it.
@@ -41,7 +42,8 @@ class Banded {
         const EGLint wish[] = {EGL_SURFACE_TYPE,  EGL_WINDOW_BIT,  EGL_RENDERABLE_TYPE,
                                EGL_OPENGL_BIT,    EGL_DEPTH_SIZE,  setting.depth,
                                EGL_STENCIL_SIZE,  setting.stencil, EGL_PRECISION_SPANGLE,
-                               setting.precision, EGL_NONE};
+                               setting.precision, EGL_SAMPLES,     setting.samples,
+                               EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, setting.band_height, EGL_ACCUM_SIZE_SPANGLE,

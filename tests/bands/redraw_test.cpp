@@ -1,4 +1,5 @@
 // Bands drawn by callback: the glass holds what it holds of whole frames.
+#include "gl/context/features.hpp"
 #include "tests/bands/banded.hpp"
 #include "tests/bands/programs.hpp"
 
@@ -97,6 +98,24 @@ TEST(Redraw, DepthAloneInBands) {
         expect_same(board, program, {.display_band = 32, .band_height = 5}, whole);
     }
 }
+
+#if SPANGLE_FEATURE_MULTISAMPLE
+
+/// The multisample buffer is one of a band, too.
+TEST(Redraw, SamplesInBands) {
+    hal::Board mono = boards::ssd1306_128x32;
+    mono.display.wire = {};
+    mono.display.format = PixelFormat::mono;
+    for (const hal::Board& board : {boards::st7735_80x160, mono})
+        for (const Program& program : programs()) {
+            const std::vector<sim::Image> whole = play(board, {.samples = 4}, program, frames);
+            for (const std::int32_t height : heights_of(board))
+                expect_same(board, program, {.display_band = height, .samples = 4}, whole);
+            expect_same(board, program, {.band_height = 7, .samples = 4}, whole);
+        }
+}
+
+#endif
 
 /// Bytes of the second frame of a scene that stands still: those of whole frames, or none at all.
 TEST(Redraw, WhatDoesNotChangeIsNotSent) {

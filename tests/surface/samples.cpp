@@ -129,7 +129,7 @@ TEST_P(OfFormat, OtherClearsAreResolvedLater) {
         ClearRequest request;
         request.area = masked ? Rect{0, 0, width, height} : Rect{3, 2, 9, 5};
         request.channels = masked ? 3 : 0xF;
-        request.color[0] = request.color[1] = color_one;
+        request.color[0] = request.color[1] = request.color[2] = color_one;
         const std::vector<std::uint8_t> shown = b.color;
         clear_samples(b.s, request);
         EXPECT_FALSE(b.extents.cleared);
@@ -137,7 +137,9 @@ TEST_P(OfFormat, OtherClearsAreResolvedLater) {
         EXPECT_EQ(b.unresolved[3], (masked ? RowSpan{0, width} : RowSpan{3, 12}));
         resolve(b.s);
         const StoredColor in = read_color(b.s, 5, 3), out = read_color(b.s, 15, 9);
-        EXPECT_EQ(in.c[0].k, in.c[0].max);
+        if (!masked || !format_info(format).grey) { // where it counts for the luma
+            EXPECT_EQ(in.c[0].k, in.c[0].max);
+        }
         EXPECT_EQ(out.c[0].k, masked ? in.c[0].k : 0);
     }
 }
