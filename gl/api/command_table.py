@@ -234,7 +234,7 @@ class Family:
 
     @property
     def component_names(self):
-        known = {"Color": ["red", "green", "blue", "alpha"], "TexCoord": list("strq"), "MultiTexCoord": list("strq"),
+        known = {"Color": ["red", "green", "blue", "alpha"], "SecondaryColor": ["red", "green", "blue"], "TexCoord": list("strq"), "MultiTexCoord": list("strq"),
                  "Index": ["index"], "FogCoord": ["coord"]}
         return known.get(self.name, list("xyzw")[:len(self.data["pad"].split())])
 

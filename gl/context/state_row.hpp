@@ -89,6 +89,7 @@ constexpr StateRow of_feature(bool present, [[maybe_unused]] const char* text, S
 FEATURE(of_lighting, LIGHTING)
 FEATURE(of_fog, FOG)
 FEATURE(of_polygon_mode, POLYGON_MODE)
+FEATURE(of_secondary_color, SECONDARY_COLOR)
 FEATURE(of_color_index, COLOR_INDEX)
 FEATURE(of_texgen, TEXGEN)
 FEATURE(of_texture_1d, TEXTURE_1D)

@@ -15,6 +15,7 @@ inline constexpr auto fragment_rows = std::to_array<StateRow>({
     of_fog(STORED(GL_FOG_END, fog.end)),
     of_fog(STORED(GL_FOG_MODE, fog.mode)),
     of_fog(SWITCH(GL_FOG, fog.fog)),
+    of_secondary_color(SWITCH(GL_COLOR_SUM, lighting.color_sum)),
     in(Group::scissor),
     SWITCH(GL_SCISSOR_TEST, fragment_ops.scissor_test),
     STORED(GL_SCISSOR_BOX, fragment_ops.scissor_box),

@@ -50,6 +50,7 @@ constexpr StateRow light_switch(unsigned i) {
 inline constexpr auto vertex_rows = std::to_array<StateRow>({
     in(Group::current),
     linear(STORED(GL_CURRENT_COLOR, current.color)),
+    of_secondary_color(linear(STORED(GL_CURRENT_SECONDARY_COLOR, current.secondary_color))),
     linear(STORED(GL_CURRENT_NORMAL, current.normal)),
     of_color_index(STORED(GL_CURRENT_INDEX, current.index)),
     of_polygon_mode(STORED(GL_EDGE_FLAG, current.edge_flag)),

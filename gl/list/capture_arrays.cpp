@@ -45,6 +45,11 @@ void capture_seldom([[maybe_unused]] Context& context, const ArraysState& arrays
     if (arrays.fog_coord.on())
         list::record_words<family::FogCoord>(context, now.fog_coord);
 #endif
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+    if (arrays.secondary_color.on())
+        list::record_words<family::SecondaryColor>(context, now.secondary_color[0], now.secondary_color[1],
+                                                   now.secondary_color[2]);
+#endif
 #if SPANGLE_FEATURE_POLYGON_MODE
     if (arrays.edge_flag.on())
         list::record_words<family::EdgeFlag>(context, now.edge_flag);

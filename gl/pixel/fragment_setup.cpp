@@ -179,8 +179,7 @@ void fill(const Context& context, raster::FragmentState& out) {
     fill_tests(context, out);
     fill_samples(context, out);
     out.flat = context.polygon.shade_model == GL_FLAT;
-    // Without lighting the secondary colour is zero (GL 1.3, 2.13.1).
-    out.color_sum = context.lighting.lighting && context.lighting.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    out.color_sum = sums_colors(context.lighting);
     out.blend = ops.blend;
     out.blend_rgb = blending_of(ops.blend_rgb);
     out.blend_alpha = blending_of(ops.blend_alpha);

@@ -76,7 +76,7 @@ class ArrayReader {
 struct ElementReader {
     ArrayReader vertex, normal, color, tex_coord[texture_units];
     bool textured = false; ///< some tex_coord is on
-    /// Those that are seldom on, or null when none of them is: index, edge_flag, fog_coord.
+    /// Those that are seldom on, or null when none of them is: index, edge_flag, fog_coord, secondary_color.
     const ArraysState* seldom;
 
     explicit ElementReader(const ArraysState& arrays)
@@ -92,7 +92,8 @@ struct ElementReader {
     static bool any_seldom(const ArraysState& arrays) {
         return (SPANGLE_FEATURE_COLOR_INDEX && arrays.index.enabled) ||
                (SPANGLE_FEATURE_POLYGON_MODE && arrays.edge_flag.enabled) ||
-               (SPANGLE_FEATURE_FOG && arrays.fog_coord.enabled);
+               (SPANGLE_FEATURE_FOG && arrays.fog_coord.enabled) ||
+               (SPANGLE_FEATURE_SECONDARY_COLOR && arrays.secondary_color.enabled);
     }
 };
 

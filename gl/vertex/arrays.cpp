@@ -93,6 +93,10 @@ void point(Context& context, ClientArray& array, GLint size, GLenum type, GLsize
     out = v[0];
 }
 
+bool is_integer_type(GLenum type) {
+    return type >= GL_BYTE && type <= GL_UNSIGNED_INT;
+}
+
 bool is_position_type(GLenum type) {
     return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED;
 }
@@ -122,6 +126,10 @@ void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const A
 #if SPANGLE_FEATURE_FOG
     set_number(arrays.fog_coord, index, current.fog_coord);
 #endif
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+    if (const ArrayReader colors(arrays.secondary_color, true); colors.on())
+        colors.read(index, current.secondary_color);
+#endif
 #if SPANGLE_FEATURE_POLYGON_MODE
     if (const ArrayReader flags(arrays.edge_flag, false); flags.on())
         current.edge_flag = *flags.words(index) != 0;
@@ -149,8 +157,7 @@ void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* po
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
     if (size < 3 || size > 4 || stride < 0)
         return error(context, GL_INVALID_VALUE);
-    const bool integer = type >= GL_BYTE && type <= GL_UNSIGNED_INT;
-    if (!integer && type != GL_FLOAT && type != GL_DOUBLE && type != GL_FIXED)
+    if (!is_integer_type(type) && type != GL_FLOAT && type != GL_DOUBLE && type != GL_FIXED)
         return error(context, GL_INVALID_ENUM);
     point(context, context.arrays.color, size, type, stride, pointer);
 }
@@ -196,6 +203,16 @@ void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* 
 }
 #endif
 
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    if (size != 3 || stride < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (!is_integer_type(type) && type != GL_FLOAT && type != GL_DOUBLE)
+        return error(context, GL_INVALID_ENUM);
+    point(context, context.arrays.secondary_color, size, type, stride, pointer);
+}
+#endif
+
 #if SPANGLE_FEATURE_POLYGON_MODE
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
     if (stride < 0)
@@ -236,6 +253,10 @@ void enable_array(Context& context, GLenum array, bool on) {
     case GL_FOG_COORDINATE_ARRAY:
         return enable_optional(context, context.arrays.fog_coord, on, SPANGLE_FEATURE_FOG != 0,
                                SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FOG"));
+    case GL_SECONDARY_COLOR_ARRAY:
+        return enable_optional(context, context.arrays.secondary_color, on,
+                               SPANGLE_FEATURE_SECONDARY_COLOR != 0,
+                               SPANGLE_TEXT("this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
     default:
         error(context, GL_INVALID_ENUM);
     }

@@ -24,7 +24,8 @@ struct ClientArray {
 /// What a vertex array object holds (GL 3.0, 2.10).
 struct ArraysState {
     ClientArray vertex, normal, color;
-    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE}, fog_coord{.size = 1};
+    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE}, fog_coord{.size = 1},
+        secondary_color{.size = 3};
     ClientArray tex_coord[texture_units];
     BufferObject* element_buffer = nullptr;
     bool buffered = false; ///< some array may lie in a buffer
@@ -32,8 +33,8 @@ struct ArraysState {
 
 /// Calls f(array) for each.
 template <class Arrays, class F> void each_array(Arrays& arrays, F f) {
-    for (auto* array :
-         {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag, &arrays.fog_coord})
+    for (auto* array : {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.index, &arrays.edge_flag,
+                        &arrays.fog_coord, &arrays.secondary_color})
         f(*array);
     for (auto& array : arrays.tex_coord)
         f(array);

@@ -72,6 +72,8 @@ GLuint bound_buffer(const Context& context, GLenum pname) {
         return name(arrays.color.buffer);
     case GL_INDEX_ARRAY_BUFFER_BINDING:
         return name(arrays.index.buffer);
+    case GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING:
+        return name(arrays.secondary_color.buffer);
     case GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING:
         return name(arrays.fog_coord.buffer);
     case GL_EDGE_FLAG_ARRAY_BUFFER_BINDING:

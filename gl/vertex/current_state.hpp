@@ -8,6 +8,8 @@ namespace spangle::gl {
 
 struct CurrentState {
     Real color[4] = {numeric::one, numeric::one, numeric::one, numeric::one};
+    Real secondary_color[4] = {numeric::zero, numeric::zero, numeric::zero,
+                               numeric::one}; ///< alpha never changes
     Real normal[3] = {numeric::zero, numeric::zero, numeric::one};
     Real index = numeric::one; ///< as set; masked only in use
     Real fog_coord = numeric::zero;

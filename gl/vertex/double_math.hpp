@@ -212,6 +212,10 @@ struct DoubleMath {
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0.0;
     }
+    static void set_secondary_color(Window& out, const Real (&rgb)[4]) {
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = number(numeric::clamp01(rgb[c]));
+    }
     struct Colors {
         double color[4], secondary[3];
     };

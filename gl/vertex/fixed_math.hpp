@@ -385,6 +385,10 @@ struct FixedMath {
             out.secondary[c] = 0;
 #endif
     }
+    static void set_secondary_color(Window& out, const Real (&rgb)[4]) {
+        for (int c = 0; c < 3; ++c)
+            out.secondary[c] = color_units(rgb[c]);
+    }
 
     /// Of a vertex, without the rest.
     struct Colors {

@@ -106,6 +106,15 @@ void Color(Context& context, Real red, Real green, Real blue, Real alpha) {
     color(context, {red, green, blue, alpha});
 }
 
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+void SecondaryColor(Context& context, Real red, Real green, Real blue) {
+    Real(&color)[4] = context.current.secondary_color;
+    color[0] = red;
+    color[1] = green;
+    color[2] = blue;
+}
+#endif
+
 #if SPANGLE_FEATURE_COLOR_INDEX
 void Index(Context& context, Real index) {
     context.current.index = index;

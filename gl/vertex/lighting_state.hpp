@@ -41,6 +41,7 @@ struct LightingState {
     bool local_viewer = false;
     bool two_side = false;
     GLenum color_control = GL_SINGLE_COLOR;
+    bool color_sum = false; ///< COLOR_SUM: without lighting secondary colours are added, too
     Light light[max_lights];
     Material material[2]; ///< front, back
 };
@@ -50,5 +51,10 @@ struct LightingState {
     static constexpr GLenum color_control = GL_SINGLE_COLOR;
 };
 #endif
+
+/// The secondary colour is added: that of lighting, which may be zero, or that of the vertices (GL 1.4, 3.9).
+inline bool sums_colors(const LightingState& state) {
+    return state.lighting ? state.color_control == GL_SEPARATE_SPECULAR_COLOR : state.color_sum;
+}
 
 } // namespace spangle::gl

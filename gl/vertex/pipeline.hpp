@@ -149,6 +149,7 @@ template <class M, class L> class Pipeline {
     unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it looks at r
     unsigned thirds_ = 0;         ///< the latter of the vertices that are kept
     bool fog_given_ = false;      ///< by fog coordinates
+    bool sums_ = false;           ///< colours of vertices, without lighting: COLOR_SUM
     unsigned index_bits_ = 0;     ///< of an index framebuffer; 0: colours
     bool each_vertex_ = false;    ///< something more happens to vertices when they are given
     bool whole_polygons_ = false; ///< triangles, too, go the way of polygons
@@ -207,6 +208,9 @@ template <class M, class L> class Pipeline {
         fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
         index_bits_ = context.drawable.index_bits;
         lit_ = context.lighting.lighting;
+        sums_ = !lit_ && sums_colors(context.lighting);
+        if (sums_)
+            has_unlit_color_ = false;
         two_sided_ = lighting_.two_sided();
         units_ = context.texture.units_in_use();
         if (const unsigned thirds = units_ >> third_coordinate; thirds != thirds_) {
@@ -223,7 +227,8 @@ template <class M, class L> class Pipeline {
         captures_ = !context.render.draws();
         outlines_ =
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
-        each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed();
+        each_vertex_ =
+            lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed() || sums_;
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
         const bool sampled = has_sample_buffer(context);
         multisampling_ = multisampling(context);

@@ -96,9 +96,11 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
     if (has_unlit_color_ && same<4>(unlit_color_, current.color))
         return;
     M::set_color(unlit_, current.color);
+    if (SPANGLE_FEATURE_SECONDARY_COLOR && sums_)
+        M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = true;
+    has_unlit_color_ = !sums_; // else a second colour would have to be compared
 }
 
 /// The coordinates that a unit has behind its matrix, all four.

@@ -164,6 +164,11 @@ struct ShadowMath {
         DoubleMath::set_color(out.twin, rgba);
         report_color(out);
     }
+    static void set_secondary_color(Window& out, const Real (&rgb)[4]) {
+        FixedMath::set_secondary_color(out.fixed, rgb);
+        DoubleMath::set_secondary_color(out.twin, rgb);
+        report_color(out);
+    }
     struct Colors {
         FixedMath::Colors fixed;
         DoubleMath::Colors twin;

@@ -93,6 +93,10 @@ std::map<GLenum, GLbitfield> server_state() {
               GL_LIGHT_MODEL_LOCAL_VIEWER, GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHT_MODEL_COLOR_CONTROL})
             groups[name] = GL_LIGHTING_BIT;
     }
+    if (SPANGLE_FEATURE_SECONDARY_COLOR) {
+        groups[GL_COLOR_SUM] = GL_FOG_BIT | GL_ENABLE_BIT;
+        groups[GL_CURRENT_SECONDARY_COLOR] = GL_CURRENT_BIT;
+    }
     if (SPANGLE_FEATURE_FOG) {
         groups[GL_FOG] = GL_FOG_BIT | GL_ENABLE_BIT;
         for (GLenum name : {GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_START, GL_FOG_END, GL_FOG_MODE, GL_FOG_INDEX,
@@ -182,6 +186,12 @@ std::map<GLenum, GLbitfield> client_state() {
         for (GLenum name :
              {GL_INDEX_ARRAY, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE, GL_INDEX_ARRAY_POINTER})
             groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_SECONDARY_COLOR)
+        for (GLenum name : {GL_SECONDARY_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY_TYPE,
+                            GL_SECONDARY_COLOR_ARRAY_STRIDE, GL_SECONDARY_COLOR_ARRAY_POINTER})
+            groups[name] = client_vertex_array;
+    if (SPANGLE_FEATURE_SECONDARY_COLOR && SPANGLE_FEATURE_BUFFERS)
+        groups[GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING] = client_vertex_array;
     if (SPANGLE_FEATURE_FOG)
         for (GLenum name : {GL_FOG_COORDINATE_ARRAY, GL_FOG_COORDINATE_ARRAY_TYPE,
                             GL_FOG_COORDINATE_ARRAY_STRIDE, GL_FOG_COORDINATE_ARRAY_POINTER})
@@ -351,6 +361,12 @@ class Attrib : public RecordingContext {
         glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, k);
         glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, k);
         glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, k != 0 ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
+#endif
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+        glSecondaryColor3f(f(7), f(8), f(9));
+        (k != 0 ? glEnable : glDisable)(GL_COLOR_SUM);
+        (k != 0 ? glEnableClientState : glDisableClientState)(GL_SECONDARY_COLOR_ARRAY);
+        glSecondaryColorPointer(3, k != 0 ? GL_FLOAT : GL_DOUBLE, k + 8, memory_ + 14 + k);
 #endif
 #if SPANGLE_FEATURE_FOG
         glFogfv(GL_FOG_COLOR, four);

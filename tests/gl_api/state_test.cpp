@@ -199,6 +199,16 @@ std::vector<Expected> initial_state() {
                                        {GL_FOG_COORDINATE_ARRAY, {0}},
                                        {GL_FOG_COORDINATE_ARRAY_TYPE, {GL_FLOAT}},
                                        {GL_FOG_COORDINATE_ARRAY_STRIDE, {0}}};
+    const std::vector<Expected> secondary = {{GL_COLOR_SUM, {0}},
+                                             {GL_CURRENT_SECONDARY_COLOR, {0, 0, 0, 1}},
+                                             {GL_SECONDARY_COLOR_ARRAY, {0}},
+                                             {GL_SECONDARY_COLOR_ARRAY_SIZE, {3}},
+                                             {GL_SECONDARY_COLOR_ARRAY_TYPE, {GL_FLOAT}},
+                                             {GL_SECONDARY_COLOR_ARRAY_STRIDE, {0}}};
+    if (SPANGLE_FEATURE_SECONDARY_COLOR)
+        table.insert(table.end(), secondary.begin(), secondary.end());
+    if (SPANGLE_FEATURE_SECONDARY_COLOR && SPANGLE_FEATURE_BUFFERS)
+        table.push_back({GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, {0}});
     std::vector<Expected> lighting = {
         {GL_LIGHTING, {0}},
         {GL_COLOR_MATERIAL, {0}},
@@ -491,9 +501,11 @@ TEST_F(State, EveryCapabilityToggles) {
 TEST_F(State, AbsentSystemsAreNamed) {
     static std::string said;
     on_message([](unsigned, const char* text) { said = text; });
-    for (const auto& [array, present] : {std::pair{GLenum{GL_INDEX_ARRAY}, SPANGLE_FEATURE_COLOR_INDEX != 0},
-                                         {GLenum{GL_EDGE_FLAG_ARRAY}, SPANGLE_FEATURE_POLYGON_MODE != 0},
-                                         {GLenum{GL_FOG_COORDINATE_ARRAY}, SPANGLE_FEATURE_FOG != 0}}) {
+    for (const auto& [array, present] :
+         {std::pair{GLenum{GL_INDEX_ARRAY}, SPANGLE_FEATURE_COLOR_INDEX != 0},
+          {GLenum{GL_EDGE_FLAG_ARRAY}, SPANGLE_FEATURE_POLYGON_MODE != 0},
+          {GLenum{GL_FOG_COORDINATE_ARRAY}, SPANGLE_FEATURE_FOG != 0},
+          {GLenum{GL_SECONDARY_COLOR_ARRAY}, SPANGLE_FEATURE_SECONDARY_COLOR != 0}}) {
         glEnableClientState(array);
         EXPECT_EQ(glGetError(), present ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION});
         EXPECT_EQ(glIsEnabled(array), present);

@@ -19,6 +19,7 @@ const std::vector<Questions>& all_questions() {
                                                {"buffers", buffers},
                                                {"multi_draw", multi_draw},
                                                {"fog_coordinates", fog_coordinates},
+                                               {"secondary_colors", secondary_colors},
                                                {"primitive_restart", primitive_restart},
                                                {"vertex_array_objects", vertex_array_objects}};
     return all;

@@ -183,6 +183,48 @@ Answers fog_coordinates() {
     return asker.answers;
 }
 
+/// Queries, arrays and errors of theirs; their sum is a picture. Mesa has an attribute group for COLOR_SUM of
+/// its own.
+Answers secondary_colors() {
+    Asker asker;
+    const auto ask = [&asker] {
+        asker.state(GL_CURRENT_SECONDARY_COLOR, 4);
+        for (const GLenum name : std::initializer_list<GLenum>{
+                 GL_COLOR_SUM, GL_SECONDARY_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY_SIZE,
+                 GL_SECONDARY_COLOR_ARRAY_TYPE, GL_SECONDARY_COLOR_ARRAY_STRIDE})
+            asker.state(name, 1);
+    };
+    ask();
+    glSecondaryColor3f(0.25f, 2, -3);
+    glEnable(GL_COLOR_SUM);
+    ask();
+    glSecondaryColor3ub(51, 102, 255);
+    ask();
+    glPushAttrib(GL_CURRENT_BIT);
+    glSecondaryColor3d(0, 0.5, 0);
+    ask();
+    glPopAttrib();
+    ask();
+    const GLushort colors[3][3] = {{0, 65535, 13107}, {1, 2, 3}, {65535, 0, 0}};
+    glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
+    glSecondaryColorPointer(3, GL_UNSIGNED_SHORT, 0, colors);
+    for (int i = 0; i < 3; ++i) {
+        glBegin(GL_POINTS);
+        glArrayElement(i);
+        glEnd();
+        ask();
+    }
+    glSecondaryColorPointer(2, GL_FLOAT, 0, colors);
+    asker.error("size");
+    glSecondaryColorPointer(3, GL_FIXED, 0, colors);
+    asker.error("type");
+    glSecondaryColorPointer(3, GL_FLOAT, -1, colors);
+    asker.error("stride");
+    glInterleavedArrays(GL_V2F, 0, nullptr);
+    ask();
+    return asker.answers;
+}
+
 Answers primitive_restart() {
     Asker asker;
     perspective();

@@ -47,6 +47,7 @@ Answers clip_planes();
 Answers buffers();
 Answers multi_draw();
 Answers fog_coordinates();
+Answers secondary_colors();
 Answers primitive_restart();
 Answers vertex_array_objects();
 

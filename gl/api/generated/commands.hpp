@@ -36,6 +36,7 @@ void TexCoord(Context& context, Real s, Real t, Real r, Real q);
 void MultiTexCoord(Context& context, GLenum target, Real s, Real t, Real r, Real q);
 void Normal(Context& context, Real x, Real y, Real z);
 void Color(Context& context, Real red, Real green, Real blue, Real alpha);
+void SecondaryColor(Context& context, Real red, Real green, Real blue);
 void Index(Context& context, Real index);
 void EdgeFlag(Context& context, bool flag);
 void FogCoord(Context& context, Real coord);
@@ -49,6 +50,7 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer);
 void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
+void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void ClientActiveTexture(Context& context, GLenum texture);
 void EnableClientState(Context& context, GLenum array);
 void DisableClientState(Context& context, GLenum array);
@@ -429,6 +431,13 @@ struct Color {
     static constexpr Listing listing = Listing::attribute;
     static constexpr const char* refusal = SPANGLE_TEXT("glColor between glBegin and glEnd");
 };
+struct SecondaryColor {
+    static constexpr auto run = &cmd::SecondaryColor;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = true;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glSecondaryColor between glBegin and glEnd");
+};
 struct Index {
     static constexpr auto run = &cmd::Index;
     static constexpr auto encode = nullptr;
@@ -519,6 +528,13 @@ struct FogCoordPointer {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glFogCoordPointer between glBegin and glEnd");
+};
+struct SecondaryColorPointer {
+    static constexpr auto run = &cmd::SecondaryColorPointer;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::never;
+    static constexpr const char* refusal = SPANGLE_TEXT("glSecondaryColorPointer between glBegin and glEnd");
 };
 struct ClientActiveTexture {
     static constexpr auto run = &cmd::ClientActiveTexture;

@@ -864,6 +864,90 @@ void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
 
 #endif
 
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+
+void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) {
+    issue<family::SecondaryColor>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3bv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) {
+    issue<family::SecondaryColor>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3sv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
+    issue<family::SecondaryColor>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3iv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
+    issue<family::SecondaryColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3fv: null pointer"));
+    issue<family::SecondaryColor>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) {
+    issue<family::SecondaryColor>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3dv: null pointer"));
+    issue<family::SecondaryColor>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
+    issue<family::SecondaryColor>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3ubv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) {
+    issue<family::SecondaryColor>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3usv(const GLushort* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3usv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]));
+}
+
+void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) {
+    issue<family::SecondaryColor>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue));
+}
+
+void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v) {
+    if (v == nullptr)
+        return refuse_null(SPANGLE_TEXT("glSecondaryColor3uiv: null pointer"));
+    issue<family::SecondaryColor>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]));
+}
+
+#endif
+
 #if SPANGLE_FEATURE_COLOR_INDEX
 
 void GLAPIENTRY glIndexs(GLshort index) {
@@ -1318,6 +1402,14 @@ void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer) {
 
 void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer) {
     issue<family::FogCoordPointer>(type, stride, pointer);
+}
+
+#endif
+
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+
+void GLAPIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+    issue<family::SecondaryColorPointer>(size, type, stride, pointer);
 }
 
 #endif
@@ -1974,6 +2066,78 @@ void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
 
 void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_SECONDARY_COLOR
+
+void GLAPIENTRY glSecondaryColor3b(GLbyte, GLbyte, GLbyte) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3b: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3bv(const GLbyte*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3bv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3s(GLshort, GLshort, GLshort) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3s: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3sv(const GLshort*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3sv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3i(GLint, GLint, GLint) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3i: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3iv(const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3iv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3f(GLfloat, GLfloat, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3f: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3fv(const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3fv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3d(GLdouble, GLdouble, GLdouble) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3d: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3dv(const GLdouble*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3dv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3ub(GLubyte, GLubyte, GLubyte) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ub: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3ubv(const GLubyte*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ubv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3us(GLushort, GLushort, GLushort) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3us: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3usv(const GLushort*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3usv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3ui(GLuint, GLuint, GLuint) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ui: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColor3uiv(const GLuint*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColor3uiv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
+}
+
+void GLAPIENTRY glSecondaryColorPointer(GLint, GLenum, GLsizei, const void*) {
+    refuse_feature(SPANGLE_TEXT("glSecondaryColorPointer: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
 }
 
 #endif

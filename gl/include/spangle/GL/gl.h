@@ -206,6 +206,14 @@ GLAPI void GLAPIENTRY glPopClientAttrib(void);
 #define GL_PRIMITIVE_RESTART 0x8F9D
 #define GL_PRIMITIVE_RESTART_INDEX 0x8F9E
 #define GL_VERTEX_ARRAY_BINDING 0x85B5
+#define GL_COLOR_SUM 0x8458
+#define GL_CURRENT_SECONDARY_COLOR 0x8459
+#define GL_SECONDARY_COLOR_ARRAY_SIZE 0x845A
+#define GL_SECONDARY_COLOR_ARRAY_TYPE 0x845B
+#define GL_SECONDARY_COLOR_ARRAY_STRIDE 0x845C
+#define GL_SECONDARY_COLOR_ARRAY_POINTER 0x845D
+#define GL_SECONDARY_COLOR_ARRAY 0x845E
+#define GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING 0x889C
 #define GL_CURRENT_FOG_COORDINATE 0x8453
 #define GL_FOG_COORDINATE_ARRAY_TYPE 0x8454
 #define GL_FOG_COORDINATE_ARRAY_STRIDE 0x8455
@@ -386,6 +394,22 @@ GLAPI void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint a
 GLAPI void GLAPIENTRY glColor4uiv(const GLuint* v);
 GLAPI void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha);
 GLAPI void GLAPIENTRY glColor4xvOES(const GLfixed* v);
+GLAPI void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v);
+GLAPI void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3sv(const GLshort* v);
+GLAPI void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3iv(const GLint* v);
+GLAPI void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue);
+GLAPI void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v);
+GLAPI void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue);
+GLAPI void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v);
+GLAPI void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v);
+GLAPI void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3usv(const GLushort* v);
+GLAPI void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v);
 GLAPI void GLAPIENTRY glIndexs(GLshort index);
 GLAPI void GLAPIENTRY glIndexsv(const GLshort* v);
 GLAPI void GLAPIENTRY glIndexi(GLint index);
@@ -467,6 +491,7 @@ GLAPI void GLAPIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride,
 GLAPI void GLAPIENTRY glIndexPointer(GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glEdgeFlagPointer(GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void* pointer);
+GLAPI void GLAPIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void* pointer);
 GLAPI void GLAPIENTRY glClientActiveTexture(GLenum texture);
 GLAPI void GLAPIENTRY glEnableClientState(GLenum array);
 GLAPI void GLAPIENTRY glDisableClientState(GLenum array);
