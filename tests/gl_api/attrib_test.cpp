@@ -365,8 +365,6 @@ class Attrib : public RecordingContext {
 #if SPANGLE_FEATURE_SECONDARY_COLOR
         glSecondaryColor3f(f(7), f(8), f(9));
         (k != 0 ? glEnable : glDisable)(GL_COLOR_SUM);
-        (k != 0 ? glEnableClientState : glDisableClientState)(GL_SECONDARY_COLOR_ARRAY);
-        glSecondaryColorPointer(3, k != 0 ? GL_FLOAT : GL_DOUBLE, k + 8, memory_ + 14 + k);
 #endif
 #if SPANGLE_FEATURE_FOG
         glFogfv(GL_FOG_COLOR, four);
@@ -435,6 +433,10 @@ class Attrib : public RecordingContext {
         glNormalPointer(type, k + 8, memory_ + 2 + k);
         glColorPointer(k + 3, type, k + 8, memory_ + 4 + k);
         glTexCoordPointer(k + 2, type, k + 8, memory_ + 6 + k);
+#if SPANGLE_FEATURE_SECONDARY_COLOR
+        (k != 0 ? glEnableClientState : glDisableClientState)(GL_SECONDARY_COLOR_ARRAY);
+        glSecondaryColorPointer(3, k != 0 ? GL_FLOAT : GL_DOUBLE, k + 8, memory_ + 14 + k);
+#endif
 #if SPANGLE_FEATURE_FOG
         (k != 0 ? glEnableClientState : glDisableClientState)(GL_FOG_COORDINATE_ARRAY);
         glFogCoordPointer(k != 0 ? GL_FLOAT : GL_DOUBLE, k + 8, memory_ + 12 + k);
@@ -457,7 +459,7 @@ class Attrib : public RecordingContext {
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     }
 
-    char memory_[16] = {};
+    char memory_[18] = {};
 };
 
 TEST_F(Attrib, TheTestKnowsAllStateThatIsSaved) {

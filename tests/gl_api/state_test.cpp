@@ -365,9 +365,9 @@ TEST_F(State, InitialValuesAreOfTheWholeTable) {
 
 TEST_F(State, EveryQueryAgreesAcrossTypes) {
     const auto linear = [](GLenum name) {
-        for (GLenum n :
-             {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE,
-              GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF, GL_CURRENT_RASTER_COLOR})
+        for (GLenum n : {GL_CURRENT_COLOR, GL_CURRENT_SECONDARY_COLOR, GL_CURRENT_NORMAL, GL_DEPTH_RANGE,
+                         GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE, GL_FOG_COLOR, GL_LIGHT_MODEL_AMBIENT,
+                         GL_ALPHA_TEST_REF, GL_CURRENT_RASTER_COLOR})
             if (n == name)
                 return true;
         return false;
