@@ -141,7 +141,7 @@ template <int Count> struct Balanced {
     /// The half that rounds to 8.8 was added in set-up. Set-up is off by less than it, and fragments lie
     /// inside of their primitive, so that nothing is above one.
     SPANGLE_INLINE static T from_affine(const typename L::U32& v) { return L::high_half(v); }
-    /// At most 1.3 256ths of a 255th below a b.
+    /// At most 3 256ths of a 255th below a b, 2 where both have 8 bits.
     SPANGLE_INLINE static T mul(T a, T b) { return scaled(a, fraction(b)); }
     /// 0 .. one as 0 .. 65535.
     SPANGLE_INLINE static constexpr T fraction(T v) { return v + (v >> 8); }

@@ -94,24 +94,49 @@ TEST(Component, ElementsMeanWhatTable26Says) {
         }
 }
 
-TEST(Component, RandomElementsDecodeToTheNearestCode) {
-    std::mt19937 random(2);
-    for (int i = 0; i < 200000; ++i) {
-        const unsigned element_bits = 8u << (random() % 3);
-        const std::uint32_t element = static_cast<std::uint32_t>(random()) & all_ones(element_bits);
-        const bool is_signed = (random() & 1) != 0;
-        double f = static_cast<double>(element) / all_ones(element_bits);
-        if (is_signed) {
-            const double c =
-                element > all_ones(element_bits) / 2 ? element - (all_ones(element_bits) + 1.0) : element;
-            f = std::fmax(0, (2 * c + 1) / all_ones(element_bits));
+/// What an element stands for (GL 1.3, table 2.6), 0 where it is negative.
+double meant(bool is_signed, unsigned bits, std::uint32_t element) {
+    const double most = all_ones(bits);
+    if (!is_signed)
+        return element / most;
+    const double c = element > all_ones(bits) / 2 ? element - (most + 1) : element;
+    return std::fmax(0, (2 * c + 1) / most);
+}
+
+TEST(Component, ElementsDecodeToTheNearestCode) {
+    const auto check = [](unsigned bits, std::uint32_t element) {
+        for (const bool is_signed : {false, true}) {
+            const Component c = decode_element(
+                is_signed ? ElementKind::signed_integer : ElementKind::unsigned_integer, bits, element);
+            for (unsigned to : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 16u})
+                ASSERT_LE(std::fabs(code_of(c, to) - meant(is_signed, bits, element) * all_ones(to)),
+                          0.5 + 1e-6)
+                    << bits << "->" << to << ' ' << element;
         }
-        const std::uint32_t got =
-            code_of(decode_element(is_signed ? ElementKind::signed_integer : ElementKind::unsigned_integer,
-                                   element_bits, element),
-                    8);
-        ASSERT_LE(std::fabs(got - f * 255), 0.5 + 1e-9);
-    }
+    };
+    for (unsigned bits : {8u, 16u})
+        for (std::uint32_t element = 0; element <= all_ones(bits); ++element)
+            check(bits, element);
+    std::mt19937 random(2);
+    for (int i = 0; i < 200000; ++i)
+        check(32, static_cast<std::uint32_t>(random()));
+}
+
+/// A code written as an element and read again is itself, where the element has more bits.
+TEST(Component, CodesComeBackFromElements) {
+    for (const ElementKind kind :
+         {ElementKind::unsigned_integer, ElementKind::signed_integer, ElementKind::real})
+        for (unsigned bits : {8u, 16u, 32u})
+            for (unsigned from : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 16u}) {
+                const bool fits = kind == ElementKind::real
+                                      ? bits == 32
+                                      : bits >= from + (kind == ElementKind::signed_integer);
+                for (std::uint32_t code = 0; fits && code <= all_ones(from); ++code) {
+                    const Component c{code, static_cast<std::uint8_t>(from)};
+                    ASSERT_EQ(code_of(decode_element(kind, bits, encode_element(kind, bits, c)), from), code)
+                        << static_cast<int>(kind) << ' ' << bits << ' ' << from;
+                }
+            }
 }
 
 TEST(Component, ReturnedValuesAreThoseOfTable47) {

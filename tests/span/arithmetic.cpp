@@ -1,0 +1,136 @@
+// Products, sums and interpolations of 8-bit components, every one of them; texels of every code.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "raster/span/number.hpp"
+#include "raster/span/texel.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+using B = Balanced<1>;
+
+TEST(Products, OfTwoBytesAreNearest) {
+    for (std::uint32_t a = 0; a < 256; ++a)
+        for (std::uint32_t b = 0; b < 256; ++b) {
+            ASSERT_EQ(Exact::to8(Exact::mul(Exact::from8(a), Exact::from8(b))), (2 * a * b + 255) / 510)
+                << a << ' ' << b;
+            const double off = B::mul(B::from8(a), B::from8(b)) - 256.0 * a * b / 255; // 256ths
+            ASSERT_LE(off, 0) << a << ' ' << b;
+            ASSERT_GE(off, -2) << a << ' ' << b;
+        }
+}
+
+TEST(Products, OfFractions) {
+    for (std::uint32_t a = 0; a <= color_one; a += 255) {
+        ASSERT_EQ(Exact::mul(a, Exact::one), a);
+        ASSERT_EQ(Exact::mul(a, 0), 0u);
+    }
+    for (std::uint32_t a = 0; a <= B::one; ++a)
+        ASSERT_EQ(B::mul(a, 0), 0u);
+    for (std::uint32_t a = 0; a <= B::one; a += 7)
+        for (std::uint32_t b = 0; b <= B::one; b += 13)
+            ASSERT_NEAR(B::mul(a, b), a * static_cast<double>(b) / B::one - 1.5, 1.5) << a << ' ' << b;
+}
+
+TEST(Sums, OfTwoBytes) {
+    for (std::uint32_t a = 0; a < 256; ++a)
+        for (std::uint32_t b = 0; b < 256; ++b) {
+            const std::uint32_t sum = std::min(a + b, 255u), rest = a > b ? a - b : 0;
+            ASSERT_EQ(Exact::add(Exact::from8(a), Exact::from8(b)), Exact::from8(sum));
+            ASSERT_EQ(Exact::subtract(Exact::from8(a), Exact::from8(b)), Exact::from8(rest));
+            ASSERT_EQ(B::add(B::from8(a), B::from8(b)), B::from8(sum));
+            ASSERT_EQ(B::subtract(B::from8(a), B::from8(b)), B::from8(rest));
+        }
+}
+
+/// a (1 - k) + b k of three bytes: 2^24 of them.
+TEST(Interpolations, OfThreeBytesAreNearest) {
+    double least = 0, most = 0;
+    for (std::uint32_t a = 0; a < 256; ++a)
+        for (std::uint32_t b = 0; b < 256; ++b)
+            for (std::uint32_t k = 0; k < 256; ++k) {
+                const std::uint32_t exact = a * (255 - k) + b * k; // 65025ths
+                ASSERT_EQ(Exact::to8(Exact::lerp(Exact::from8(a), Exact::from8(b), Exact::from8(k))),
+                          (2 * exact + 255) / 510)
+                    << a << ' ' << b << ' ' << k;
+                const double off = B::lerp(B::from8(a), B::from8(b), B::from8(k)) - 256.0 * exact / 255;
+                least = std::fmin(least, off);
+                most = std::fmax(most, off);
+            }
+    EXPECT_GE(least, -3); // 256ths: two products, each rounded down
+    EXPECT_LE(most, 0);
+}
+
+TEST(Components, ComeBackFromBothNumbers) {
+    for (std::uint32_t k = 0; k < 256; ++k) {
+        ASSERT_EQ(Exact::to8(Exact::from8(k)), k);
+        ASSERT_EQ(B::to8(B::from8(k)), k);
+        ASSERT_EQ(B::from_units(Exact::from8(k)), B::from8(k));
+    }
+    for (std::uint32_t k = 0; k < 64; ++k) {
+        const std::uint32_t k5 = k & 31;
+        ASSERT_NEAR(Exact::from5(k5), color_one * (k5 / 31.0), 0.5);
+        ASSERT_NEAR(Exact::from6(k), color_one * (k / 63.0), 0.5);
+        ASSERT_NEAR(B::from5(k5), B::one * (k5 / 31.0), 256 / 50.0);
+        ASSERT_NEAR(B::from6(k), B::one * (k / 63.0), 256 / 50.0);
+        ASSERT_EQ(Exact::to8(Exact::from5(k5)) >> 3, k5);
+        ASSERT_EQ(B::to8(B::from6(k)) >> 2, k);
+    }
+}
+
+/// Of every code of every format, R G B A as the number has them.
+template <class N> void texels_of_words(double bound) {
+    const auto near = [bound](std::uint32_t got, double k, double most) {
+        ASSERT_NEAR(got, N::one * (k / most), bound) << k << " of " << most;
+    };
+    for (std::uint32_t w = 0; w < 0x10000; ++w) {
+        std::uint8_t bytes[4] = {};
+        const auto half = static_cast<std::uint16_t>(w);
+        std::memcpy(bytes, &half, 2);
+        const auto c565 = read_texel<N>(TexelFormat::rgb565, bytes);
+        near(c565.r, w >> 11, 31), near(c565.g, w >> 5 & 63, 63), near(c565.b, w & 31, 31),
+            near(c565.a, 1, 1);
+        const auto c4 = read_texel<N>(TexelFormat::rgba4444, bytes);
+        near(c4.r, w >> 12, 15), near(c4.g, w >> 8 & 15, 15), near(c4.b, w >> 4 & 15, 15),
+            near(c4.a, w & 15, 15);
+        const auto c5 = read_texel<N>(TexelFormat::rgba5551, bytes);
+        near(c5.r, w >> 11, 31), near(c5.g, w >> 6 & 31, 31), near(c5.b, w >> 1 & 31, 31),
+            near(c5.a, w & 1, 1);
+        const auto z = read_texel<N>(TexelFormat::z16, bytes);
+        near(z.r, w, 65535), near(z.a, w, 65535);
+    }
+    for (std::uint32_t w = 0; w < 256; ++w) {
+        const std::uint8_t bytes[4] = {static_cast<std::uint8_t>(w), static_cast<std::uint8_t>(255 - w),
+                                       static_cast<std::uint8_t>(w ^ 0x5A),
+                                       static_cast<std::uint8_t>(w ^ 0xA5)};
+        const auto c3 = read_texel<N>(TexelFormat::rgb332, bytes);
+        near(c3.r, w >> 5, 7), near(c3.g, w >> 2 & 7, 7), near(c3.b, w & 3, 3), near(c3.a, 1, 1);
+        const auto l = read_texel<N>(TexelFormat::la88, bytes),
+                   c8 = read_texel<N>(TexelFormat::rgba8888, bytes);
+        const std::uint32_t got[] = {l.r,
+                                     l.g,
+                                     l.a,
+                                     c8.r,
+                                     c8.g,
+                                     c8.b,
+                                     c8.a,
+                                     read_texel<N>(TexelFormat::a8, bytes).a,
+                                     read_texel<N>(TexelFormat::l8, bytes).b,
+                                     read_texel<N>(TexelFormat::i8, bytes).a,
+                                     read_texel<N>(TexelFormat::rgb888, bytes).b};
+        const std::uint32_t wanted[] = {w, w, 255 - w, w, 255 - w, w ^ 0x5A, w ^ 0xA5, w, w, w, w ^ 0x5A};
+        for (std::size_t i = 0; i < std::size(got); ++i)
+            ASSERT_EQ(got[i], N::from8(wanted[i])) << i;
+    }
+}
+
+TEST(Components, OfEveryTexel) {
+    texels_of_words<Exact>(1);
+    texels_of_words<B>(256 / 50.0);
+}
+
+} // namespace
+} // namespace spangle::raster::test

@@ -1,0 +1,84 @@
+// Dithering as a surface shows it (GL 1.3, 4.1.8): what a fragment becomes depends on its colour and its
+// place in the window, on nothing else; between the two codes around a value all places agree on the mean.
+#include <gtest/gtest.h>
+
+#include "tests/stages/canvas.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb666,
+                                   PixelFormat::rgb444,    PixelFormat::rgb332,    PixelFormat::grey4,
+                                   PixelFormat::mono};
+
+Point of_color(int k) {
+    Point p;
+    p.color[0] = k / 255.0;
+    p.color[1] = (255 - k) / 255.0;
+    p.color[2] = (k * 7 & 255) / 255.0;
+    return p;
+}
+
+/// Steps of a component as the format asks for it.
+double steps(const Point& p, const Component& stored, std::size_t i, bool grey) {
+    const double gray = std::floor((3 * p.color[0] + 6 * p.color[1] + p.color[2]) * 25.5 + 1e-9) / 255;
+    return (grey ? gray : p.color[i]) * stored.max;
+}
+
+TEST(Dither, EveryByteInEveryFormat) {
+    for (const PixelFormat format : formats)
+        for (const Tier tier : {Tier::exact, Tier::balanced})
+            for (int k = 0; k < 256; ++k) {
+                Canvas canvas(format, 16, 16, DepthFormat::none);
+                FragmentState state = plain_state(canvas);
+                state.dither = true;
+                state.tier = tier;
+                const Point p = of_color(k);
+                cover<FixedVertex>(state, canvas, p);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    double sum = 0;
+                    const double wanted = steps(p, canvas.at(0, 0).c[i], i, format_info(format).grey);
+                    for (int y = 0; y < 16; ++y)
+                        for (int x = 0; x < 16; ++x) {
+                            const int code = canvas.at(x, y).c[i].k;
+                            ASSERT_EQ(code, canvas.at(x & 3, y & 3).c[i].k) << int(format) << ' ' << k;
+                            ASSERT_GE(code + 1e-6, std::floor(wanted + 1e-6))
+                                << int(format) << ' ' << k << ' ' << i;
+                            ASSERT_LE(code - 1e-6, std::ceil(wanted - 1e-6))
+                                << int(format) << ' ' << k << ' ' << i;
+                            sum += code;
+                        }
+                    ASSERT_NEAR(sum / 256, wanted, 1 / 32.0 + 1e-9) << int(format) << ' ' << k << ' ' << i;
+                }
+            }
+}
+
+/// Whatever draws it: triangles, a line, a point, each pixel apart.
+TEST(Dither, DependsOnThePlaceAlone) {
+    for (const PixelFormat format : formats)
+        for (const Tier tier : {Tier::exact, Tier::balanced})
+            for (int k = 3; k < 256; k += 11) {
+                Canvas whole(format, 16, 16, DepthFormat::none), apart = whole;
+                FragmentState state = plain_state(whole);
+                state.dither = true;
+                state.tier = tier;
+                Point p = of_color(k);
+                cover<FixedVertex>(state, whole, p);
+                const Surface surface = apart.surface();
+                const DrawState draw = compile<FixedVertex>(state, surface);
+                for (int y = 0; y < 16; ++y)
+                    for (int x = 0; x < 16; ++x) {
+                        Point from = p, to = p;
+                        from.x = x + 0.5, from.y = to.y = y + 0.5, to.x = x + 1.5;
+                        if ((x + y) % 2 == 0)
+                            draw_point<FixedVertex>(draw, surface, fixed_vertex(from), 1);
+                        else
+                            draw_line<FixedVertex>(draw, surface, fixed_vertex(from), fixed_vertex(to),
+                                                   fixed_vertex(from), 1);
+                    }
+                ASSERT_EQ(whole.color, apart.color) << int(format) << ' ' << k;
+            }
+}
+
+} // namespace
+} // namespace spangle::raster::test
