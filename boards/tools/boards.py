@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Builds the firmware of every board, runs it in QEMU, and holds each frame against the board's simulated twin.
 
-usage: ./dev boards [BOARD...] [--frames N] [--list] [--hardware]
+usage: ./dev boards [BOARD...] [--frames N] [--list] [--hardware] [--update] [--document]
 
 A board is a folder of boards/ with a board.json. Prints one row a board; a cell with slashes has a value for each of its
-scenes. Exit status 1 when a frame differs, 77 (skipped) when a compiler or emulator is missing.
+scenes. Exit status 1 when a frame differs, when an image holds what it must not, or when a board costs more than 3 %
+above boards/golden.json; 77 (skipped) when a compiler or emulator is missing.
 """
 import argparse
 import concurrent.futures
@@ -14,14 +15,19 @@ import os
 import pathlib
 import re
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+import document  # noqa: E402
 import firmware  # noqa: E402
+import golden  # noqa: E402
 import look  # noqa: E402
 import twin  # noqa: E402
 
 ROOT = firmware.ROOT
+HANDLER_STACK = 512  # beside the program's, hal/mcu/sections.ld
+FRAMES = 30
 LOOKED_AT = 3  # frames of each scene whose picture on the display is compared too
 FEATURES = re.findall(r"^spangle_feature\((\w+)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
 
@@ -84,8 +90,7 @@ def add_image(build, board, report):
     demo = [*board.defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
     paths = [ROOT / "boards/demo/main.cpp", ROOT / "boards/demo/demo.cpp", ROOT / f"boards/demo/report_{report}.cpp",
              *sorted(board.folder.glob("*.cpp")), *(ROOT / source for source in board.sources)]
-    if report == "semihosting":
-        paths.append(ROOT / "hal/mcu/emulated/panic.cpp")
+    paths += [path for path in firmware.startup(board.target) if report == "semihosting" or path.parent.name != "emulated"]
     own = [build.compile(board.target, "-Os", path, demo, board.name) for path in paths]
     name = board.name + (".elf" if report == "semihosting" else ".hardware.elf")
     return build.image(board.target, [*own, *library], board.folder / "memory.ld", name)
@@ -120,7 +125,7 @@ def mean(values):
 
 
 def check(board, image, host, frames, pictures):
-    """The row of a board, and what is wrong. `pictures`: where the last frame of each scene is drawn, or None."""
+    """The row of a board, and what is wrong. `pictures`: the folder where the last frame looked at of each scene is drawn."""
     try:
         run = read_run(firmware.emulate(board.machine, image, (str(frames),), ("-icount", "shift=0")))
     except RuntimeError as error:
@@ -132,12 +137,15 @@ def check(board, image, host, frames, pictures):
         if ours != theirs:
             first = next((i for i, pair in enumerate(zip(ours, theirs)) if pair[0] != pair[1]), min(len(ours), len(theirs)))
             wrong.append(f"{scene}: frame {first} differs from the simulated board's")
-    drawn = "" if pictures is None else str(pictures / board.name)
+    drawn = str(pictures / board.name)
     if board.trace and not run.problems:
         wrong += look.through_trace(host, board, image, LOOKED_AT, drawn, read_run)
     if board.screen and not run.problems:
         wrong += look.at_screen(host, board, image, LOOKED_AT, drawn)
+    wrong += [f"the image holds {name}" for name in firmware.forbidden(board.target, image)]
     size = firmware.sizes(board.target, image)
+    if 4 * run.memory.get("stack", 0) > 3 * (size[".stack"] - HANDLER_STACK):
+        wrong.append(f"{run.memory['stack']} bytes of stack were used: more than three quarters of it")
     flash = sum(size.get(s, 0) for s in (".text", ".ARM.exidx", ".data"))
     ram = sum(size.get(s, 0) for s in (".data", ".bss", ".noinit")) - run.memory.get("arena", 0) + run.memory.get("peak", 0)
 
@@ -178,9 +186,10 @@ def main():
     parser.add_argument("boards", nargs="*", metavar="BOARD")
     parser.add_argument("--host", required=True, type=pathlib.Path, help="the program spangle_twin")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/boards", help="where images go")
-    parser.add_argument("--frames", type=int, default=30, help="of each scene")
+    parser.add_argument("--frames", type=int, default=FRAMES, help="of each scene")
     parser.add_argument("--list", action="store_true", help="only names the boards")
-    parser.add_argument("--pictures", type=pathlib.Path, help="draws what the displays show into this folder")
+    parser.add_argument("--update", action="store_true", help="writes what boards cost now to boards/golden.json")
+    parser.add_argument("--document", action="store_true", help="writes table and pictures to docs/boards.md (all boards)")
     parser.add_argument("--hardware", action="store_true", help="only builds images for real boards, without reports")
     arguments = parser.parse_args()
     known = discover()
@@ -202,15 +211,27 @@ def main():
         print("\n".join(str(image) for image in images.values()))
         return 0
 
+    with tempfile.TemporaryDirectory() as name:
+        return report(boards, images, arguments, pathlib.Path(name))
+
+
+def report(boards, images, arguments, pictures):
+    """Runs them, prints the table and what is wrong. The exit status."""
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        results = list(pool.map(lambda board: check(board, images[board.name], arguments.host.resolve(), arguments.frames, arguments.pictures), boards))
-    print_table([cells(board, row, wrong) for board, (row, wrong) in zip(boards, results)])
-    for board, (_, wrong) in zip(boards, results):
-        for scene, why in board.left_out.items():
-            print(f"{board.name}: {scene} is left out: {why}")
-        for problem in wrong:
-            print(f"{board.name}: {problem}")
-    return 1 if any(wrong for _, wrong in results) else 0
+        results = list(pool.map(lambda board: check(board, images[board.name], arguments.host.resolve(), arguments.frames, pictures), boards))
+    table = [cells(board, row, wrong) for board, (row, wrong) in zip(boards, results)]
+    print_table(table)
+    notes = [f"{board.name}: {scene} is left out: {why}" for board in boards for scene, why in board.left_out.items()]
+    problems = [f"{board.name}: {problem}" for board, (_, wrong) in zip(boards, results) for problem in wrong]
+    rows = [row for row, _ in results]
+    if arguments.update and not problems:
+        golden.update(rows)
+    if arguments.frames == FRAMES:
+        problems += golden.grown(rows)
+    print("\n".join(notes + problems))
+    if arguments.document and not problems:
+        document.write(HEADER, table, notes, document.keep_pictures(boards, pictures))
+    return 1 if problems else 0
 
 
 if __name__ == "__main__":

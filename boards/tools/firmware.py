@@ -5,6 +5,7 @@ Boards and benchmarks use the same; nothing here knows a board.
 import dataclasses
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 
@@ -61,6 +62,11 @@ def sources():
                 yield room, path
 
 
+def startup(target):
+    """Sources of what a processor's programs begin and, in an emulator, end with."""
+    return [ROOT / "hal/mcu/memory.cpp", *sorted((ROOT / TARGETS[target].startup).glob("*.[cS]*")), ROOT / "hal/mcu/emulated/panic.cpp"]
+
+
 class Build:
     """A folder of objects and images, brought up to date by one run of Ninja."""
 
@@ -83,11 +89,10 @@ class Build:
         return out
 
     def library(self, target, defines=(), variant=""):
-        """Objects of the core, the scenes and what every processor's programs start with."""
+        """Objects of the core and the scenes."""
         objects = [self.compile(target, "-O2" if room in HOT else "-Os", path, defines, variant) for room, path in sources()]
         objects += [self.compile(target, "-O2", path, defines, variant) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
-        startup = [ROOT / "hal/mcu/memory.cpp", *sorted((ROOT / TARGETS[target].startup).glob("*.[cS]*"))]
-        return objects + [self.compile(target, "-Os", path, defines, variant) for path in startup]
+        return objects
 
     def image(self, target, objects, script, name):
         """An ELF file from these objects, laid out by a linker script."""
@@ -95,7 +100,7 @@ class Build:
         chosen = TARGETS[target]
         inputs = " ".join(str(o) for o in objects)
         self.lines += [f"build {out}: link {inputs} | {script}", f"  compiler = {chosen.prefix}g++",
-                       f"  flags = {' '.join(chosen.machine)} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--no-warn-rwx-segments"]
+                       f"  flags = {' '.join(chosen.machine)} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--cref -Wl,--no-warn-rwx-segments"]
         return out
 
     def run(self):
@@ -104,7 +109,8 @@ class Build:
         done = subprocess.run(["ninja", "--quiet", "-C", str(self.folder), *(["-j", os.environ["JOBS"]] if "JOBS" in os.environ else [])],
                               capture_output=True, text=True)
         if done.returncode != 0:
-            raise RuntimeError(f"the firmware does not build:\n{done.stdout[-8000:]}{done.stderr}")
+            said = [line for line in done.stdout.splitlines() if not line.startswith(("[", "FAILED", "ccache ", "arm-none-eabi-", "riscv64-"))]
+            raise RuntimeError("the firmware does not build:\n" + "\n".join(said[-60:]) + done.stderr)
 
 
 def qemu(machine, image, arguments=(), options=()):
@@ -127,3 +133,34 @@ def sizes(target, image):
     """{section: bytes} of an image."""
     text = subprocess.run([TARGETS[target].prefix + "size", "-A", str(image)], capture_output=True, text=True, check=True).stdout
     return {words[0]: int(words[1]) for words in map(str.split, text.splitlines()) if len(words) == 3 and words[1].isdigit()}
+
+
+# What no image may hold: the heap, exceptions, RTTI, guards of statics, standard I/O.
+FORBIDDEN = re.compile(r"^(malloc|free|calloc|realloc|_sbrk|_Zn[wa]\w*|_Zd[la]\w*|__cxa_(throw|begin_catch|guard_\w+|allocate_exception|atexit)"
+                       r"|__gxx_personality\w*|_Unwind\w*|_ZT[IS]\w+|f?printf|puts)$")
+# Floating point done by software: scenes are programs and may compute as they like, the library may not.
+FLOAT = re.compile(r"^(__aeabi_([fd]\w+|u?[il]2[fd]|ul2[fd]|cf\w+|cd\w+)|__(add|sub|mul|div|neg|eq|ne|lt|le|gt|ge|cmp|unord|extend|trunc|fix|fixuns|float|floatun)\w*[sd]f\w*)$")
+
+
+def _cross_reference(image):
+    """{symbol: [files that define or use it]} of what was linked."""
+    text = pathlib.Path(f"{image}.map").read_text().partition("\nCross Reference Table\n")[2]
+    table, symbol = {}, None
+    for line in text.splitlines():
+        words = line.split()
+        if words and not line.startswith(" "):
+            symbol = words[0]
+        if words and symbol is not None:
+            table.setdefault(symbol, []).append(words[-1])
+    return table
+
+
+def forbidden(target, image):
+    """What an image holds that must not be there."""
+    text = subprocess.run([TARGETS[target].prefix + "nm", str(image)], capture_output=True, text=True, check=True).stdout
+    names = {words[-1] for words in map(str.split, text.splitlines()) if words}
+    found = sorted(name for name in names if FORBIDDEN.match(name))
+    for symbol, files in _cross_reference(image).items():
+        if symbol in names and FLOAT.match(symbol):
+            found += [f"{symbol}, which {pathlib.Path(f).name} uses" for f in files if "boards_scenes_" not in f and "libgcc" not in f]
+    return found

@@ -42,7 +42,7 @@ class Programs:
         self.machine = ["qemu-system-arm", "-M", name.replace("_", "-")]
         self.script = ROOT / "boards" / name / "memory.ld"
         self.build = firmware.Build(folder)
-        self.library = [*self.build.library(self.cpu), self.build.compile(self.cpu, "-Os", ROOT / "hal/mcu/emulated/panic.cpp")]
+        self.library = [*self.build.library(self.cpu), *(self.build.compile(self.cpu, "-Os", path) for path in firmware.startup(self.cpu))]
 
     def add(self, name, main, defines=()):
         own = self.build.compile(self.cpu, "-Os", main, defines, name)

@@ -1,5 +1,6 @@
-// Cortex-M: vectors, reset, faults. The program runs on the process stack, which ends where RAM begins (or
-// at its limit register): overflowing it is a fault, and the handler has a stack of its own.
+// Cortex-M: vectors, reset, faults. The program runs on the process stack. Overflowing it is a fault: of the
+// limit register (Armv8-M), of the MPU (Armv7-M), or of the bus, because RAM begins with it (Armv6-M). The
+// handler has a stack of its own.
 #include <cstdint>
 
 #include "hal/mcu/start.hpp"
@@ -8,7 +9,31 @@
 extern "C" {
 extern std::uint32_t handler_stack_top;
 
+#if defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
+extern char stack_low; // the guard is from here to stack_bottom
+
+/// One region without access over the guard; the rest of memory stays as it is (Armv7-M ARM, B3.5).
+static void close_stack_guard() {
+    using spangle::mcu::reg;
+    constexpr std::uintptr_t type = 0xE000ED90, control = 0xE000ED94, base = 0xE000ED9C,
+                             attributes = 0xE000EDA0;
+    constexpr std::uint32_t regions = 0xFF00, valid = 1u << 4, never_execute = 1u << 28, enable = 1u << 0,
+                            background = 1u << 2;
+    const auto low = reinterpret_cast<std::uintptr_t>(&stack_low);
+    const std::uintptr_t size = reinterpret_cast<std::uintptr_t>(&stack_bottom) - low;
+    if (size < 32 || (reg(type) & regions) == 0)
+        return;
+    reg(base) = low | valid;
+    reg(attributes) = never_execute | static_cast<std::uint32_t>(__builtin_ctz(size) - 1) << 1 | enable;
+    reg(control) = enable | background;
+    asm volatile("dsb\nisb" : : : "memory");
+}
+#else
+static void close_stack_guard() {}
+#endif
+
 [[noreturn, gnu::used]] void spangle_start() {
+    close_stack_guard();
     spangle::mcu::start_program();
 }
 

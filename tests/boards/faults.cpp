@@ -1,0 +1,36 @@
+// Firmware that goes wrong on purpose, by its second argument: an instruction that is none, or a recursion
+// without end. Start-up's handlers report it; nothing else of the board is used.
+#include <cstdint>
+
+#include <spangle/mcu/semihosting.hpp>
+
+namespace {
+
+volatile std::uint32_t sink;
+
+__attribute__((noinline)) std::uint32_t deeper(std::uint32_t n) {
+    volatile std::uint32_t here[8];
+    here[n % 8] = n;
+    sink = here[0];
+    return n == 0 ? 0 : deeper(n + 1) + here[n % 8]; // it wraps long after the stack has ended
+}
+
+} // namespace
+
+int main() {
+    char words[64];
+    if (!spangle::mcu::semihosting::command_line(words, sizeof words))
+        return 1;
+    const char* at = words;
+    while (*at != '\0' && *at != ' ')
+        ++at;
+    if (*at == ' ' && at[1] == 's')
+        sink = deeper(1);
+    if (*at == ' ' && at[1] == 'i')
+#if defined(__riscv)
+        asm volatile(".word 0");
+#else
+        asm volatile("udf #0");
+#endif
+    return 7; // and nothing went wrong
+}

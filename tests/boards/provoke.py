@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Firmware that goes wrong on purpose, on every board: it ends, or goes on, as it should.
+
+usage: provoke.py --build FOLDER [BOARD...]
+
+Exit status 77 (skipped) when a compiler or emulator is missing.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "boards/tools"))
+import boards  # noqa: E402
+import firmware  # noqa: E402
+
+FAULTS = {"stack": r"panic: stack overflow at ", "instruction": r"panic: fault at [0-9a-f]*[1-9a-f]"}
+SHORTAGE = """a panel that does not answer: eglInitialize
+the board's own: shown
+GL_OUT_OF_MEMORY after some textures
+without memory: shown
+the same picture: yes"""
+
+
+def faults(board, image):
+    """Lines that say what is wrong."""
+    wrong = []
+    for word, said in FAULTS.items():
+        try:
+            text = firmware.emulate(board.machine, image, (word,), status=3, timeout=30)
+        except RuntimeError as error:
+            wrong.append(f"{board.name}: {word}: {error}")
+            continue
+        if not re.search(said, text):
+            wrong.append(f"{board.name}: {word}: said '{text.strip()}'")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("boards", nargs="*", metavar="BOARD")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/provoke")
+    arguments = parser.parse_args()
+    chosen = [board for name, board in boards.discover().items() if not arguments.boards or name in arguments.boards]
+    if firmware.missing({board.target for board in chosen}):
+        print("skipped: no compiler or emulator (./dev setup --all installs them)")
+        return 77
+    build, images = firmware.Build(arguments.build), {}
+    for board in chosen:
+        objects = [build.compile(board.target, "-Os", path) for path in (ROOT / "tests/boards/faults.cpp", *firmware.startup(board.target))]
+        images[board.name] = build.image(board.target, objects, board.folder / "memory.ld", f"{board.name}.faults.elf")
+    short = next((board for board in chosen if board.name == "mps2_an386"), None)
+    if short:
+        paths = [ROOT / "tests/boards/shortage.cpp", ROOT / "boards/demo/demo.cpp", short.folder / "board.cpp"]
+        objects = [*(build.compile(short.target, "-Os", path) for path in paths), *build.library(short.target),
+                   *(build.compile(short.target, "-Os", path) for path in firmware.startup(short.target))]
+        shortage = build.image(short.target, dict.fromkeys(objects), short.folder / "memory.ld", "shortage.elf")
+    build.run()
+    wrong = [line for board in chosen for line in faults(board, images[board.name])]
+    if short:
+        text = firmware.emulate(short.machine, shortage)
+        if text.strip() != SHORTAGE:
+            wrong.append(f"shortage: said\n{text}")
+    print("\n".join(wrong) if wrong else f"{len(chosen)} boards end as they should")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

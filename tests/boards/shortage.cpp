@@ -1,0 +1,77 @@
+// Firmware that runs out of memory, and firmware whose panel does not answer: both say so and go on.
+#include <cstdint>
+
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+#include <spangle/hal/polled_bus.hpp>
+#include <spangle/mcu/semihosting.hpp>
+#include <spangle/native.hpp>
+
+#include "boards/board.hpp"
+#include "boards/demo/demo.hpp"
+#include "boards/mps2_an386/display.hpp"
+
+namespace {
+
+using namespace spangle;
+namespace semihosting = mcu::semihosting;
+
+/// Nobody acknowledges.
+struct DeadPort final : hal::PolledPort {
+    hal::Fault begin(bool) override { return hal::Fault::no_answer; }
+    hal::Fault write(const std::uint8_t*, std::uint32_t) override { return hal::Fault::no_answer; }
+    hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) override { return hal::Fault::no_answer; }
+    void end() override {}
+    void reset(bool) override {}
+    void pause(std::uint32_t) override {}
+};
+
+DeadPort dead_port;
+hal::BusMemoryOf<boards::mps2_an386> dead_frames;
+hal::PolledBus dead_bus{dead_port, hal::bus_caps(boards::mps2_an386), dead_frames.buffer()};
+hal::BoardDisplay<boards::mps2_an386> dead_display{dead_bus};
+
+struct Hash final : demo::Watcher {
+    explicit Hash(hal::Display& d) : display(d) {}
+    void drawn() override { value = demo::frame_hash(display); }
+    hal::Display& display;
+    std::uint32_t value = 0;
+};
+
+void say(const char* what, const char* how) {
+    semihosting::print(what);
+    semihosting::print(": ");
+    semihosting::print(how != nullptr ? how : "shown");
+    semihosting::print("\n");
+}
+
+/// A scene of textures, until there is no room for one more; then it draws with those it has.
+void setup(int width, int height) {
+    static const GLubyte texels[64 * 64 * 3] = {};
+    int count = 0;
+    for (; count < 1000 && glGetError() == GL_NO_ERROR; ++count) {
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        glBindTexture(GL_TEXTURE_2D, name);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+        if (glGetError() == GL_OUT_OF_MEMORY)
+            break;
+    }
+    semihosting::print(count > 8 && count < 1000 ? "GL_OUT_OF_MEMORY after some textures\n"
+                                                 : "no shortage was met\n");
+    glBindTexture(GL_TEXTURE_2D, 1);
+    scenes::two_triangles.setup(width, height);
+}
+const scenes::Scene shortage{"shortage", "textures without end", setup, scenes::two_triangles.draw};
+
+} // namespace
+
+int main() {
+    hal::Display& display = board::start();
+    Hash none(dead_display), wanted(display), got(display);
+    say("a panel that does not answer", demo::play(dead_display, scenes::two_triangles, 1, none));
+    say("the board's own", demo::play(display, scenes::two_triangles, 1, wanted));
+    say("without memory", demo::play(display, shortage, 1, got));
+    say("the same picture", wanted.value == got.value ? "yes" : "no");
+    return 0;
+}
