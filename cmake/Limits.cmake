@@ -21,5 +21,5 @@ spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0
 spangle_limit(TIERS 3 "Tiers of accuracy: 3, or 1 for the exact one alone")
 spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")
 spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")
-spangle_limit(COLOR_FORMATS 511 "Sum of 2^PixelFormat over the formats that are drawn on")
+spangle_limit(COLOR_FORMATS 1023 "Sum of 2^PixelFormat over the formats that are drawn on")
 spangle_limit(DEPTH_FORMATS 7 "Sum of 2^DepthFormat over the depth buffers there are")

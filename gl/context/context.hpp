@@ -55,6 +55,11 @@ struct Drawable {
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };
 
+/// INDEX_MODE.
+constexpr bool is_indexed(const Drawable& drawable) {
+    return raster::has_format(PixelFormat::index8) && drawable.index_bits != 0;
+}
+
 struct Context {
     std::uint8_t gate = 0;          ///< Gate bits
     std::uint8_t dirty = dirty_all; ///< Dirty bits

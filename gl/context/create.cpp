@@ -110,6 +110,8 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     Drawable& drawable = context->drawable;
     drawable.surface = surface;
     drawable.double_buffered = double_buffered;
+    drawable.index_bits =
+        raster::drawn_indexed(surface.format) ? format_info(surface.format).index_bits : std::uint8_t{0};
     drawable.show = show;
     read_from(*context, surface, double_buffered);
     context->changed(dirty_all);

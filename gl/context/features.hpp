@@ -1,6 +1,7 @@
 // The optional systems of a build (design 5). CMake defines them; a build by hand has everything.
 #pragma once
 
+#include <spangle/format.hpp>
 #include <spangle/raster/features.hpp>
 
 #ifndef SPANGLE_FEATURE_LISTS
@@ -11,9 +12,6 @@
 #endif
 #ifndef SPANGLE_FEATURE_SECONDARY_COLOR
 #define SPANGLE_FEATURE_SECONDARY_COLOR 1
-#endif
-#ifndef SPANGLE_FEATURE_COLOR_INDEX
-#define SPANGLE_FEATURE_COLOR_INDEX 1
 #endif
 #ifndef SPANGLE_FEATURE_ACCUM
 #define SPANGLE_FEATURE_ACCUM 1

@@ -30,6 +30,11 @@ bool exists(const Config& config) {
            precision_of(config.precision).engine != nullptr;
 }
 
+/// No fused spans.
+bool is_slow(PixelFormat format) {
+    return is_narrow(format) || is_indexed(format);
+}
+
 EGLConfig handle_of(const Config& config) {
     return reinterpret_cast<EGLConfig>(static_cast<std::uintptr_t>(config.id));
 }
@@ -56,7 +61,8 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     switch (name) {
     case EGL_BUFFER_SIZE:
         return {true, info.grey ? info.red_bits
-                                : info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits};
+                                : info.red_bits + info.green_bits + info.blue_bits + info.alpha_bits +
+                                      info.index_bits};
     case EGL_RED_SIZE:
         return {true, info.red_bits};
     case EGL_GREEN_SIZE:
@@ -69,12 +75,14 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
         return {true, c.depth == DepthFormat::none ? 0 : c.depth == DepthFormat::z16 ? 16 : 24};
     case EGL_STENCIL_SIZE:
         return {true, c.depth == DepthFormat::z24s8 ? 8 : 0};
-    case EGL_CONFIG_CAVEAT: // narrow formats have no fused spans
-        return {true, is_narrow(c.format) ? EGL_SLOW_CONFIG : EGL_NONE};
+    case EGL_CONFIG_CAVEAT:
+        return {true, is_slow(c.format) ? EGL_SLOW_CONFIG : EGL_NONE};
     case EGL_CONFIG_ID:
         return {true, c.id};
     case EGL_COLOR_BUFFER_TYPE:
-        return {true, EGL_RGB_BUFFER};
+        return {true, is_indexed(c.format) ? EGL_INDEX_BUFFER_SPANGLE : EGL_RGB_BUFFER};
+    case EGL_INDEX_SIZE_SPANGLE:
+        return {true, info.index_bits};
     case EGL_SURFACE_TYPE:
         return {true, EGL_PBUFFER_BIT | (fits_window(display, c) ? EGL_WINDOW_BIT : 0)};
     case EGL_RENDERABLE_TYPE:
@@ -131,6 +139,7 @@ constexpr Wish defaults[] = {
     {EGL_BLUE_SIZE, Rule::at_least, 0},
     {EGL_ALPHA_SIZE, Rule::at_least, 0},
     {EGL_LUMINANCE_SIZE, Rule::at_least, 0},
+    {EGL_INDEX_SIZE_SPANGLE, Rule::at_least, 0},
     {EGL_ALPHA_MASK_SIZE, Rule::at_least, 0},
     {EGL_DEPTH_SIZE, Rule::at_least, 0},
     {EGL_STENCIL_SIZE, Rule::at_least, 0},
@@ -214,8 +223,8 @@ EGLint wish_for(const Wishes& wishes, EGLint name) {
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
 /// then the smaller buffers, then the id.
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
-    if (is_narrow(a.format) != is_narrow(b.format)) // caveat
-        return is_narrow(b.format);
+    if (is_slow(a.format) != is_slow(b.format)) // caveat
+        return is_slow(b.format);
     EGLint bits_a = 0, bits_b = 0;
     for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
         const EGLint wish = wish_for(wishes, name);

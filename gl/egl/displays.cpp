@@ -198,8 +198,14 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
     case EGL_CLIENT_APIS:
         return "OpenGL";
     case EGL_EXTENSIONS:
-        return SPANGLE_FEATURE_BANDS ? "EGL_EXT_buffer_age EGL_SPANGLE_precision EGL_SPANGLE_bands"
-                                     : "EGL_EXT_buffer_age EGL_SPANGLE_precision";
+        return "EGL_EXT_buffer_age EGL_SPANGLE_precision"
+#if SPANGLE_FEATURE_BANDS
+               " EGL_SPANGLE_bands"
+#endif
+#if SPANGLE_FEATURE_COLOR_INDEX
+               " EGL_SPANGLE_color_index"
+#endif
+            ;
     default:
         fail(EGL_BAD_PARAMETER);
         return nullptr;

@@ -52,6 +52,7 @@ __eglMustCastToProperFunctionPointerType find_egl(const char* name) {
         ENTRY(eglWaitClient),
         ENTRY(eglWaitNative),
         ENTRY(eglReleaseThread),
+        ENTRY(eglSetPaletteSPANGLE),
         ENTRY(eglSwapBuffers),
         ENTRY(eglGetProcAddress),
     };

@@ -4,6 +4,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
+#include "gl/pixel/index.hpp"
 #include "raster/surface/accum.hpp"
 #include "raster/surface/samples.hpp"
 
@@ -42,8 +43,11 @@ void Clear(Context& context, GLbitfield mask) {
     request.stencil_mask = (mask & GL_STENCIL_BUFFER_BIT) != 0
                                ? static_cast<std::uint8_t>(ops.stencil[0].write_mask)
                                : std::uint8_t{0};
-    for (int c = 0; c < 4; ++c)
-        request.color[c] = color_units(ops.color_clear[c]);
+    if (is_indexed(context.drawable))
+        request.color[0] = index_units(ops.index_clear, context.drawable.index_bits);
+    else
+        for (int c = 0; c < 4; ++c)
+            request.color[c] = color_units(ops.color_clear[c]);
     request.z = static_cast<std::uint32_t>(numeric::to_fixed(ops.depth_clear, 30));
     request.stencil = static_cast<std::uint8_t>(ops.stencil_clear);
     raster::clear_samples(context.drawable.surface, request);

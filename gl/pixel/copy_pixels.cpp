@@ -40,6 +40,9 @@ struct BufferGroups : GroupSource {
         transfer.apply(pixel);
         return pixel;
     }
+    Index index(std::int32_t n, std::int32_t m) const {
+        return transfer.index(whole_index(raster::read_index(surface, column(n), row(m))));
+    }
     Component depth(std::int32_t n, std::int32_t m) const {
         return transfer.depth(fetch_depth(surface, column(n), row(m)));
     }
@@ -59,7 +62,7 @@ struct Plane {
     std::int32_t pixel;
 };
 Plane plane_of(raster::Surface& surface, Content content) {
-    if (content == Content::color)
+    if (content <= Content::index)
         return {surface.color, surface.color_stride, format_info(surface.format).bytes_per_pixel};
     return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
 }
@@ -172,7 +175,7 @@ void cmd::CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei 
     if (!raster_position_draws(context, GL_COPY_PIXEL_TOKEN))
         return;
     copy(context, x, y, width, height,
-         type == GL_COLOR   ? Content::color
+         type == GL_COLOR   ? (is_indexed(context.drawable) ? Content::index : Content::color)
          : type == GL_DEPTH ? Content::depth
                             : Content::stencil);
 }

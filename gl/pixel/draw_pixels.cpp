@@ -27,6 +27,9 @@ struct ClientGroups : GroupSource {
     std::size_t column(std::int32_t n) const { return rows.skip_bits + static_cast<std::size_t>(n); }
 
     Pixel color(std::int32_t n, std::int32_t m) const { return colors.color(row(m), column(n)); }
+    Index index(std::int32_t n, std::int32_t m) const {
+        return transfer.index(groups.index(row(m), column(n)));
+    }
     Component depth(std::int32_t n, std::int32_t m) const {
         return transfer.depth(groups.depth(row(m), column(n)));
     }
@@ -62,7 +65,11 @@ void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, 
         return error(context, refused, SPANGLE_TEXT("glDrawPixels: format and type do not go together"));
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
-    const Content content = content_of(layout);
+    const bool index_mode = is_indexed(context.drawable);
+    const Content content = content_of(layout, index_mode);
+    if (content == Content::color && index_mode)
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("glDrawPixels: colours, but this surface holds colour indices"));
     if (content == Content::stencil && context.drawable.surface.depth_format != DepthFormat::z24s8)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glDrawPixels: the surface has no stencil buffer"));

@@ -21,6 +21,16 @@ inline Pixel fetch_color(const raster::Surface& surface, std::int32_t x, std::in
     return pixel;
 }
 
+/// Behind pixel transfer; an index becomes a colour by the maps (GL 1.3, 4.3.2).
+inline Pixel transferred_color(const raster::Surface& surface, const Transfer& transfer, std::int32_t x,
+                               std::int32_t y) {
+    if (raster::drawn_indexed(surface.format))
+        return transfer.color_of(whole_index(raster::read_index(surface, x, y)));
+    Pixel pixel = fetch_color(surface, x, y);
+    transfer.apply(pixel);
+    return pixel;
+}
+
 inline Component fetch_depth(const raster::Surface& surface, std::int32_t x, std::int32_t y) {
     const raster::StoredDepth stored = raster::read_depth(surface, x, y);
     return fraction(stored.k, stored.max);

@@ -3,6 +3,7 @@
 #include "gl/context/features.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/pixel/index.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
@@ -84,8 +85,11 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
     out.fog_mode = fog.mode == GL_EXP    ? raster::FogMode::exp
                    : fog.mode == GL_EXP2 ? raster::FogMode::exp2
                                          : raster::FogMode::linear;
-    for (int c = 0; c < 3; ++c)
-        out.fog_color[c] = color_units(fog.color[c]);
+    if (is_indexed(context.drawable))
+        out.fog_color[0] = index_units(fog.index, context.drawable.index_bits);
+    else
+        for (int c = 0; c < 3; ++c)
+            out.fog_color[c] = color_units(fog.color[c]);
     out.fog_density = numeric::to_float_bits(fog.density);
     out.fog_start = numeric::to_float_bits(fog.start);
     out.fog_end = numeric::to_float_bits(fog.end);
@@ -99,9 +103,6 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
 void fill_tests(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     const DepthFormat format = context.drawable.surface.depth_format;
-    out.alpha_test = ops.alpha_test;
-    out.alpha_func = compare_of(ops.alpha_func);
-    out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
     // Without a stencil or depth buffer the test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
     out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
     out.stencil = stencil_of(ops.stencil[0]);
@@ -172,20 +173,31 @@ void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out)
 #endif
 }
 
-void fill(const Context& context, raster::FragmentState& out) {
+/// What happens to colours alone: indices are neither textured nor summed, tested by alpha or blended.
+void fill_colors(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     fill_textures(context, out);
-    fill_fog(context, out);
-    fill_tests(context, out);
-    fill_samples(context, out);
-    out.flat = context.polygon.shade_model == GL_FLAT;
     out.color_sum = sums_colors(context.lighting);
+    out.alpha_test = ops.alpha_test;
+    out.alpha_func = compare_of(ops.alpha_func);
+    out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
     out.blend = ops.blend;
     out.blend_rgb = blending_of(ops.blend_rgb);
     out.blend_alpha = blending_of(ops.blend_alpha);
     for (int c = 0; c < 4; ++c)
         out.blend_color[c] = color_units(ops.blend_color[c]);
-    out.logic = ops.color_logic_op;
+}
+
+void fill(const Context& context, raster::FragmentState& out) {
+    const FragmentOpsState& ops = context.fragment_ops;
+    const bool indexed = is_indexed(context.drawable);
+    if (!indexed)
+        fill_colors(context, out);
+    fill_fog(context, out);
+    fill_tests(context, out);
+    fill_samples(context, out);
+    out.flat = context.polygon.shade_model == GL_FLAT;
+    out.logic = indexed ? ops.index_logic_op : ops.color_logic_op;
     out.logic_op = static_cast<raster::LogicOp>(ops.logic_op - GL_CLEAR);
     out.dither = ops.dither;
     out.color_mask = written_channels(context);
@@ -220,6 +232,8 @@ std::uint8_t written_channels(const Context& context) {
     const FragmentOpsState& ops = context.fragment_ops;
     if (ops.draw_buffer == GL_NONE)
         return 0;
+    if (is_indexed(context.drawable))
+        return static_cast<std::uint8_t>(ops.index_mask & ((1u << context.drawable.index_bits) - 1));
     unsigned mask = 0;
     for (unsigned c = 0; c < 4; ++c)
         mask |= ops.color_mask[c] ? 1u << c : 0u;

@@ -19,7 +19,8 @@ const raster::DrawState& draw_state_of(const Context& context, int side);
 /// The scissor rectangle cut to the surface; the whole surface while SCISSOR_TEST is off. May be empty.
 Rect drawing_rect(const Context& context);
 
-/// Bits 0..3: red, green, blue, alpha of the colour buffer are written. 0 while DrawBuffer is NONE.
+/// Bits 0..3: red, green, blue, alpha of the colour buffer are written, or the bits of an index that are. 0
+/// while DrawBuffer is NONE.
 std::uint8_t written_channels(const Context& context);
 
 /// A real colour component, clamped, in the rasterizer's units: 255ths with 20 fraction bits.

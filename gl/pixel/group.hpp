@@ -12,12 +12,14 @@ struct ColorBits {
     std::uint8_t of[4] = {8, 8, 8, 8};
 };
 
-/// What the groups of a format are; colour indices are colours to come.
-enum class Content : std::uint8_t { color, depth, stencil };
-inline Content content_of(const PixelLayout& layout) {
-    return layout.channel[0] == Channel::depth     ? Content::depth
-           : layout.channel[0] == Channel::stencil ? Content::stencil
-                                                   : Content::color;
+/// What the groups of a format are; colour indices are colours to come where the framebuffer does not hold
+/// indices.
+enum class Content : std::uint8_t { color, index, depth, stencil };
+inline Content content_of(const PixelLayout& layout, bool index_mode) {
+    return layout.channel[0] == Channel::depth                       ? Content::depth
+           : layout.channel[0] == Channel::stencil                   ? Content::stencil
+           : layout.channel[0] == Channel::color_index && index_mode ? Content::index
+                                                                     : Content::color;
 }
 
 /// Groups of one image in client memory, as UNPACK_SWAP_BYTES and UNPACK_LSB_FIRST say they lie. `row` is the

@@ -7,6 +7,7 @@
 
 #include "gl/pixel/pixel_layout.hpp"
 #include "raster/numeric/real.hpp"
+#include <spangle/raster/units.hpp>
 
 namespace spangle::gl {
 
@@ -29,6 +30,22 @@ constexpr Index index_of(numeric::Real v) {
                                     : up >= 0            ? std::uint64_t{u.mantissa} << up
                                                          : numeric::shift_right_even(u.mantissa, -up);
     return {(u.negative ? 0 - magnitude : magnitude) & index_mask};
+}
+
+/// In the rasterizer's units, 20 fraction bits; the integer part is masked to so many bits
+/// (GL 1.3, 2.13.6, 3.6.4, 3.10, 4.2.3).
+constexpr std::uint32_t index_units(numeric::Real v, unsigned bits) {
+    const numeric::detail::Unpacked u = numeric::detail::unpack(v);
+    const std::int32_t up = u.exponent + raster::color_fraction_bits;
+    const std::uint64_t magnitude = up >= 32  ? 0
+                                    : up >= 0 ? std::uint64_t{u.mantissa} << up
+                                              : numeric::shift_right_even(u.mantissa, -up);
+    return static_cast<std::uint32_t>(u.negative ? 0 - magnitude : magnitude) &
+           ((1u << (bits + raster::color_fraction_bits)) - 1);
+}
+constexpr std::uint32_t index_units(Index index, unsigned bits) {
+    return static_cast<std::uint32_t>(index.bits << (raster::color_fraction_bits - index_fraction_bits)) &
+           ((1u << (bits + raster::color_fraction_bits)) - 1);
 }
 
 /// Of `bits` bits in an element.

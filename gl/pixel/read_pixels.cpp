@@ -21,8 +21,10 @@ void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t v
     row[at / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[at / 8] | mask : row[at / 8] & ~mask);
 }
 
-void read_stencil(const Read& r, std::int32_t x, std::int32_t y, unsigned char* row, std::size_t group) {
-    const Index index = r.transfer.stencil(whole_index(raster::read_stencil(r.surface, x, y)));
+void read_index(const Read& r, std::int32_t x, std::int32_t y, unsigned char* row, std::size_t group) {
+    const Index index = r.content == Content::stencil
+                            ? r.transfer.stencil(whole_index(raster::read_stencil(r.surface, x, y)))
+                            : r.transfer.index(whole_index(raster::read_index(r.surface, x, y)));
     if (r.layout.kind == ElementKind::bitmap)
         put_bit(row, group, r.lsb_first, rounded(index));
     else
@@ -34,17 +36,15 @@ void read_stencil(const Read& r, std::int32_t x, std::int32_t y, unsigned char* 
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {
-        if (r.content == Content::stencil) {
-            read_stencil(r, x, y, row, group);
+        if (r.content == Content::stencil || r.content == Content::index) {
+            read_index(r, x, y, row, group);
             continue;
         }
         Pixel pixel{};
-        if (r.content == Content::depth) {
+        if (r.content == Content::depth)
             pixel.value[0] = r.transfer.depth(fetch_depth(r.surface, x, y));
-        } else {
-            pixel = fetch_color(r.surface, x, y);
-            r.transfer.apply(pixel);
-        }
+        else
+            pixel = transferred_color(r.surface, r.transfer, x, y);
         pack_pixel(r.layout, r.swap_bytes, pixel, row + group * r.layout.group_bytes());
     }
 }
@@ -81,7 +81,8 @@ namespace cmd {
 
 void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                 void* pixels) {
-    if (format == GL_COLOR_INDEX)
+    const bool index_mode = is_indexed(context.drawable);
+    if (format == GL_COLOR_INDEX && !index_mode)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glReadPixels: GL_COLOR_INDEX, but the colours of this surface are RGBA"));
     PixelLayout layout;
@@ -91,7 +92,7 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
     const raster::Surface& surface = read_surface(context);
-    const Content content = content_of(layout);
+    const Content content = content_of(layout, index_mode);
     if ((content == Content::depth && surface.depth_format == DepthFormat::none) ||
         (content == Content::stencil && surface.depth_format != DepthFormat::z24s8))
         return error(context, GL_INVALID_OPERATION,

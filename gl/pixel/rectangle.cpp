@@ -143,7 +143,10 @@ void draw_rectangle(Context& context, const GroupSource& source, Content content
     const bool depth = content == Content::depth;
     const raster::DrawState& state =
         draw_state(context, Drawn::pixels, depth ? raster::Colors::of_vertices : colors);
-    const RowForm form = depth ? RowForm::depth : state.words ? RowForm::words : RowForm::color;
+    const RowForm form = depth                       ? RowForm::depth
+                         : content == Content::index ? RowForm::index
+                         : state.words               ? RowForm::words
+                                                     : RowForm::color;
     each_target(context, [&](const raster::Surface& target, raster::Position shift) {
         Rectangle rectangle(context, source, form, order, shift);
         Fragments fragments{{emit}, rectangle, form, state.pixels};

@@ -13,14 +13,14 @@ struct Context;
 /// What the groups of a row become, some fragments at a time.
 inline constexpr std::int32_t rectangle_chunk = 64;
 union RectangleRow {
-    std::uint32_t color[4 * rectangle_chunk];                  ///< colour units
+    std::uint32_t color[4 * rectangle_chunk]; ///< colour units, or an index in the place of red
     std::uint16_t words[rectangle_chunk + raster::pixel_room]; ///< R5 G6 B5, with room behind the last one
     std::uint32_t depth[rectangle_chunk];                      ///< Q0.30
     std::uint8_t stencil[rectangle_chunk];
 };
 
 /// Which of them.
-enum class RowForm : std::uint8_t { color, words, depth, stencil };
+enum class RowForm : std::uint8_t { color, words, index, depth, stencil };
 
 /// Where the groups come from, and which there are.
 struct GroupSource {
@@ -44,8 +44,8 @@ void draw_rectangle(Context& context, const GroupSource& source, Content content
 /// raster position (GL 1.3, 5.3).
 bool raster_position_draws(Context& context, GLenum token);
 
-/// `fill` of a source with color(n, m), depth(n, m) and stencil(n, m), behind pixel transfer. A group that
-/// covers several fragments is looked at once.
+/// `fill` of a source with color(n, m), index(n, m), depth(n, m) and stencil(n, m), behind pixel transfer. A
+/// group that covers several fragments is looked at once.
 template <class Source>
 void fill_groups(const GroupSource& base, RowForm form, std::int32_t m, ZoomAxis::Walk n, std::int32_t count,
                  RectangleRow& out) {
@@ -81,6 +81,16 @@ void fill_groups(const GroupSource& base, RowForm form, std::int32_t m, ZoomAxis
                                                       code_of(pixel.value[1], 8) >> 2 << 5 |
                                                       code_of(pixel.value[2], 8) >> 3);
         });
+    case RowForm::index:
+        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+            each([&](std::int32_t i, std::int32_t group, bool again) {
+                std::uint32_t* const to = out.color + 4 * i;
+                to[0] =
+                    again ? to[-4]
+                          : index_units(source.index(group, m), format_info(PixelFormat::index8).index_bits);
+                to[1] = to[2] = to[3] = 0;
+            });
+        return;
     case RowForm::depth:
         return each([&](std::int32_t i, std::int32_t group, bool again) {
             out.depth[i] = again ? out.depth[i - 1] : steps_of(source.depth(group, m), raster::depth_one);

@@ -53,6 +53,15 @@ Pixel Transfer::color_of(Index index) const {
     return color;
 }
 
+Index Transfer::index(Index index) const {
+    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    if (!state_.map_color)
+        return moved;
+    const PixelMap* const map = state_.map[map_i_to_i];
+    const std::uint32_t to = entry_at(map, moved);
+    return map == nullptr || map->integers ? whole_index(to) : index_of(Real{to});
+}
+
 Index Transfer::stencil(Index index) const {
     const Index moved = shifted(index, state_.index_shift, state_.index_offset);
     if (!state_.map_stencil)
@@ -75,6 +84,10 @@ Pixel Transfer::color_of(Index) const {
     static_cast<void>(state_);
     const Component nothing = component(numeric::zero);
     return {{nothing, nothing, nothing, nothing}};
+}
+
+Index Transfer::index(Index index) const {
+    return index;
 }
 
 Index Transfer::stencil(Index index) const {

@@ -28,6 +28,8 @@ class Transfer {
     }
     /// Shift and offset, then the maps from indices to colours, whatever MAP_COLOR is.
     Pixel color_of(Index index) const;
+    /// Shift and offset, then the map of colour indices.
+    Index index(Index index) const;
     /// Shift and offset, then the map of stencil indices.
     Index stencil(Index index) const;
     Component depth(Component z) const;

@@ -45,8 +45,7 @@ class Copy {
         if (is_depth(image_.shape.format)) {
             codes[0] = code_of(transfer_.depth(fetch_depth(from_, x, y)), bits_.of[0]);
         } else {
-            Pixel color = fetch_color(from_, x, y);
-            transfer_.apply(color);
+            const Pixel color = transferred_color(from_, transfer_, x, y);
             for (unsigned c = 0; c < 4; ++c)
                 codes[c] = code_of(color.value[c], bits_.of[c]);
         }

@@ -237,7 +237,7 @@ struct DoubleMath {
     /// In 255ths, as the integers have it.
     static void set_index(double index, unsigned bits, Window& out) {
         const double range = static_cast<double>(1u << bits), part = std::fmod(index, range);
-        out.color[0] = (part < 0.0 ? part + range : part) / 255.0;
+        out.color[0] = std::fmin(part < 0.0 ? part + range : part, 256.0 - 0x1p-8) / 255.0;
         out.color[1] = out.color[2] = out.color[3] = 0.0;
         for (double& c : out.secondary)
             c = 0.0;

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "gl/context/context.hpp"
+#include "gl/pixel/index.hpp"
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/matrix_build.hpp"
@@ -440,16 +441,11 @@ struct FixedMath {
     }
 
     /// A colour index of so many bits takes the place of red, in units of 2^-20: interpolation is the same.
-    /// Its integer part is masked (GL 1.3, 2.13.6).
+    /// Planes have room for what lies between the last index and 256, less what set-up may be off by.
+    static constexpr std::uint32_t largest_index = (256u << raster::color_fraction_bits) - (1u << 12);
     [[gnu::noinline]] static void set_index(Real index, unsigned bits, Window& out) {
-        const numeric::Block v = numeric::to_block(index);
-        const int up = v.e + index_fraction;
-        const std::int64_t m = v.m;
-        const std::uint64_t units =
-            up >= 64  ? 0
-            : up >= 0 ? static_cast<std::uint64_t>(m) << up
-                      : static_cast<std::uint64_t>(numeric::shift_right_round(m, up < -62 ? 62 : -up));
-        out.color[0] = static_cast<std::uint32_t>(units) & ((1u << (bits + index_fraction)) - 1);
+        const std::uint32_t units = index_units(index, bits);
+        out.color[0] = units < largest_index ? units : largest_index;
         out.color[1] = out.color[2] = out.color[3] = 0;
 #if SPANGLE_FEATURE_LIGHTING
         for (std::uint32_t& c : out.secondary)
@@ -457,7 +453,7 @@ struct FixedMath {
 #endif
     }
     static Real index_of(const Window& v) {
-        return real(numeric::make_block(v.color[0], -index_fraction));
+        return real(numeric::make_block(v.color[0], -raster::color_fraction_bits));
     }
 
     /// What fragments of pixel rectangles and bitmaps have of the raster position: all but a place.
@@ -488,8 +484,6 @@ struct FixedMath {
     }
 
   private:
-    static constexpr int index_fraction = 20;
-
     /// Up to which number of leading zeros of w no lifted coordinate is shifted by more than 31.
     static std::uint32_t most_zeros(const std::int32_t (&lift)[3]) {
         std::int32_t most = 31;

@@ -11,6 +11,10 @@ DisplayInfo MappedDisplay::info() const {
 }
 
 Result<void> MappedDisplay::check() const {
+    if (!is_drawable(config_.format) || stored_rows(config_.format, 8) != 8 ||
+        format_info(config_.format).bytes_per_pixel == 0)
+        return Error{Fault::bad_argument,
+                     "memory-mapped display: pixels of whole bytes that this build can draw"};
     if (config_.width <= 0 || config_.height <= 0 || config_.width > INT16_MAX || config_.height > INT16_MAX)
         return Error{Fault::bad_argument, "memory-mapped display: a size of 1 to 32767 pixels each way"};
     if (stride() < config_.width * format_info(config_.format).bytes_per_pixel)
@@ -36,11 +40,27 @@ Result<void> MappedDisplay::init() {
     }
     extents_ = {config_.touched, config_.touched != nullptr ? config_.height : 0, false, 0};
     forget_extents();
+    begin_palette();
     port_.clean(config_.buffers[0], bytes);
     port_.show(config_.buffers[0]);
     asked_ = back_ = 0;
     drawing_ = false;
     ready_ = true;
+    return {};
+}
+
+/// Blocks that scan eight bits a pixel look all of them up.
+void MappedDisplay::begin_palette() {
+    if (format_info(config_.format).bits != 8 || (!is_narrow(config_.format) && !is_indexed(config_.format)))
+        return;
+    for (std::int32_t i = 0; i < palette_size; ++i)
+        port_.palette(i, 1, initial_color(i).c);
+}
+
+Result<void> MappedDisplay::set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
+    if (!is_indexed(config_.format))
+        return Error{Fault::unsupported, "memory-mapped display: its surface is not one of indices"};
+    port_.palette(first, count, rgb);
     return {};
 }
 

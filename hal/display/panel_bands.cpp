@@ -21,6 +21,10 @@ Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) 
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
     if (first == 0 && !band_.complete)
         forget_content(); // which clear value is outside of it differs from band to band
+    if (first == 0 && is_indexed(config_.format) && memory_.palette->any_stale()) {
+        forget_content(); // what shows the new colours was drawn in buffers that are gone
+        memory_.palette->all_fresh();
+    }
     band_.first = first;
     band_.rows = rows;
     band_.complete = false;

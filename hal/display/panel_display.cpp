@@ -136,11 +136,12 @@ Result<void> PanelDisplay::present() {
 Result<void> PanelDisplay::show(bool in_place) {
     restore_extents();
     collect_damage();
+    const bool recolored = is_indexed(config_.format) && collect_palette_damage();
     if (turns_)
         turn_damage();
     if (hash_.enabled()) // whose reduced damage would not do for a buffer two sends behind
         memory_.hash.code->reduce(hash_, sent_damage(), buffers_[turns_ ? 1 : back_].to_send(),
-                                  static_cast<std::int32_t>(sent_stride()), suspect_ || behind_);
+                                  static_cast<std::int32_t>(sent_stride()), suspect_ || behind_ || recolored);
     if (const auto r = send(); !r)
         return r;
     if (config_.buffers == 1 && !config_.wire.converts()) {

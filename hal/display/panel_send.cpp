@@ -135,8 +135,12 @@ Result<void> PanelDisplay::append_windows(const Rect& area) {
 /// Turns the window's pixels into the wire's, behind those of the windows before it.
 std::size_t PanelDisplay::convert(const Rect& window) {
     const auto stride = static_cast<std::int32_t>(this->stride());
-    const Picture picture = {buffers_[back_].to_send() - std::ptrdiff_t{band_.first} * stride, stride,
-                             placement_.size.height, config_.format, (placement_.madctl & dcs::MV) != 0};
+    const Picture picture = {buffers_[back_].to_send() - std::ptrdiff_t{band_.first} * stride,
+                             stride,
+                             placement_.size.height,
+                             config_.format,
+                             (placement_.madctl & dcs::MV) != 0,
+                             memory_.palette};
     return config_.wire.convert(picture, window, wire_.to_draw(bus_) + wire_end_);
 }
 

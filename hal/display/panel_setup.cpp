@@ -23,6 +23,12 @@ Result<void> PanelDisplay::check_config() const {
                      "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
     if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
         return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
+    if (!is_drawable(config_.format))
+        return Error{Fault::unsupported,
+                     "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
+                     "SPANGLE_FEATURE_COLOR_INDEX)"};
+    if (is_indexed(config_.format) && memory_.palette == nullptr)
+        return Error{Fault::bad_argument, "display: the storage has no room for the palette of indices"};
     if (!lies_as_it_travels(config_))
         return Error{Fault::unsupported,
                      "display: pixels that share bytes lie otherwise in the panel's memory; give it a wire"};
@@ -133,6 +139,8 @@ Result<void> PanelDisplay::init() {
     if (!opened_) {
         extents_ = {memory_.touched, held(config_, picture_).height, false, 0};
         forget_extents();
+        if (is_indexed(config_.format))
+            begin_palette();
         front_ = static_cast<std::uint8_t>(canvases() - 1);
         back_ = 0;
         opened_ = true;

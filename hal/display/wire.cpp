@@ -1,5 +1,7 @@
 #include <spangle/hal/wire.hpp>
 
+#include <type_traits>
+
 namespace spangle::hal {
 namespace {
 
@@ -27,7 +29,7 @@ struct Of565 {
     }
 };
 
-/// Pixels of a byte a component, with alpha or without.
+/// Pixels of a byte a component, with alpha or without, and entries of palettes.
 struct Of888 {
     Component<255> r, g, b;
 
@@ -42,22 +44,31 @@ template <class Color, class Value> class Row {
         : at_(picture.pixels + static_cast<std::ptrdiff_t>(y) * picture.stride),
           bytes_(format_info(picture.format).bytes_per_pixel),
           high_(picture.format == PixelFormat::rgb565_be ? 0 : 1),
+          palette_(is_indexed(picture.format) ? picture.palette : nullptr),
           thresholds_(dither_row(picture.height - 1 - y)) {}
 
     std::uint32_t operator[](std::int32_t x) const {
-        return Value{}(Color(at_ + static_cast<std::ptrdiff_t>(x) * bytes_, high_),
-                       dither_threshold(thresholds_, x));
+        return Value{}(Color(pixel(x), high_), dither_threshold(thresholds_, x));
     }
 
   private:
+    const std::uint8_t* pixel(std::int32_t x) const {
+        if constexpr (SPANGLE_FEATURE_COLOR_INDEX && std::is_same_v<Color, Of888>)
+            if (palette_ != nullptr)
+                return palette_->color[at_[x]];
+        return at_ + static_cast<std::ptrdiff_t>(x) * bytes_;
+    }
+
     const std::uint8_t* at_ = nullptr;
     std::int32_t bytes_ = 0, high_ = 0;
+    const Palette* palette_ = nullptr;
     std::uint32_t thresholds_ = 0;
 };
 
 /// Calls `convert` with the colour type of the picture's pixels.
 template <class Convert> std::size_t for_format(const Picture& picture, Convert convert) {
-    const bool wide = picture.format == PixelFormat::rgb888 || picture.format == PixelFormat::rgba8888;
+    const bool wide = picture.format == PixelFormat::rgb888 || picture.format == PixelFormat::rgba8888 ||
+                      is_indexed(picture.format);
     return wide ? convert.template operator()<Of888>() : convert.template operator()<Of565>();
 }
 

@@ -1,5 +1,7 @@
 #include "host_sim/board/scanned_memory.hpp"
 
+#include <algorithm>
+
 namespace spangle::sim {
 namespace {
 
@@ -25,6 +27,10 @@ void ScannedMemory::show(const std::uint8_t* pixels) {
         address_ = pixels;
 }
 
+void ScannedMemory::palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
+    std::copy_n(rgb, 3 * count, palette_[first]);
+}
+
 void ScannedMemory::advance(std::uint64_t ns) {
     now_ += ns;
     for (; scanned_to_ + timing_.line_ns <= now_; scanned_to_ += timing_.line_ns)
@@ -35,8 +41,13 @@ void ScannedMemory::advance(std::uint64_t ns) {
 void ScannedMemory::scan_line() {
     if (address_ != nullptr && line_ < timing_.lines) {
         const int bytes = format_info(format_).bytes_per_pixel;
-        for (int x = 0; x < glass_.width; ++x)
-            widen(format_, address_ + line_ * stride_ + x * bytes, glass_.at(x, line_));
+        for (int x = 0; x < glass_.width; ++x) {
+            const std::uint8_t* const pixel = address_ + line_ * stride_ + x * bytes;
+            if (bytes == 1)
+                std::copy_n(palette_[*pixel], 3, glass_.at(x, line_));
+            else
+                widen(format_, pixel, glass_.at(x, line_));
+        }
     }
     if (++line_ == timing_.lines && on_refresh && address_ != nullptr)
         on_refresh(glass_);

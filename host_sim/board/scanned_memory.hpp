@@ -38,6 +38,8 @@ class ScannedMemory final : public hal::ScanOut {
         if (on_clean)
             on_clean(from, bytes);
     }
+    /// Looked up while lines are read, where a pixel has a byte.
+    void palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
     void sleep() override { advance(timing_.line_ns); }
 
   private:
@@ -45,6 +47,7 @@ class ScannedMemory final : public hal::ScanOut {
     int stride_;
     ScanTiming timing_;
     Image glass_;
+    std::uint8_t palette_[hal::palette_size][3] = {};
     const std::uint8_t *address_ = nullptr, *next_ = nullptr;
     std::uint64_t now_ = 0, scanned_to_ = 0; ///< lines began before
     int line_ = 0;

@@ -20,6 +20,7 @@ struct Bookkeeping {
     std::vector<hal::OpParams> params = std::vector<hal::OpParams>(list);
     std::vector<std::uint32_t> hashes, changed;
     std::vector<hal::SpanWindow> windows;
+    std::unique_ptr<hal::Palette> palette;
     std::int32_t height;
     std::uint8_t buffers;
 
@@ -36,6 +37,8 @@ struct Bookkeeping {
         for (std::vector<RowSpan>& v : content)
             v.resize(static_cast<std::size_t>(hal::picture_size(config).height));
         plan.resize(n);
+        if (is_indexed(config.format))
+            palette = std::make_unique<hal::Palette>();
     }
     hal::RowHashMemory hash_memory() {
         if (hashes.empty())
@@ -57,7 +60,8 @@ struct Bookkeeping {
                 hash_memory(),
                 turned.data(),
                 &hal::turn,
-                held.data()};
+                held.data(),
+                palette.get()};
     }
 };
 

@@ -8,8 +8,13 @@ namespace spangle::raster {
 
 template <class P> class CoveredRow {
   public:
-    CoveredRow(Pen<P>& pen, PrimitiveState& primitive) : pen_(pen), primitive_(primitive) {}
-    ~CoveredRow() { primitive_.coverage = nullptr; }
+    CoveredRow(Pen<P>& pen, PrimitiveState& primitive) : pen_(pen), primitive_(primitive) {
+        primitive_.antialiased = true;
+    }
+    ~CoveredRow() {
+        primitive_.coverage = nullptr;
+        primitive_.antialiased = false;
+    }
     CoveredRow(const CoveredRow&) = delete;
     CoveredRow& operator=(const CoveredRow&) = delete;
 

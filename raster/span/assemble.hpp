@@ -13,6 +13,7 @@
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_index.hpp"
 #include "raster/span/stage_narrow.hpp"
 #include "raster/span/stage_pixels.hpp"
 #include "raster/span/stage_samples.hpp"
@@ -170,29 +171,54 @@ template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key
             chain.runs(&narrow_rows<One, &chain_span<N>>);
 }
 
+/// The primary colour of vertices or images; an index stands in its red.
+template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
+    if (key.pixels)
+        chain.template add<PixelColor<One>>();
+    else if (!key.color)
+        chain.template add<White<N>>();
+    else if (key.kind == Kind::full)
+        chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
+    else
+        chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
+}
+
+template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
+    chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+}
+
+/// On a surface of indices.
+template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
+    add_tests(chain, key);
+    add_primary(chain, key);
+    if (has_fog && key.fog) {
+        add_fog_coordinate(chain, key);
+        chain.template add<FogIndex<One>>();
+    }
+    if (SPANGLE_FEATURE_ANTIALIASING && key.coverage)
+        chain.template add<IndexCoverage<One>>();
+    chain.template add<StoreIndex<One>>();
+}
+
 /// Everything there is, modes at run time.
 template <class N> void assemble(Variant& variant, const Key& key, const FragmentState& state) {
     using One = OneLane<N>;
     ChainBuilder<N> chain(variant);
+    if constexpr (has_format(PixelFormat::index8) && !is_balanced<N>) // key.cpp
+        if (drawn_indexed(key.format))
+            return assemble_index(chain, key);
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
-    if (key.pixels) {
-        chain.template add<PixelColor<One>>();
-    } else if (key.color) {
-        if (key.kind == Kind::full)
-            chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
-        else
-            chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
-    } else {
-        chain.template add<White<N>>();
-    }
+    add_primary(chain, key);
     if constexpr (has_textures)
         add_units(chain, key, state);
     if (has_color_sum && key.color_sum)
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
     if (has_fog && key.fog) {
-        chain.template choose<FogCoord<One, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
+        add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
             chain.template choose<FogLinear<N>, Fog<One>>(key.fog_mode == FogMode::linear);
         else

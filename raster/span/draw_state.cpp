@@ -126,11 +126,12 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.fragment = state;
     draw.tier = state.tier;
     draw.format = target.format;
-    // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target.
-    draw.four_color_tolerances = state.tier == Tier::exact                    ? color_one >> 17
-                                 : state.tier == Tier::fast                   ? UINT32_MAX
-                                 : format_info(target.format).green_bits == 8 ? 1u << color_fraction_bits
-                                                                              : 4u << color_fraction_bits;
+    // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target, of indices and 8 bits a unit.
+    const bool units = format_info(target.format).green_bits == 8 || drawn_indexed(target.format);
+    draw.four_color_tolerances = state.tier == Tier::exact  ? color_one >> 17
+                                 : state.tier == Tier::fast ? UINT32_MAX
+                                 : units                    ? 1u << color_fraction_bits
+                                                            : 4u << color_fraction_bits;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =

@@ -1,4 +1,5 @@
 // The chain of the reference policy.
+#include "raster/span/stage_index_reference.hpp"
 #include "raster/span/stage_reference.hpp"
 
 #include "raster/span/assemble.hpp"

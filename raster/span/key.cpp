@@ -98,20 +98,11 @@ bool raw(const Key& key, const FragmentState& state) {
     return unit.texels == TexelFormat::rgb565 || (unit.texels == TexelFormat::rgb888 && !state.dither);
 }
 
-} // namespace
-
-Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
-    Key key;
-    key.kind = kind;
-    key.format = drawn(target.format);
-    for (int i = 0; i < max_texture_units; ++i)
-        key.unit[i] = unit_key(state.unit[i]);
-    key.color_sum = has_color_sum && state.color_sum;
+/// What colours and indices have in common.
+void common_key(Key& key, const FragmentState& state, const Surface& target) {
     key.fog = has_fog && state.fog;
     if (key.fog)
         key.fog_mode = state.fog_mode;
-    if (state.alpha_test)
-        key.alpha = state.alpha_func;
     const bool has_depth =
         depth_formats > 1 && target.depth != nullptr && target.depth_format != DepthFormat::none;
     key.stencil = has_format(DepthFormat::z24s8) && state.stencil_test && target.depth != nullptr &&
@@ -122,15 +113,44 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     }
     if (key.stencil || key.depth != Compare::always || key.depth_write)
         key.depth_format = target.depth_format;
-    blend_key(key, state);
-    const std::uint8_t channels = has_alpha(target.format) ? 0xF : 0x7;
-    key.masked = (state.color_mask & channels) != channels;
     key.logic = state.logic && state.logic_op != LogicOp::copy;
     key.count = state.count;
     key.polygon_stipple = SPANGLE_FEATURE_STIPPLE && state.polygon_stipple != nullptr;
     key.depth_offset =
         SPANGLE_FEATURE_POLYGON_OFFSET && state.depth_offset && key.depth_format != DepthFormat::none;
+}
+
+/// Indices are neither textured nor added to, tested as alpha or blended (GL 1.3, 3.8, 3.9, 4.1.4, 4.1.7).
+/// One number system serves them.
+void index_key(Key& key, const FragmentState& state) {
+    key.number = Number::exact;
+    key.pixels = state.colors != Colors::of_vertices;
+    key.color = !key.pixels;
+    key.masked = state.color_mask != 0xFF;
+    key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage;
+    key.dither = state.dither;
+}
+
+} // namespace
+
+Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
+    Key key;
+    key.kind = kind;
+    key.format = drawn(target.format);
+    common_key(key, state, target);
+    if (drawn_indexed(key.format)) {
+        index_key(key, state);
+        return key;
+    }
+    for (int i = 0; i < max_texture_units; ++i)
+        key.unit[i] = unit_key(state.unit[i]);
+    key.color_sum = has_color_sum && state.color_sum;
     key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
+    if (state.alpha_test)
+        key.alpha = state.alpha_func;
+    blend_key(key, state);
+    const std::uint8_t channels = has_alpha(target.format) ? 0xF : 0x7;
+    key.masked = (state.color_mask & channels) != channels;
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
     key.combine = combines(state);
     // Combiners may ask for the primary colour behind any unit, and for alpha as a colour.

@@ -19,8 +19,9 @@ struct PrimitiveState {
 #ifndef SPANGLE_FIRMWARE
     double reference_depth_offset = 0; ///< that of the double policy, 0 .. 1
 #endif
-    bool stippled = false;   ///< FragmentState::polygon_stipple applies
-    std::uint8_t sample = 0; ///< which one is drawn
+    bool stippled = false;    ///< FragmentState::polygon_stipple applies
+    bool antialiased = false; ///< it has a coverage, null or not; others of the same state have none
+    std::uint8_t sample = 0;  ///< which one is drawn
 };
 
 } // namespace spangle::raster

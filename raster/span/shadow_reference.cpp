@@ -1,5 +1,6 @@
 #include "raster/span/shadow.hpp"
 
+#include "raster/span/stage_index_reference.hpp"
 #include "raster/span/stage_reference.hpp"
 
 #include "raster/span/assemble.hpp"
@@ -172,10 +173,10 @@ template <class N> class Fragment {
                 run<FogCoord<N, false>, FogCoord<Reference, false>>();
             report_[ShadowStage::fog_factor].add(fog_factor(state.fragment.fog_mode, f_.fog) * 0x1p-24,
                                                  reference_fog(state.fragment, d_.fog));
-            run<Fog>();
+            fog(state);
             colors(ShadowStage::fog);
         }
-        if (!state.fragment.blend || state.fragment.logic)
+        if (!state.fragment.blend || state.fragment.logic || is_indexed(state.format))
             return;
         switch (state.format) {
         case PixelFormat::rgb565_be:
@@ -190,6 +191,12 @@ template <class N> class Fragment {
             if (run<Blend<N, StoredNarrow<N>>, Blend<Reference, StoredNarrow<Reference>>>())
                 colors(ShadowStage::blend);
         }
+    }
+    void fog(const DrawState& state) {
+        if constexpr (!is_balanced<N>) // key.cpp
+            if (is_indexed(state.format))
+                return static_cast<void>(run<FogIndex>());
+        run<Fog>();
     }
     template <PixelFormat Format> void blend() {
         const FragmentState& state = fixed_.state->fragment;

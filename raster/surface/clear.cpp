@@ -130,6 +130,8 @@ struct Pixel {
 };
 
 Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::uint32_t threshold) {
+    if (drawn_indexed(format))
+        return {{static_cast<std::uint8_t>(stored_index(color[0], dither, threshold)), 0, 0, 0}};
     const FormatInfo info = format_info(format);
     const std::uint32_t r = stored_component(color[0], info.red_bits, dither, threshold);
     const std::uint32_t g = stored_component(color[1], info.green_bits, dither, threshold);
@@ -147,6 +149,8 @@ Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std
 
 /// Bits of a pixel that the channels name, as they lie in memory.
 Pixel mask_of(PixelFormat format, std::uint8_t channels) {
+    if (drawn_indexed(format))
+        return {{channels, 0, 0, 0}};
     const std::uint32_t one = color_one;
     const std::uint32_t color[4] = {(channels & 1) != 0 ? one : 0, (channels & 2) != 0 ? one : 0,
                                     (channels & 4) != 0 ? one : 0, (channels & 8) != 0 ? one : 0};
@@ -168,7 +172,9 @@ Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std
 }
 
 bool writes_all(PixelFormat format, std::uint8_t channels) {
-    const std::uint8_t needed = format_info(format).alpha_bits != 0 ? 0xF : 0x7;
+    const std::uint8_t needed = drawn_indexed(format)                 ? 0xFF
+                                : format_info(format).alpha_bits != 0 ? 0xF
+                                                                      : 0x7;
     return (channels & needed) == needed;
 }
 
@@ -312,6 +318,10 @@ std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
                alpha << 24;
     }
     std::uint32_t red = 0, green = 0, blue = 0;
+    for (std::uint32_t threshold = 1; drawn_indexed(s.format) && threshold < 32; threshold += 2)
+        red += stored_index(r.color[0], r.dither, threshold);
+    if (drawn_indexed(s.format))
+        return red;
     for (std::uint32_t threshold = 1; drawn_narrow(s.format) && threshold < 32; threshold += 2) {
         const NarrowColor c = narrow_color(s.format, narrow_clear_word(s.format, r, threshold));
         red += c.k[0];

@@ -62,6 +62,10 @@ void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32
         out[i] = unpack_pixel(drawn(s.format), load_bytes(p, bytes));
 }
 
+std::uint8_t read_index(const Surface& s, std::int32_t x, std::int32_t y) {
+    return drawn_indexed(s.format) ? *color_at(s, x, y) : std::uint8_t{0};
+}
+
 StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y) {
     switch (s.depth_format) {
     case DepthFormat::none:

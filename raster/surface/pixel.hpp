@@ -85,6 +85,9 @@ struct StoredDepth {
 };
 StoredDepth read_depth(const Surface& s, std::int32_t x, std::int32_t y);
 
+/// The stored index; 0 on a surface of colours.
+std::uint8_t read_index(const Surface& s, std::int32_t x, std::int32_t y);
+
 /// 0 without a stencil plane.
 std::uint8_t read_stencil(const Surface& s, std::int32_t x, std::int32_t y);
 

@@ -58,9 +58,10 @@ TEST_F(Configs, AllAreDistinctAndConsistent) {
         EXPECT_EQ(get(c, EGL_BUFFER_SIZE),
                   format_info(static_cast<PixelFormat>(get(c, EGL_NATIVE_VISUAL_ID) & 0xFF)).grey
                       ? r
-                      : r + g + b + a);
+                      : r + g + b + a + get(c, EGL_INDEX_SIZE_SPANGLE));
         EXPECT_TRUE(ids.insert(get(c, EGL_CONFIG_ID)).second);
-        EXPECT_EQ(get(c, EGL_COLOR_BUFFER_TYPE), EGL_RGB_BUFFER);
+        EXPECT_EQ(get(c, EGL_COLOR_BUFFER_TYPE),
+                  get(c, EGL_INDEX_SIZE_SPANGLE) == 0 ? EGL_RGB_BUFFER : EGL_INDEX_BUFFER_SPANGLE);
         EXPECT_EQ(get(c, EGL_RENDERABLE_TYPE), EGL_OPENGL_BIT);
         EXPECT_NE(get(c, EGL_SURFACE_TYPE) & EGL_PBUFFER_BIT, 0);
         const EGLint samples = get(c, EGL_SAMPLES);
@@ -195,16 +196,21 @@ TEST_F(Configs, RandomWishesMatchAndSort) {
         if (random() % 3 == 0)
             wishes.insert(wishes.end(), {EGL_PRECISION_SPANGLE,
                                          EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(random() % 3)});
+        const bool any_type = random() % 4 == 0;
+        const EGLint type = random() % 2 == 0 ? EGL_INDEX_BUFFER_SPANGLE : EGL_DONT_CARE;
+        if (any_type)
+            wishes.insert(wishes.end(), {EGL_COLOR_BUFFER_TYPE, type});
         wishes.push_back(EGL_NONE);
         std::vector<EGLConfig> wanted;
         for (EGLConfig c : all()) {
-            bool good = true;
+            bool good = any_type || get(c, EGL_COLOR_BUFFER_TYPE) == EGL_RGB_BUFFER;
             for (std::size_t i = 0; wishes[i] != EGL_NONE; i += 2) {
                 const EGLint has = get(c, wishes[i]), wish = wishes[i + 1];
                 if (wish == EGL_DONT_CARE)
                     continue;
                 good = good && (wishes[i] == EGL_SURFACE_TYPE        ? (has & wish) == wish
                                 : wishes[i] == EGL_PRECISION_SPANGLE ? has == wish
+                                : wishes[i] == EGL_COLOR_BUFFER_TYPE ? has == wish
                                                                      : has >= wish);
             }
             if (good)

@@ -53,10 +53,16 @@ class FakeDisplay final : public hal::Display {
         return {};
     }
     void swap_interval(std::int32_t interval) override { intervals.push_back(interval); }
+    hal::Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override {
+        palette = {first, count};
+        palette.insert(palette.end(), rgb, rgb + 3 * count);
+        return {};
+    }
 
     bool fail_init = false, fail_acquire = false, fail_present = false, two_buffers = false;
     int inits = 0, acquires = 0, presents = 0, finishes = 0;
     std::vector<std::int32_t> intervals;
+    std::vector<int> palette;                       ///< first, count and colours of the last call
     std::vector<std::uint8_t> pixels, front, shown; ///< the buffer drawn into, the other, what was presented
     std::vector<RowSpan> rows, shown_extents;
     RowExtents extents;

@@ -94,6 +94,9 @@ class Run {
         const bool deep = in.byte() % 2 != 0;
         raster::Surface s;
         s.format = static_cast<PixelFormat>(in.byte() % 4);
+        how_ = in.byte();
+        if ((how_ & 2) != 0 && is_drawable(PixelFormat::index8))
+            s.format = PixelFormat::index8;
         const std::int32_t pixel = format_info(s.format).bytes_per_pixel;
         color.resize(static_cast<std::size_t>(width * height * pixel));
         depth.reset(new std::uint32_t[deep ? width * height : width * height / 2]());
@@ -105,7 +108,6 @@ class Run {
         s.depth_stride = width * (deep ? 4 : 2);
         s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
         s.accum = accum.get();
-        how_ = in.byte();
         surface_ = s;
         if ((how_ & 4) != 0)
             other = gl::create_context(arena, {.tier = raster::Tier::balanced, .engine = &gl::fixed_engine},
@@ -135,11 +137,12 @@ class Run {
     }
 
   private:
-    /// Bits of how_: double buffered, an index framebuffer, a second context that shares, bits of an index.
+    /// Bits of how_: double buffered, an index framebuffer, a second context that shares, fewer bits of an
+    /// index.
     void turn_to(gl::Context* now) {
         gl::make_current(now, surface_, (how_ & 1) != 0);
-        now->drawable.index_bits =
-            (how_ & 2) != 0 ? static_cast<std::uint8_t>(1 + (how_ >> 3) % 8) : std::uint8_t{0};
+        if (is_indexed(surface_.format))
+            now->drawable.index_bits = static_cast<std::uint8_t>(1 + (how_ >> 3) % 8);
     }
     void turn() {
         std::swap(context, other);

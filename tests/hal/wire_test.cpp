@@ -172,6 +172,41 @@ TEST(Wire, OneBitGreysHaveSeventeenSteps) {
     }
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+/// Indices travel as a surface of their colours would.
+TEST(Wire, IndicesAreLookedUp) {
+    const Surface indices(24, 16, PixelFormat::index8);
+    Surface colors(24, 16, PixelFormat::rgb888);
+    Palette palette{};
+    unsigned noise = 99;
+    for (auto& color : palette.color)
+        for (std::uint8_t& c : color)
+            c = static_cast<std::uint8_t>((noise = noise * 1664525u + 1013904223u) >> 24);
+    for (std::size_t i = 0; i < indices.bytes.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            colors.bytes[3 * i + c] = palette.color[indices.bytes[i]][c];
+    const Rect area{4, 8, 12, 8};
+    for (const Wire& wire :
+         {wires::rgb565, wires::rgb666, wires::rgb444, wires::rgb332, wires::grey4, wires::mono}) {
+        Picture picture = indices.picture();
+        picture.palette = &palette;
+        EXPECT_EQ(converted(wire, picture, area), converted(wire, colors.picture(), area))
+            << int(wire.format);
+    }
+}
+
+/// RRRGGGBB: every index another colour, and both ends of the range.
+TEST(Wire, InitialColoursAreTheBitsOfTheIndex) {
+    for (int i = 0; i < 256; ++i) {
+        const Rgb color = initial_color(i);
+        const std::uint8_t* const c = color.c;
+        EXPECT_EQ(c[0], static_cast<int>((i >> 5) / 7.0 * 255 + 0.5)) << i;
+        EXPECT_EQ(c[1], static_cast<int>((i >> 2 & 7) / 7.0 * 255 + 0.5)) << i;
+        EXPECT_EQ(c[2], static_cast<int>((i & 3) / 3.0 * 255 + 0.5)) << i;
+    }
+}
+#endif
+
 TEST(Wire, OnlyBytesOfEqualLayoutAreTheSame) {
     EXPECT_EQ(same_bytes(PixelFormat::rgb565_be), WireFormat::rgb565);
     EXPECT_EQ(same_bytes(PixelFormat::rgb888), WireFormat::rgb666);

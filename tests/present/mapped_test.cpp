@@ -229,6 +229,47 @@ TEST(Mapped, TheCacheIsCleanedOfWhatWasDrawn) {
     EXPECT_EQ(pieces, (std::vector<std::pair<std::ptrdiff_t, std::size_t>>{{0, stride * height}}));
 }
 
+/// Eight bits a pixel, looked up while they are scanned: a new colour shows without a present.
+TEST(Mapped, PalettesInHardware) {
+    for (const PixelFormat format : {PixelFormat::index8, PixelFormat::rgb332}) {
+        if (!is_drawable(format))
+            continue;
+        std::vector<std::uint8_t> memory(16 * 16);
+        hal::MappedConfig config;
+        config.width = config.height = 16;
+        config.format = format;
+        config.buffers[0] = memory.data();
+        sim::ScannedMemory port(16, format, 16, {16, 4, 1000});
+        sim::Image last;
+        port.on_refresh = [&](const sim::Image& glass) { last = glass; };
+        hal::MappedDisplay display(port, config);
+        ASSERT_TRUE(display.init().ok());
+        const auto frame = display.acquire();
+        ASSERT_TRUE(frame.ok());
+        for (int i = 0; i < 256; ++i)
+            frame.value().pixels[i] = static_cast<std::uint8_t>(i);
+        ASSERT_TRUE(display.present().ok());
+        port.advance(2 * port.period());
+        for (int i = 0; i < 256; ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(last.at(i % 16, i / 16)[c], hal::initial_color(i).c[c]) << i;
+        const std::uint8_t rgb[6] = {10, 20, 30, 40, 50, 60};
+        const auto set = display.set_palette(5, 2, rgb);
+        port.advance(2 * port.period());
+        if (format == PixelFormat::rgb332) {
+            EXPECT_EQ(set.error().fault, Fault::unsupported) << "its colours are no palette's";
+            EXPECT_EQ(last.at(6, 0)[1], hal::initial_color(6).c[1]);
+            continue;
+        }
+        ASSERT_TRUE(set.ok());
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(last.at(5, 0)[c], rgb[c]);
+            EXPECT_EQ(last.at(6, 0)[c], rgb[3 + c]);
+            EXPECT_EQ(last.at(7, 0)[c], hal::initial_color(7).c[c]);
+        }
+    }
+}
+
 TEST(Mapped, AScanThatStandsStillIsATimeout) {
     Rig rig(2);
     ASSERT_TRUE(rig.display->init().ok());
@@ -260,6 +301,8 @@ TEST(Mapped, WrongDescriptionsAreRefused) {
     EXPECT_TRUE(refused([](hal::MappedConfig& c) { c.height = 40000; }));
     EXPECT_TRUE(refused([](hal::MappedConfig& c) { c.stride = 15; }));
     EXPECT_TRUE(refused([](hal::MappedConfig& c) { c.buffers[0] = nullptr; }));
+    EXPECT_TRUE(refused([](hal::MappedConfig& c) { c.format = PixelFormat::mono; })) << "pages";
+    EXPECT_TRUE(refused([](hal::MappedConfig& c) { c.format = PixelFormat::rgb444; })) << "half bytes";
     EXPECT_TRUE(refused([](hal::MappedConfig& c) {
         c.buffers[2] = c.buffers[1];
         c.buffers[1] = nullptr;

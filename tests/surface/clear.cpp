@@ -192,5 +192,54 @@ TEST(Clear, ClearValueTellsPicturesApart) {
     }
 }
 
+#if SPANGLE_FEATURE_COLOR_INDEX
+/// Indices by their bits: nearest, or dithered; the last index is the largest; the record as with colours.
+TEST(Clear, Indices) {
+    std::mt19937 random(31);
+    for (int trial = 0; trial < 4000; ++trial) {
+        const int w = 1 + trial % 40, h = 6;
+        Planes p(PixelFormat::index8, DepthFormat::none, w, h, trial % 3, trial & 1 ? 3 : 0, trial & 2);
+        Planes old(PixelFormat::index8, DepthFormat::none, w, h, trial % 3, trial & 1 ? 3 : 0, trial & 2);
+        ClearRequest r;
+        r.area = trial % 4 == 0 ? Rect{0, 0, w, h} : Rect{w / 3, 1, w - w / 3, 4};
+        r.channels = trial % 3 == 0 ? static_cast<std::uint8_t>(random() | 1) : std::uint8_t{0xFF};
+        r.dither = random() & 1;
+        r.color[0] = trial % 5 == 0 ? random() % (256u << 20) : random() % 256 << 20;
+        clear(p.s, r);
+        const double c = std::fmin(r.color[0] / 1048576.0, 255);
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                const bool inside = x >= r.area.x && y >= r.area.y && y < r.area.y + r.area.h;
+                static constexpr int matrix[4][4] = {
+                    {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+                const int want = static_cast<int>(r.dither ? std::floor(c + (matrix[y & 3][x & 3] + 0.5) / 16)
+                                                           : std::floor(c + 0.5));
+                const int was = read_index(old.s, x, y);
+                ASSERT_EQ(read_index(p.s, x, y), inside ? (want & r.channels) | (was & ~r.channels) : was)
+                    << trial << " at " << x << ' ' << y;
+            }
+        EXPECT_EQ(p.extents.cleared, r.area.w == w && r.area.h == h && r.channels == 0xFF) << trial;
+    }
+}
+
+TEST(Clear, ClearValueOfIndicesTellsPicturesApart) {
+    std::map<std::vector<std::uint8_t>, std::uint32_t> value_of;
+    std::map<std::uint32_t, std::vector<std::uint8_t>> picture_of;
+    std::mt19937 random(7);
+    for (int i = 0; i < 4000; ++i) {
+        Planes p(PixelFormat::index8, DepthFormat::none, 4, 4, 0, 0, false);
+        ClearRequest r;
+        r.area = {0, 0, 4, 4};
+        r.channels = 0xFF;
+        r.dither = i & 1;
+        r.color[0] = random() % (256u << 20);
+        clear(p.s, r);
+        const std::vector<std::uint8_t> picture(p.color.get(), p.color.get() + p.color_bytes);
+        EXPECT_EQ(value_of.emplace(picture, p.extents.clear_value).first->second, p.extents.clear_value);
+        EXPECT_EQ(picture_of.emplace(p.extents.clear_value, picture).first->second, picture);
+    }
+}
+#endif
+
 } // namespace
 } // namespace spangle::raster

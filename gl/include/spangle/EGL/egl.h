@@ -163,10 +163,21 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  */
 #define EGL_ACCUM_SIZE_SPANGLE 0x3F08
 
-/* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface, rows of the depth, stencil and
- * accumulation buffers, and of a colour buffer that is no larger; 0: all. Such a window is drawn band by band,
- * by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
+/* EGL_SPANGLE_bands: an attribute of eglCreateWindowSurface and eglQuerySurface, rows of the depth, stencil
+ * and accumulation buffers, and of a colour buffer that is no larger; 0: all. Such a window is drawn band by
+ * band, by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
+
+/* EGL_SPANGLE_color_index: configs whose EGL_COLOR_BUFFER_TYPE is INDEX_BUFFER hold indices of INDEX_SIZE
+ * bits and no colours; contexts made with them are in GL's color index mode (INDEX_MODE is TRUE). A wish must
+ * name the type: RGB_BUFFER is what is wished where nothing is said.
+ *
+ * A window of such a config has a palette. SetPalette gives the indices from `first` on `count` colours, red,
+ * green and blue bytes each. A palette in hardware shows them at once; else the next eglSwapBuffers sends
+ * what shows them. At first index RRRGGGBB has the colour that these bits are, k / 7, k / 7, k / 3. Errors:
+ * BAD_SURFACE no window, BAD_MATCH no INDEX_BUFFER, BAD_PARAMETER indices beyond 0 .. 255, or no colours. */
+#define EGL_INDEX_BUFFER_SPANGLE 0x3F0A
+#define EGL_INDEX_SIZE_SPANGLE 0x3F0B
 
 EGLAPI EGLint EGLAPIENTRY eglGetError(void);
 EGLAPI EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id);
@@ -203,6 +214,8 @@ EGLAPI EGLBoolean EGLAPIENTRY eglWaitGL(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitClient(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglWaitNative(EGLint engine);
 EGLAPI EGLBoolean EGLAPIENTRY eglReleaseThread(void);
+EGLAPI EGLBoolean EGLAPIENTRY eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface surface, EGLint first,
+                                                   EGLint count, const uint8_t* rgb);
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface);
 EGLAPI __eglMustCastToProperFunctionPointerType EGLAPIENTRY eglGetProcAddress(const char* procname);
 

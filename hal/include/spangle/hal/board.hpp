@@ -112,7 +112,8 @@ class BoardDisplay final
                            board.display.pacing == Pacing::coalesce,
                            Remembers ? (board.display.band != 0 ? picture_size(board.display).height
                                                                 : book_height(board.display))
-                                     : 0>,
+                                     : 0,
+                           is_indexed(board.display.format)>,
       public PanelDisplay {
   public:
     explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}

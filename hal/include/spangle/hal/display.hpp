@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
+#include <spangle/hal/palette.hpp>
 #include <spangle/hal/result.hpp>
 #include <spangle/hal/wire.hpp>
 
@@ -45,6 +46,11 @@ class Display {
     virtual Result<void> present() = 0;
     /// Waits until the last frame presented is shown; what was drawn since stays where it is.
     virtual Result<void> finish() { return {}; }
+    /// New colours, red, green and blue bytes each, of the indices from `first` on: of displays of
+    /// PixelFormat::index8.
+    virtual Result<void> set_palette(std::int32_t, std::int32_t, const std::uint8_t*) {
+        return Error{Fault::unsupported, "display: it has no palette"};
+    }
     /// 0: presents do not wait (EGL 1.4, 3.9.3); 1: as the display was set up.
     virtual void swap_interval(std::int32_t) {}
 

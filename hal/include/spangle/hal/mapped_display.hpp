@@ -19,6 +19,10 @@ class ScanOut {
     virtual std::uint32_t micros() = 0; ///< wraps
     /// What a data cache holds of these bytes goes to memory, before show().
     virtual void clean(const std::uint8_t*, std::size_t) {}
+    /// New colours of a palette in hardware, red, green and blue bytes each: where pixels have eight bits.
+    virtual void palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) {
+        static_cast<void>(first), static_cast<void>(count), static_cast<void>(rgb);
+    }
     virtual void sleep() {} ///< until an interrupt, or not at all
 
   protected:
@@ -47,13 +51,15 @@ class MappedDisplay final : public Display {
     MappedDisplay(ScanOut& port, const MappedConfig& config) : port_(port), config_(config) {}
 
     DisplayInfo info() const override;
-    /// Shows black.
+    /// Shows black, or index 0; a palette has its initial colours, through which rgb332 looks right.
     Result<void> init() override;
     /// A buffer that is not scanned: waits for the refresh where there is none.
     Result<Frame> acquire() override;
     Result<void> present() override;
     Result<void> finish() override;
     void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
+    /// At once: the block looks colours up while it scans.
+    Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
 
   private:
     std::int32_t stride() const;
@@ -63,6 +69,7 @@ class MappedDisplay final : public Display {
     Result<void> check() const;
     void clean();
     void forget_extents();
+    void begin_palette();
 
     ScanOut& port_;
     MappedConfig config_;

@@ -128,6 +128,7 @@ struct PanelMemory {
     RowSpan* turned = nullptr;        ///< for PanelConfig::scan_order
     decltype(&turn) turner = nullptr; ///< and that it is linked
     RowSpan* held = nullptr;          ///< for Pacing::coalesce; without it frames are dropped
+    Palette* palette = nullptr;       ///< for PixelFormat::index8
 };
 
 /// That memory for pictures and sent buffers up to `Height` rows, and `HashedWidth` columns if they are to be
@@ -135,7 +136,7 @@ struct PanelMemory {
 /// the next is drawn are made of as few windows as one list holds. `Content`: rows of the picture, where
 /// `Height` is that of bands; 0: nobody remembers what the panel shows, and bands are sent whole.
 template <std::int32_t Height, std::uint8_t Buffers = 1, std::size_t Ops = 64, std::int32_t HashedWidth = 0,
-          bool Turned = false, bool Held = false, std::int32_t Content = Height>
+          bool Turned = false, bool Held = false, std::int32_t Content = Height, bool Indexed = false>
 struct PanelStorage {
     static_assert(Height > 0 && Height <= 4096 && (Buffers == 1 || Buffers == 2) && Ops >= 8);
 
@@ -145,6 +146,7 @@ struct PanelStorage {
     Op ops[Ops];
     OpParams params[Ops];
     RowHashStorage<Height, HashedWidth> hash;
+    PaletteStorage<Indexed> palette;
 
     PanelMemory memory() {
         return {touched,
@@ -160,7 +162,8 @@ struct PanelStorage {
                 hash.memory(),
                 Turned ? turned : nullptr,
                 Turned ? &turn : nullptr,
-                Held ? held : nullptr};
+                Held ? held : nullptr,
+                palette.memory()};
     }
 };
 
@@ -195,6 +198,8 @@ class PanelDisplay : public Display {
     /// The same without waiting, before the next frame is acquired: for idle loops of programs that coalesce.
     Result<void> poll();
     void swap_interval(std::int32_t interval) override { waits_ = interval != 0; }
+    /// The next present sends the pixels that show these indices, if their colours are other ones.
+    Result<void> set_palette(std::int32_t first, std::int32_t count, const std::uint8_t* rgb) override;
     const PresentCounters& counters() const { return counters_; }
     Result<PanelStatus> status();
     Result<std::uint16_t> scanline();
@@ -220,6 +225,8 @@ class PanelDisplay : public Display {
     void collect_damage();
     void collect_band_damage();
     void forget_content();
+    void begin_palette();
+    bool collect_palette_damage();
     Result<void> send();
     Result<void> append_windows(const Rect& area);
     Result<void> append_window(const Rect& window);

@@ -6,6 +6,7 @@
 
 #include <spangle/dither.hpp>
 #include <spangle/format.hpp>
+#include <spangle/hal/palette.hpp>
 
 namespace spangle::hal {
 
@@ -58,7 +59,8 @@ struct Picture {
     std::int32_t stride = 0;
     std::int32_t height = 0;
     PixelFormat format = PixelFormat::rgb565_be;
-    bool sideways = false; ///< its rows run along the controller's memory columns
+    bool sideways = false;            ///< its rows run along the controller's memory columns
+    const Palette* palette = nullptr; ///< of PixelFormat::index8
 };
 
 /// Writes `area` of the picture, row by row, and returns the bytes it took. Colours between two steps of the

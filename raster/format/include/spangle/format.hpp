@@ -4,6 +4,14 @@
 
 #include <cstdint>
 
+// Optional kinds of surfaces. CMake defines them; a build by hand has both.
+#ifndef SPANGLE_FEATURE_NARROW_SURFACES
+#define SPANGLE_FEATURE_NARROW_SURFACES 1
+#endif
+#ifndef SPANGLE_FEATURE_COLOR_INDEX
+#define SPANGLE_FEATURE_COLOR_INDEX 1
+#endif
+
 namespace spangle {
 
 /// Layout of one pixel in memory and on the wire, first byte first.
@@ -19,32 +27,43 @@ enum class PixelFormat : std::uint8_t {
     rgb332, ///< RRRGGGBB.
     grey4,  ///< Two pixels a byte, the left one in the high nibble.
     mono,   ///< Pages: a byte is eight pixels one above the other, the top one in bit 0.
+    index8, ///< A byte a pixel: an index of a palette, which belongs to the display.
 };
 
 struct FormatInfo {
     std::uint8_t bytes_per_pixel; ///< 0: pixels share bytes
     std::uint8_t red_bits, green_bits, blue_bits, alpha_bits;
-    std::uint8_t bits;     ///< of a stored row for each column
-    std::uint8_t rows = 1; ///< that are stored as one
-    bool grey = false;     ///< red, green and blue are one component
+    std::uint8_t bits;           ///< of a stored row for each column
+    std::uint8_t rows = 1;       ///< that are stored as one
+    bool grey = false;           ///< red, green and blue are one component
+    std::uint8_t index_bits = 0; ///< of a colour index; those have no components
 };
 
 namespace detail {
 /// Not the function's own: that would be built on the stack where the format is known at run time only.
-inline constexpr FormatInfo formats[] = {
-    {2, 5, 6, 5, 0, 16}, {2, 5, 6, 5, 0, 16},         {3, 8, 8, 8, 0, 24},
-    {4, 8, 8, 8, 8, 32}, {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
-    {1, 3, 3, 2, 0, 8},  {0, 4, 4, 4, 0, 4, 1, true}, {0, 1, 1, 1, 0, 8, 8, true}};
+inline constexpr FormatInfo formats[] = {{2, 5, 6, 5, 0, 16},         {2, 5, 6, 5, 0, 16},
+                                         {3, 8, 8, 8, 0, 24},         {4, 8, 8, 8, 8, 32},
+                                         {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
+                                         {1, 3, 3, 2, 0, 8},          {0, 4, 4, 4, 0, 4, 1, true},
+                                         {0, 1, 1, 1, 0, 8, 8, true}, {1, 0, 0, 0, 0, 8, 1, false, 8}};
 } // namespace detail
 
 /// Bits and bytes of each format, indexed by PixelFormat.
 constexpr FormatInfo format_info(PixelFormat format) {
     return detail::formats[static_cast<unsigned>(format)];
 }
-inline constexpr int pixel_formats = 9;
+inline constexpr int pixel_formats = 10;
 
+/// False, whatever the format, in builds without such surfaces: what only they need is not compiled.
 constexpr bool is_narrow(PixelFormat format) {
-    return format > PixelFormat::rgba8888;
+    return SPANGLE_FEATURE_NARROW_SURFACES && format > PixelFormat::rgba8888 && format < PixelFormat::index8;
+}
+constexpr bool is_indexed(PixelFormat format) {
+    return SPANGLE_FEATURE_COLOR_INDEX && format == PixelFormat::index8;
+}
+/// What this build can draw on.
+constexpr bool is_drawable(PixelFormat format) {
+    return format <= PixelFormat::rgba8888 || is_narrow(format) || is_indexed(format);
 }
 
 /// Bytes of a stored row of so many pixels, and how many such rows a picture has.

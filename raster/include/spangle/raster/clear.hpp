@@ -12,11 +12,11 @@ namespace spangle::raster {
 struct ClearRequest {
     Rect area; ///< inside the surface; may be empty
     std::uint8_t channels =
-        0; ///< colour channels to write: bit 0 red, 1 green, 2 blue, 3 alpha; 0 = no colour clear
+        0; ///< colour channels to write: bit 0 red, 1 green, 2 blue, 3 alpha, or bits of an index; 0 = none
     bool dither = false;
     bool depth = false;
     std::uint8_t stencil_mask = 0; ///< bits to write; 0 = no stencil clear
-    std::uint32_t color[4] = {};   ///< colour units, RGBA
+    std::uint32_t color[4] = {};   ///< colour units, RGBA; of an index surface [0] is the index, in 2^-20
     std::uint32_t z = depth_one;   ///< Q0.30
     std::uint8_t stencil = 0;
 };

@@ -185,7 +185,8 @@ struct FragmentState {
     bool perspective = true; ///< some w != 1 may occur; false lets 2D programs skip 1/w altogether
     bool fog = false;
     FogMode fog_mode = FogMode::exp;
-    std::uint32_t fog_color[3] = {0, 0, 0};                             ///< Colour units
+    std::uint32_t fog_color[3] = {
+        0, 0, 0}; ///< Colour units; of an index surface [0] is the index, 20 fraction bits
     std::uint32_t fog_density = 0, fog_start = 0, fog_end = 0x3F800000; ///< float bits, as set
     bool alpha_test = false;
     Compare alpha_func = Compare::always;
@@ -200,13 +201,14 @@ struct FragmentState {
     bool logic = false;                          ///< instead of blending
     LogicOp logic_op = LogicOp::copy;
     bool dither = true;
-    std::uint8_t color_mask = 0xF; ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 also when DrawBuffer is NONE
-    Rect scissor;                  ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact;       ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
-    Tier fog_tier = Tier::exact;   ///< FOG_HINT
-    bool count = false;            ///< count passing fragments in Counters::passed (costs time)
+    /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
+    std::uint8_t color_mask = 0xF;
+    Rect scissor;                ///< already intersected with the surface; drawing never leaves it
+    Tier tier = Tier::exact;     ///< of colours and texture coordinates (PERSPECTIVE_CORRECTION_HINT)
+    Tier fog_tier = Tier::exact; ///< FOG_HINT
+    bool count = false;          ///< count passing fragments in Counters::passed (costs time)
     // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.
-    bool coverage = false;     ///< alpha is multiplied by it: antialiasing (GL 1.3, 3.11)
+    bool coverage = false;     ///< goes into alpha, or an index: antialiasing (GL 1.3, 3.11)
     bool depth_offset = false; ///< of polygons (GL 1.3, 3.5.5)
     const std::uint32_t* polygon_stipple = nullptr; ///< 32 rows, bit x: column x is drawn; null: off
     // Of the sample that is drawn (GL 1.3, 4.1.3); Rasterizer has none.

@@ -19,7 +19,7 @@
 #define SPANGLE_FUSED_SPANS 1
 #endif
 #ifndef SPANGLE_COLOR_FORMATS
-#define SPANGLE_COLOR_FORMATS 511
+#define SPANGLE_COLOR_FORMATS 1023
 #endif
 #ifndef SPANGLE_DEPTH_FORMATS
 #define SPANGLE_DEPTH_FORMATS 7
@@ -45,8 +45,22 @@ inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
 inline constexpr int packet = SPANGLE_PACKET;
 static_assert(packet == 2 || packet == 4 || packet == 8 || packet == 16);
 
-inline constexpr unsigned color_formats = SPANGLE_COLOR_FORMATS, depth_formats = SPANGLE_DEPTH_FORMATS;
-static_assert(color_formats != 0 && color_formats < 1u << pixel_formats);
+/// Bits of the formats from the first to the last.
+constexpr unsigned formats_between(PixelFormat first, PixelFormat last) {
+    return (2u << static_cast<unsigned>(last)) - (1u << static_cast<unsigned>(first));
+}
+inline constexpr unsigned wide_formats = formats_between(PixelFormat::rgb565_be, PixelFormat::rgba8888),
+                          narrow_formats = SPANGLE_FEATURE_NARROW_SURFACES
+                                               ? formats_between(PixelFormat::rgb666, PixelFormat::mono)
+                                               : 0,
+                          index_formats = SPANGLE_FEATURE_COLOR_INDEX
+                                              ? formats_between(PixelFormat::index8, PixelFormat::index8)
+                                              : 0;
+inline constexpr unsigned color_formats =
+                              SPANGLE_COLOR_FORMATS & (wide_formats | narrow_formats | index_formats),
+                          depth_formats = SPANGLE_DEPTH_FORMATS;
+static_assert(SPANGLE_COLOR_FORMATS < 1u << pixel_formats);
+static_assert(color_formats != 0, "the format needs NARROW_SURFACES or COLOR_INDEX");
 static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may always be without depth");
 
 /// Surfaces of it are drawn on.
@@ -56,9 +70,9 @@ constexpr bool has_format(PixelFormat format) {
 constexpr bool has_format(DepthFormat format) {
     return (depth_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
-inline constexpr bool
-    has_narrow_formats = color_formats >> (static_cast<unsigned>(PixelFormat::rgba8888) + 1) != 0,
-    has_wide_formats = (color_formats & ((2u << static_cast<unsigned>(PixelFormat::rgba8888)) - 1)) != 0;
+inline constexpr bool has_narrow_formats = (color_formats & narrow_formats) != 0,
+                      has_wide_formats =
+                          (color_formats & ~narrow_formats) != 0; ///< whose pixels have an address
 
 /// The format of a surface. Where a build draws on one format only the compiler knows it.
 constexpr PixelFormat drawn(PixelFormat format) {
@@ -69,6 +83,9 @@ constexpr PixelFormat drawn(PixelFormat format) {
 }
 constexpr bool drawn_narrow(PixelFormat format) {
     return has_narrow_formats && (!has_wide_formats || is_narrow(format));
+}
+constexpr bool drawn_indexed(PixelFormat format) {
+    return has_format(PixelFormat::index8) && is_indexed(drawn(format));
 }
 
 } // namespace spangle::raster

@@ -1,0 +1,26 @@
+// The palette of a window of colour indices: an extension of ours (spangle/EGL/egl.h).
+#include "gl/context/error.hpp"
+#include "gl/egl/objects.hpp"
+
+using namespace spangle::egl;
+
+extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EGLint first, EGLint count,
+                                           const std::uint8_t* rgb) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    const Surface* const surface = find_surface(*display, handle);
+    if (surface == nullptr)
+        return EGL_FALSE;
+    if (!surface->window)
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("eglSetPaletteSPANGLE: only windows are shown"));
+    if (!spangle::is_indexed(surface->config.format))
+        return fail(EGL_BAD_MATCH,
+                    SPANGLE_TEXT("eglSetPaletteSPANGLE: this surface holds colours; choose a config "
+                                 "of EGL_COLOR_BUFFER_TYPE, EGL_INDEX_BUFFER_SPANGLE"));
+    if (first < 0 || count < 0 || first > spangle::hal::palette_size ||
+        count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
+        return fail(EGL_BAD_PARAMETER);
+    const auto result = display->native->set_palette(first, count, rgb);
+    return result.ok() ? succeed() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);
+}

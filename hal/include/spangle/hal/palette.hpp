@@ -1,0 +1,50 @@
+// The palette of a display whose surface holds colour indices (PixelFormat::index8).
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/format.hpp>
+
+namespace spangle::hal {
+
+inline constexpr std::int32_t palette_size = 256;
+
+/// Red, green and blue of an index before anybody sets them: the index read as RRRGGGBB, k / 7, k / 7 and k
+/// / 3. A surface of rgb332 looks right through it.
+struct Rgb {
+    std::uint8_t c[3];
+};
+constexpr Rgb initial_color(std::int32_t index) {
+    const auto scaled = [index](int shift, int most) {
+        return static_cast<std::uint8_t>(((index >> shift & most) * 255 + most / 2) / most);
+    };
+    return {{scaled(5, 7), scaled(2, 7), scaled(0, 3)}};
+}
+
+/// The palette of a panel that has none: presents look colours up in it.
+struct Palette {
+    std::uint8_t color[palette_size][4];    ///< red, green, blue and a byte that nobody looks at
+    std::uint32_t stale[palette_size / 32]; ///< indices whose colours the panel does not show yet
+    bool is_stale(std::uint8_t index) const { return (stale[index / 32] >> index % 32 & 1) != 0; }
+    bool any_stale() const {
+        std::uint32_t any = 0;
+        for (const std::uint32_t word : stale)
+            any |= word;
+        return any != 0;
+    }
+    void all_fresh() {
+        for (std::uint32_t& word : stale)
+            word = 0;
+    }
+};
+
+/// Its memory, or none.
+template <bool Exists> struct PaletteStorage {
+    Palette* memory() { return nullptr; }
+};
+template <> struct PaletteStorage<true> {
+    Palette palette;
+    Palette* memory() { return &palette; }
+};
+
+} // namespace spangle::hal

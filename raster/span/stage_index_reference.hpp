@@ -1,0 +1,22 @@
+// What of the index stages is not the same formula in double. Hosts only.
+#pragma once
+
+#include <cmath>
+
+#include "raster/span/stage_index.hpp"
+#include "raster/span/stage_reference.hpp"
+
+namespace spangle::raster {
+
+template <> struct FogIndex<Reference> : ReferenceStage {
+    static constexpr unsigned in = field_color | field_fog, out = field_color;
+    using ReferenceStage::ReferenceStage;
+    bool operator()(Px<Reference>& p) const {
+        const FragmentState& state = span.state->fragment;
+        const double part = (1 - reference_fog(state, p.fog)) * Reference::from_units(state.fog_color[0]);
+        p.color.r = std::fmod(p.color.r + part, 256 / 255.0);
+        return true;
+    }
+};
+
+} // namespace spangle::raster
