@@ -18,7 +18,8 @@ void add_band(GudFrame& frame, const GudPicture& picture, std::uint8_t format, c
     frame.wire.resize(at + line * u(r.h));
     for (std::int32_t y = 0; y < r.h; ++y) {
         const std::size_t first = static_cast<std::size_t>(r.y + y) * u(picture.width) + u(r.x);
-        gud::convert_row(format, picture.pixels + 2 * first, u(r.w), frame.wire.data() + at + line * u(y));
+        gud::convert_row(format, picture.pixels + 2 * first, r.x, picture.height - 1 - (r.y + y), u(r.w),
+                         frame.wire.data() + at + line * u(y));
     }
     const auto length = static_cast<std::uint32_t>(frame.wire.size() - at);
     frame.bands.push_back({{u(r.x), u(r.y), u(r.w), u(r.h), length, 0}, at});

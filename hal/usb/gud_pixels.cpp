@@ -8,33 +8,33 @@
 namespace spangle::hal::gud {
 namespace {
 
-struct Rgb {
+/// k / 31, k / 63 and k / 31, and the same rounded to eight bits.
+struct Pixel {
     std::uint32_t r, g, b;
+    explicit Pixel(const std::uint8_t* pixel) {
+        const unsigned word = pixel[0] | pixel[1] * 256u;
+        r = word >> 11, g = word >> 5 & 63, b = word & 31;
+    }
+    std::uint32_t red() const { return (r * 255 + 15) / 31; }
+    std::uint32_t green() const { return (g * 255 + 31) / 63; }
+    std::uint32_t blue() const { return (b * 255 + 15) / 31; }
+    std::uint32_t grey() const { return luma(red(), green(), blue()); }
 };
 
-/// k / 31 and k / 63 of full scale, rounded to eight bits.
-Rgb rgb_of(const std::uint8_t* pixel) {
-    const unsigned word = pixel[0] | pixel[1] * 256u;
-    const unsigned r = word >> 11, g = word >> 5 & 63, b = word & 31;
-    return {(r * 255 + 15) / 31, (g * 255 + 31) / 63, (b * 255 + 15) / 31};
-}
-
-std::uint32_t grey(Rgb c) {
-    return luma(c.r, c.g, c.b);
-}
-
-std::uint32_t convert(std::uint8_t format, Rgb c) {
+std::uint32_t convert(std::uint8_t format, const Pixel& c, std::uint32_t threshold) {
     switch (format) {
     case R1:
-        return grey(c) >> 7;
+        return dithered_step<1, 255>(c.grey(), threshold);
     case R8:
-        return grey(c);
+        return c.grey();
     case XRGB1111:
-        return c.r >> 7 << 2 | c.g >> 7 << 1 | c.b >> 7;
+        return dithered_step<1, 31>(c.r, threshold) << 2 | dithered_step<1, 63>(c.g, threshold) << 1 |
+               dithered_step<1, 31>(c.b, threshold);
     case RGB332:
-        return c.r >> 5 << 5 | c.g >> 5 << 2 | c.b >> 6;
+        return dithered_step<3, 31>(c.r, threshold) << 5 | dithered_step<3, 63>(c.g, threshold) << 2 |
+               dithered_step<2, 31>(c.b, threshold);
     default:
-        return 0xFF000000u | c.r << 16 | c.g << 8 | c.b;
+        return 0xFF000000u | c.red() << 16 | c.green() << 8 | c.blue();
     }
 }
 
@@ -74,7 +74,8 @@ std::size_t row_bytes(std::uint8_t format, std::uint32_t width) {
     return (std::size_t{width} * bits_per_pixel(format) + 7) / 8;
 }
 
-void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::uint32_t width, std::uint8_t* to) {
+void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::int32_t first, std::int32_t y,
+                 std::uint32_t width, std::uint8_t* to) {
     if (format == RGB565) {
         std::memcpy(to, rgb565, std::size_t{width} * 2);
         return;
@@ -82,8 +83,11 @@ void convert_row(std::uint8_t format, const std::uint8_t* rgb565, std::uint32_t 
     const std::uint32_t bits = bits_per_pixel(format);
     if (bits < 8)
         std::memset(to, 0, row_bytes(format, width));
+    const std::uint32_t thresholds = dither_row(y);
     for (std::uint32_t x = 0; x < width; ++x) {
-        const std::uint32_t word = convert(format, rgb_of(rgb565 + std::size_t{x} * 2));
+        const std::uint32_t word =
+            convert(format, Pixel(rgb565 + std::size_t{x} * 2),
+                    dither_threshold(thresholds, first + static_cast<std::int32_t>(x)));
         std::uint8_t* const at = to + std::size_t{x} * bits / 8;
         if (bits < 8)
             *at = static_cast<std::uint8_t>(*at | word << (8 - bits - x * bits % 8));

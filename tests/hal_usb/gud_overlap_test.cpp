@@ -45,7 +45,8 @@ sim::Image picture_of(GudRig& rig) {
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x) {
             const std::uint8_t* const p = frame.pixels + y * frame.stride + 2 * x;
-            const auto rgb = expected_pixel(rig.device, static_cast<unsigned>(p[0] | p[1] << 8));
+            const auto rgb =
+                expected_pixel(rig.device, static_cast<unsigned>(p[0] | p[1] << 8), x, info.height - 1 - y);
             for (std::size_t c = 0; c < 3; ++c)
                 image.at(x, y)[c] = static_cast<std::uint8_t>(rgb[c]);
         }

@@ -39,20 +39,27 @@ inline hal::Result<void> show(hal::GudDisplay& display) {
     return presented ? display.finish() : presented;
 }
 
-/// What a device of this format makes of an RGB565 word, from the definition of each format.
-inline std::array<int, 3> expected_pixel(const sim::GudDevice& device, unsigned word) {
+/// What a device of this format makes of an RGB565 word, from the definition of each format; `y` counts from
+/// the bottom. Fewer bits are dithered as GL dithers.
+inline std::array<int, 3> expected_pixel(const sim::GudDevice& device, unsigned word, int x, int y) {
+    constexpr int k[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    const double threshold = (k[y & 3][x & 3] + 0.5) / 16;
+    const auto dithered = [&](unsigned v, unsigned all, int most) {
+        return static_cast<int>(static_cast<double>(v) / all * most + threshold) * 255 / most;
+    };
     const auto nearest = [](unsigned v, unsigned most) { return static_cast<int>(v * 255.0 / most + 0.5); };
     const int r = nearest(word >> 11, 31), g = nearest(word >> 5 & 63, 63), b = nearest(word & 31, 31);
     const int grey = (3 * r + 6 * g + b) / 10;
     switch (device.formats.front()) {
     case 0x01:
-        return grey >= 128 ? std::array{255, 255, 255} : std::array{0, 0, 0};
+        return {dithered(static_cast<unsigned>(grey), 255, 1), dithered(static_cast<unsigned>(grey), 255, 1),
+                dithered(static_cast<unsigned>(grey), 255, 1)};
     case 0x08:
         return {grey, grey, grey};
     case 0x20:
-        return {r >= 128 ? 255 : 0, g >= 128 ? 255 : 0, b >= 128 ? 255 : 0};
+        return {dithered(word >> 11, 31, 1), dithered(word >> 5 & 63, 63, 1), dithered(word & 31, 31, 1)};
     case 0x30:
-        return {(r >> 5) * 255 / 7, (g >> 5) * 255 / 7, (b >> 6) * 255 / 3};
+        return {dithered(word >> 11, 31, 7), dithered(word >> 5 & 63, 63, 7), dithered(word & 31, 31, 3)};
     case 0x40: // the device widens, rounding down
         return {static_cast<int>((word >> 11) * 255 / 31), static_cast<int>((word >> 5 & 63) * 255 / 63),
                 static_cast<int>((word & 31) * 255 / 31)};
@@ -71,7 +78,8 @@ inline std::string glass_difference(hal::GudDisplay& display, const sim::GudDevi
         for (int x = 0; x < glass.width; ++x) {
             const std::uint8_t* const p = frame.value().pixels + y * frame.value().stride + 2 * x;
             const std::uint8_t* const got = glass.at(x, y);
-            const auto want = expected_pixel(device, static_cast<unsigned>(p[0] | p[1] << 8));
+            const auto want =
+                expected_pixel(device, static_cast<unsigned>(p[0] | p[1] << 8), x, glass.height - 1 - y);
             if (got[0] != want[0] || got[1] != want[1] || got[2] != want[2])
                 return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " differs";
         }

@@ -154,6 +154,37 @@ TEST(PalettesOfPanels, SurviveAFailedTransfer) {
     EXPECT_EQ(rig.difference(), "");
 }
 
+/// Bands whose buffer was drawn over: a new colour makes everything new.
+TEST(PalettesOfPanels, OfFramesInBands) {
+    hal::Board board = indexed_board();
+    board.display.band = 16;
+    Rig rig(board);
+    const auto draw = [&] {
+        for (int first = 0; first < rig.info.height; first += 16) {
+            const auto band = rig.display.acquire_band(first, 16);
+            ASSERT_TRUE(band.ok()) << band.error().rule;
+            for (int y = 0; y < 16; ++y)
+                for (int x = 100; x < 140; ++x)
+                    band.value().pixels[y * band.value().stride + x] = static_cast<std::uint8_t>(first / 16);
+            for (int y = 0; y < 16; ++y)
+                band.value().extents->rows[y] = {100, 140};
+            ASSERT_TRUE(rig.display.present_band().ok());
+        }
+        ASSERT_TRUE(rig.display.finish().ok());
+        const sim::Image glass = rig.sim.glass();
+        for (int y = 0; y < rig.info.height; ++y)
+            for (int x = 0; x < rig.info.width; ++x)
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(glass.at(x, y)[c], rig.palette[x >= 100 && x < 140 ? y / 16 : 0][c], 5)
+                        << x << ' ' << y;
+    };
+    draw();
+    rig.color(0, 10, 90, 200); // what is outside of everything drawn
+    draw();
+    rig.color(3, 255, 255, 0);
+    draw();
+}
+
 TEST(PalettesOfPanels, WhatCannotBe) {
     hal::Board board = indexed_board();
     board.display.wire = {};
