@@ -25,9 +25,10 @@ Config config_of(EGLint id) {
             EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
 }
 
+/// Indices have no mean: of samples there are none.
 bool exists(const Config& config) {
-    return raster::has_format(config.format) && raster::has_format(config.depth) &&
-           precision_of(config.precision).engine != nullptr;
+    return !(config.multisampled && is_indexed(config.format)) && raster::has_format(config.format) &&
+           raster::has_format(config.depth) && precision_of(config.precision).engine != nullptr;
 }
 
 /// No fused spans.
