@@ -40,6 +40,10 @@ void put(std::uint8_t* at, PixelFormat format, const std::uint8_t* rgb, bool swa
         return;
     }
     const unsigned r = rgb[0], g = rgb[1], b = rgb[2];
+    if (is_indexed(format)) { // as the initial palette has it
+        *at = static_cast<std::uint8_t>((r >> 5) << 5 | (g >> 5) << 2 | b >> 6);
+        return;
+    }
     const unsigned word = (r >> 3) << 11 | (g >> 2) << 5 | b >> 3;
     const bool high_first = (format == PixelFormat::rgb565_be) != swapped;
     at[high_first ? 0 : 1] = static_cast<std::uint8_t>(word >> 8);

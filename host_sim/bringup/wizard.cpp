@@ -179,7 +179,7 @@ hal::Display& Stand::display() {
 /// What the board's surface and wire are, where they are not the usual.
 std::string pixels_of(const hal::PanelConfig& display) {
     constexpr const char* formats[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888", "rgb666",
-                                       "rgb444",    "rgb332",    "grey4",  "mono"};
+                                       "rgb444",    "rgb332",    "grey4",  "mono",     "index8"};
     constexpr const char* wires[] = {"rgb565", "rgb666", "rgb444", "rgb332", "grey4", "mono"};
     static_assert(std::size(formats) == pixel_formats);
     std::string text;

@@ -12,6 +12,7 @@
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bringup.hpp"
+#include "host_sim/cli/formats.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/session.hpp"
 #include <spangle/boards/boards.hpp>
@@ -191,6 +192,16 @@ int demo(const std::string& folder) {
     return 0;
 }
 
+int formats(const std::string& path) {
+    sim::Image sheet;
+    if (const std::string problem = cli::draw_formats(sheet); !problem.empty())
+        return refuse(problem);
+    if (const std::string problem = sim::write_png(sheet, path); !problem.empty())
+        return refuse(problem);
+    fmt::print("picture: {}\n", path);
+    return 0;
+}
+
 /// What names the bus a panel hangs on.
 void add_bus_options(CLI::App& command, bringup::BusOptions& bus) {
     command.add_option("--board", bus.board, "the simulated board; with a real bus: whose panel it is like")
@@ -222,6 +233,10 @@ int spangle_main(int argc, char** argv) {
     app.add_subcommand("scenes", "list the scenes");
     app.add_subcommand("boards", "list the simulated boards");
     app.add_subcommand("bench", "time every scene in each precision");
+    std::string sheet;
+    CLI::App* const formats_command =
+        app.add_subcommand("formats", "one scene on every format of surfaces, as a picture");
+    formats_command->add_option("--shot", sheet, "the PNG to write")->required();
     std::string folder = "out";
     CLI::App* const demo_command =
         app.add_subcommand("demo", "gears, a torus and a model on the ILI9341, with pictures and figures");
@@ -308,6 +323,8 @@ int spangle_main(int argc, char** argv) {
         return list_boards();
     if (app.got_subcommand("bench"))
         return bench();
+    if (app.got_subcommand(formats_command))
+        return formats(sheet);
     if (app.got_subcommand("demo"))
         return demo(folder);
     if (app.got_subcommand(bake)) {

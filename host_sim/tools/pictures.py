@@ -16,10 +16,11 @@ import png
 PICTURES = pathlib.Path(__file__).resolve().parents[2] / "docs/pictures"
 MODEL = pathlib.Path("/usr/share/assimp/models/Collada/duck.dae")
 DRAWN_BY = {
-    "gears": ["S5", "--frames", "30"],
-    "torus": ["S9", "--frames", "20"],
-    "dashboard": ["HUD", "--frames", "20"],
-    "duck": ["--model", str(MODEL)],
+    "gears": ["run", "S5", "--frames", "30"],
+    "torus": ["run", "S9", "--frames", "20"],
+    "dashboard": ["run", "HUD", "--frames", "20"],
+    "duck": ["run", "--model", str(MODEL)],
+    "formats": ["formats"],
 }
 
 
@@ -35,7 +36,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for name, words in DRAWN_BY.items():
             shot, kept = pathlib.Path(folder) / f"{name}.png", PICTURES / f"{name}.png"
-            subprocess.run([options.spangle, "run", *words, "--shot", str(shot)], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run([options.spangle, *words, "--shot", str(shot)], check=True, stdout=subprocess.DEVNULL)
             if not options.check:
                 kept.write_bytes(shot.read_bytes())
             elif not kept.exists() or png.read(kept.read_bytes()) != png.read(shot.read_bytes()):

@@ -46,7 +46,7 @@ struct Buffers {
     RowSpan touched(std::int32_t y) const { return rows[static_cast<std::size_t>(height - 1 - y)]; }
 };
 
-constexpr int formats = pixel_formats;
+constexpr int formats = static_cast<int>(PixelFormat::index8); // indices have none
 struct OfFormat : testing::TestWithParam<int> {
     PixelFormat format = static_cast<PixelFormat>(GetParam());
     std::mt19937 random{static_cast<std::uint32_t>(GetParam())};
