@@ -27,8 +27,9 @@ Config config_of(EGLint id) {
 
 /// Indices have no mean: of samples there are none.
 bool exists(const Config& config) {
-    return !(config.multisampled && is_indexed(config.format)) && raster::has_format(config.format) &&
-           raster::has_format(config.depth) && precision_of(config.precision).engine != nullptr;
+    return raster::has_format(config.format) && raster::has_format(config.depth) &&
+           !(config.multisampled && is_indexed(config.format)) &&
+           precision_of(config.precision).engine != nullptr;
 }
 
 /// No fused spans.
