@@ -14,6 +14,7 @@ namespace spangle::oracle {
 
 void add_fragment_families(std::vector<Family>& all);
 void add_pixel_families(std::vector<Family>& all);
+void add_primitive_families(std::vector<Family>& all);
 void add_texture_families(std::vector<Family>& all);
 void add_texture_update_families(std::vector<Family>& all);
 

@@ -12,6 +12,7 @@ const std::vector<Family>& all_families() {
         std::vector<Family> all;
         add_fragment_families(all);
         add_pixel_families(all);
+        add_primitive_families(all);
         add_texture_families(all);
         add_texture_update_families(all);
         return all;
@@ -23,6 +24,10 @@ void Quads::add(double x0, double y0, double x1, double y1) {
     const Point corner[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     for (int i = 0; i < 4; ++i) // whichever diagonal it is
         add_triangle(corner[i], corner[(i + 1) % 4], corner[(i + 2) % 4]);
+}
+
+void Quads::add_edge(double x0, double y0, double x1, double y1) {
+    inner_edges_.push_back({{x0, y0}, {x1, y1}});
 }
 
 /// Its edges inside of the window, and all that a polygon could be cut along.

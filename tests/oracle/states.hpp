@@ -19,6 +19,8 @@ using Planes = std::vector<unsigned char>;
 class Quads {
   public:
     void add(double x0, double y0, double x1, double y1);
+    /// Of any polygon: which side has the pixels on it, is free as long as one has (GL 1.3, 3.5.1).
+    void add_edge(double x0, double y0, double x1, double y1);
     bool has_on_edge(int x, int y) const; ///< a pixel
 
   private:
