@@ -45,10 +45,7 @@ class Board:
     trace: dict = None  # where the display's lines are, for the trace of register writes
     screen: dict = None  # the emulator draws the display itself
     sources: tuple = ()  # beside the folder's own, from the root of the repository
-
-    @property
-    def folder(self):
-        return ROOT / "boards" / self.name
+    folder: pathlib.Path = None
 
     @property
     def defines(self):
@@ -75,12 +72,13 @@ class Run:
     problems: list
 
 
+def read_board(path):
+    data = {key: tuple(value) if isinstance(value, list) else value for key, value in json.loads(path.read_text()).items()}
+    return Board(path.parent.name, folder=path.parent, **data)
+
+
 def discover():
-    boards = {}
-    for path in sorted((ROOT / "boards").glob("*/board.json")):
-        data = json.loads(path.read_text())
-        boards[path.parent.name] = Board(path.parent.name, **{k: tuple(v) if isinstance(v, list) else v for k, v in data.items()})
-    return boards
+    return {path.parent.name: read_board(path) for path in sorted((ROOT / "boards").glob("*/board.json"))}
 
 
 def add_image(build, board, report):

@@ -42,7 +42,7 @@ def _cortex_m(cpu):
     return Target("arm-none-eabi-", (f"-mcpu={cpu}", *THUMB), "hal/mcu/cortex_m")
 
 
-TARGETS = {cpu: _cortex_m(cpu) for cpu in ("cortex-m0", "cortex-m0plus", "cortex-m3", "cortex-m4", "cortex-m7", "cortex-m33", "cortex-m55")}
+TARGETS = {cpu: _cortex_m(cpu) for cpu in ("cortex-m0", "cortex-m0plus", "cortex-m3", "cortex-m4", "cortex-m7", "cortex-m33", "cortex-m33+nodsp", "cortex-m55")}
 TARGETS["cortex-a9"] = Target("arm-none-eabi-", ("-mcpu=cortex-a9", *THUMB), "hal/mcu/cortex_a")
 TARGETS["rv32imac"] = Target("riscv64-unknown-elf-", ("-march=rv32imac", "-mabi=ilp32"), "hal/mcu/riscv", tuple(RISCV_HEADERS))
 
@@ -79,7 +79,7 @@ class Build:
     def compile(self, target, optimize, source, defines=(), variant=""):
         """The object of one source; `variant` tells builds with other definitions apart."""
         chosen = TARGETS[target]
-        name = str(pathlib.Path(source).relative_to(ROOT)).replace("/", "_")
+        name = str(source.relative_to(ROOT) if source.is_relative_to(ROOT) else source.name).replace("/", "_")
         out = self.folder / "objects" / target / variant / (name + ".o")
         if out not in self.known:
             self.known.add(out)

@@ -29,10 +29,14 @@ class Pl022 {
 
     /// Returns when the last bit has left. What comes in meanwhile is thrown away.
     void write(const std::uint8_t* bytes, std::uint32_t count) const {
-        for (; count != 0; --count) {
-            while ((reg(base_ + sr) & not_full) == 0)
-                take();
-            reg(base_ + dr) = *bytes++;
+        while (count != 0) {
+            while ((reg(base_ + sr) & empty) == 0) {
+            }
+            const std::uint32_t now = count < depth ? count : depth;
+            for (std::uint32_t i = 0; i < now; ++i)
+                reg(base_ + dr) = bytes[i];
+            bytes += now;
+            count -= now;
             take();
         }
         while ((reg(base_ + sr) & busy) != 0) {
@@ -50,7 +54,8 @@ class Pl022 {
 
   private:
     static constexpr std::uintptr_t cr0 = 0x00, cr1 = 0x04, dr = 0x08, sr = 0x0C, cpsr = 0x10;
-    static constexpr std::uint32_t not_full = 1u << 1, received = 1u << 2, busy = 1u << 4;
+    static constexpr std::uint32_t depth = 8; ///< of the FIFOs
+    static constexpr std::uint32_t empty = 1u << 0, received = 1u << 2, busy = 1u << 4;
 
     /// An overrun of the receiver harms nobody, but it would be found by who reads next.
     void take() const {
