@@ -2,6 +2,13 @@
 # gl/context/features.hpp turns all on where nobody asked.
 set(SPANGLE_FEATURES)
 macro(spangle_feature name text)
+    # A profile that names features leaves the others out.
+    if(DEFINED SPANGLE_PROFILE_FEATURES AND NOT DEFINED CACHE{SPANGLE_FEATURE_${name}} AND NOT "${SPANGLE_PROFILE_FEATURES}" STREQUAL "all")
+        list(FIND SPANGLE_PROFILE_FEATURES ${name} named)
+        if(named EQUAL -1)
+            set(SPANGLE_FEATURE_${name} OFF)
+        endif()
+    endif()
     option(SPANGLE_FEATURE_${name} "${text}" ON)
     list(APPEND SPANGLE_FEATURES ${name})
 endmacro()

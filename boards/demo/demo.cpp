@@ -4,6 +4,11 @@
 #include <spangle/GL/gl.h>
 #include <spangle/native.hpp>
 
+/// A scene profile may hold another tier only.
+#ifndef DEMO_PRECISION
+#define DEMO_PRECISION EGL_PRECISION_BALANCED_SPANGLE
+#endif
+
 namespace spangle::demo {
 
 namespace {
@@ -15,15 +20,9 @@ struct Window {
     EGLContext context = EGL_NO_CONTEXT;
 
     const char* open(hal::Display& native_display) {
-        static constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,
-                                          EGL_OPENGL_BIT,
-                                          EGL_SURFACE_TYPE,
-                                          EGL_WINDOW_BIT,
-                                          EGL_DEPTH_SIZE,
-                                          16,
-                                          EGL_PRECISION_SPANGLE,
-                                          EGL_PRECISION_BALANCED_SPANGLE,
-                                          EGL_NONE};
+        static constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
+                                          EGL_WINDOW_BIT,        EGL_DEPTH_SIZE, 16,
+                                          EGL_PRECISION_SPANGLE, DEMO_PRECISION, EGL_NONE};
         display = eglGetDisplay(native(native_display));
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
             return "eglInitialize";

@@ -7,7 +7,8 @@
 namespace spangle::demo {
 
 Watcher& watcher(hal::Display&) {
-    static Watcher nobody;
+    static class Nobody final : public Watcher {
+    } nobody;
     return nobody;
 }
 

@@ -14,14 +14,13 @@ namespace model = baked::rocket;
 void setup(int width, int height) {
     static constexpr GLfloat light[4] = {0.5f, 0.6f, 0.8f, 0.0f};
     glClearColor(0.05f, 0.07f, 0.16f, 1.0f);
-    // The model, of radius 1, fits the shorter side at a distance of 4.
-    const float half = 0.28f, shape = static_cast<float>(height) / static_cast<float>(width);
-    const GLdouble x = static_cast<GLdouble>(shape < 1.0f ? half / shape : half),
-                   y = static_cast<GLdouble>(shape < 1.0f ? half : half * shape);
-    glViewport(0, 0, width, height);
+    // The model, of radius 1 at a distance of 4, fits a square in the middle: no arithmetic on floats, for
+    // which small boards would need a library.
+    const int side = width < height ? width : height;
+    glViewport((width - side) / 2, (height - side) / 2, side, side);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
-    glFrustum(-x, x, -y, y, 1.0, 8.0);
+    glFrustum(-0.28, 0.28, -0.28, 0.28, 1.0, 8.0);
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);

@@ -88,9 +88,9 @@ class Build:
                            "  flags = " + " ".join(f"'{flag}'" for flag in flags)]
         return out
 
-    def library(self, target, defines=(), variant=""):
-        """Objects of the core and the scenes."""
-        objects = [self.compile(target, "-O2" if room in HOT else "-Os", path, defines, variant) for room, path in sources()]
+    def library(self, target, defines=(), variant="", hot=HOT):
+        """Objects of the core and the scenes. `hot`: rooms and files that are built for speed."""
+        objects = [self.compile(target, "-O2" if room in hot or f"{room}/{path.name}" in hot else "-Os", path, defines, variant) for room, path in sources()]
         objects += [self.compile(target, "-O2", path, defines, variant) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
         return objects
 

@@ -41,11 +41,12 @@ bool belongs(const StateRow& row, GLbitfield groups) {
 
 /// Calls f(offset in the context, bytes) for everything that the groups keep there.
 template <class F> void for_each_kept(GLbitfield groups, F f) {
-    for (const StateRow& row : all_state())
-        if (belongs(row, groups))
-            if (const Kept kept = kept_by(row); kept.bytes != 0)
-                for (std::uint32_t u = 0; u < units_of(row); ++u)
-                    f(kept.offset + u * row.unit_step, kept.bytes);
+    for (const std::span<const StateRow> part : all_state())
+        for (const StateRow& row : part)
+            if (belongs(row, groups))
+                if (const Kept kept = kept_by(row); kept.bytes != 0)
+                    for (std::uint32_t u = 0; u < units_of(row); ++u)
+                        f(kept.offset + u * row.unit_step, kept.bytes);
 }
 
 void push(Context& context, AttribStack& stack, GLbitfield groups) {

@@ -10,8 +10,8 @@ namespace {
 
 /// The row of a capability; else the error is set and null comes back.
 const StateRow* find_switch(Context& context, GLenum cap, bool client_too) {
-    const StateRow* const row = find_state(cap);
-    if (row == nullptr || row->toggle == Switch::none || (row->toggle == Switch::client && !client_too)) {
+    const StateRow* const row = gl::find_switch(cap);
+    if (row == nullptr || (row->toggle == Switch::client && !client_too)) {
         error(context, GL_INVALID_ENUM);
         return nullptr;
     }

@@ -31,24 +31,29 @@ template <std::size_t... N> constexpr auto joined(const std::array<StateRow, N>&
 constexpr auto unsorted =
     joined(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
 
-constexpr std::size_t count_sections() {
+constexpr bool is_switch(const StateRow& row) {
+    return row.toggle != Switch::none;
+}
+
+template <bool Switches> constexpr std::size_t count_rows() {
     std::size_t n = 0;
     for (const StateRow& row : unsorted)
-        n += row.source == Source::section ? 1 : 0;
+        n += row.source != Source::section && is_switch(row) == Switches ? 1 : 0;
     return n;
 }
 
-constexpr auto sorted_by_name() {
-    std::array<StateRow, unsorted.size() - count_sections()> rows{};
+/// Switches, or the other rows.
+template <bool Switches> constexpr auto sorted_by_name() {
+    std::array<StateRow, count_rows<Switches>()> rows{};
     Group group = Group::none;
     std::size_t used = 0;
     for (const StateRow& row : unsorted) {
         if (row.source == Source::section) {
             group = row.group;
-            continue;
+        } else if (is_switch(row) == Switches) {
+            rows[used] = row;
+            rows[used++].group = group;
         }
-        rows[used] = row;
-        rows[used++].group = group;
     }
     for (std::size_t i = 1; i < rows.size(); ++i)
         for (std::size_t k = i; k > 0 && rows[k].name < rows[k - 1].name; --k)
@@ -56,32 +61,44 @@ constexpr auto sorted_by_name() {
     return rows;
 }
 
-constexpr auto table = sorted_by_name();
+// Two arrays: a program that asks for nothing but turns systems on and off links the smaller one only.
+constexpr auto switches = sorted_by_name<true>();
+constexpr auto others = sorted_by_name<false>();
 
 constexpr bool names_differ() {
-    for (std::size_t i = 1; i < table.size(); ++i)
-        if (table[i].name == table[i - 1].name && table[i].name != 0)
-            return false;
+    for (std::size_t i = 0; i < unsorted.size(); ++i)
+        for (std::size_t k = i + 1; k < unsorted.size(); ++k)
+            if (unsorted[i].name == unsorted[k].name && unsorted[i].name != 0)
+                return false;
     return true;
 }
 static_assert(names_differ());
 static_assert(sizeof(Context) <= 0x10000, "offsets of held bytes have 16 bits");
 
-} // namespace
-
-const StateRow* find_state(GLenum name) {
-    std::size_t low = 0, high = table.size();
+const StateRow* find(std::span<const StateRow> rows, GLenum name) {
+    std::size_t low = 0, high = rows.size();
     while (low < high) {
         const std::size_t middle = (low + high) / 2;
-        if (table[middle].name == name)
-            return &table[middle];
-        (table[middle].name < name ? low : high) = table[middle].name < name ? middle + 1 : middle;
+        if (rows[middle].name == name)
+            return &rows[middle];
+        (rows[middle].name < name ? low : high) = rows[middle].name < name ? middle + 1 : middle;
     }
     return nullptr;
 }
 
-std::span<const StateRow> all_state() {
-    return table;
+} // namespace
+
+const StateRow* find_switch(GLenum name) {
+    return find(switches, name);
+}
+
+const StateRow* find_state(GLenum name) {
+    const StateRow* const row = find(others, name);
+    return row != nullptr ? row : find_switch(name);
+}
+
+std::array<std::span<const StateRow>, 2> all_state() {
+    return {others, switches};
 }
 
 Kept kept_by(const StateRow& row) {

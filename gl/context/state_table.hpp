@@ -1,6 +1,7 @@
 // The one table of state: where each value lies, how queries convert it, and which attribute group saves it.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include <spangle/message.hpp>
@@ -92,8 +93,11 @@ inline constexpr int most_values = 16;
 /// The row called `name`, or null.
 const StateRow* find_state(GLenum name);
 
-/// Every row, in any order.
-std::span<const StateRow> all_state();
+/// The same of rows that are switches.
+const StateRow* find_switch(GLenum name);
+
+/// Every row, in any order, in two parts.
+std::array<std::span<const StateRow>, 2> all_state();
 
 /// The bytes that a row keeps in the context, of the first unit; 0 where it keeps none.
 struct Kept {

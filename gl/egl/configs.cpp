@@ -263,14 +263,16 @@ Config find_config(const Display&, EGLConfig handle) {
 }
 
 Precision precision_of(EGLint precision) {
-    constexpr const gl::Engine* fixed_tiers = raster::has_tiers ? &gl::fixed_engine : nullptr;
+    const auto fixed = [](raster::Tier tier) -> Precision {
+        return {raster::has_tier(tier) ? &gl::fixed_engine : nullptr, tier};
+    };
     switch (precision) {
     case EGL_PRECISION_EXACT_SPANGLE:
-        return {&gl::fixed_engine, raster::Tier::exact};
+        return fixed(raster::Tier::exact);
     case EGL_PRECISION_BALANCED_SPANGLE:
-        return {fixed_tiers, raster::Tier::balanced};
+        return fixed(raster::Tier::balanced);
     case EGL_PRECISION_FAST_SPANGLE:
-        return {fixed_tiers, raster::Tier::fast};
+        return fixed(raster::Tier::fast);
     case EGL_PRECISION_DOUBLE_SPANGLE:
         return {reference_engines[0], raster::Tier::exact};
     case EGL_PRECISION_SHADOW_SPANGLE:

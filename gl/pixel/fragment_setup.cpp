@@ -241,11 +241,10 @@ std::uint8_t written_channels(const Context& context) {
 }
 
 raster::Tier tier_of(const Context& context, GLenum hint) {
-    if (!raster::has_tiers)
-        return raster::Tier::exact;
-    if (hint == GL_FASTEST)
-        return raster::Tier::fast;
-    return hint == GL_NICEST ? raster::Tier::exact : context.tier;
+    const raster::Tier asked = hint == GL_FASTEST  ? raster::Tier::fast
+                               : hint == GL_NICEST ? raster::Tier::exact
+                                                   : context.tier;
+    return raster::has_tier(asked) ? asked : context.tier; // a hint is one (GL 1.3, 5.6)
 }
 
 void observe(Context& context, raster::Counters* counters, bool count_passed) {
@@ -287,6 +286,13 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         context.engine->compile(fragment, context.drawable.surface, cache.state);
         cache.state.counters = counters_of(context);
         cache.state.primitive = &cache.primitive;
+#if !SPANGLE_CHAIN
+        if (cache.state.lacks_span)
+            error(
+                context, GL_INVALID_OPERATION,
+                SPANGLE_TEXT("nothing is drawn: this build has no span for this state (SPANGLE_FUSED) and no "
+                             "chain"));
+#endif
 #if SPANGLE_FEATURE_STENCIL_SIDES
         if (stencil_sides(context)) {
             fragment.stencil = stencil_of(context.fragment_ops.stencil[1]);

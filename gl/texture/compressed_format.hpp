@@ -32,6 +32,12 @@ constexpr raster::TexelFormat compressed_texels_of(GLenum internal_format) {
                                                 : raster::TexelFormat::p8;
 }
 
+/// The build holds its texels, and the entries of its palette.
+constexpr bool is_held(GLenum internal_format) {
+    return raster::has_format(compressed_texels_of(internal_format)) &&
+           (!is_palette(internal_format) || raster::has_format(palette_format_of(internal_format)));
+}
+
 /// Bytes of all entries; 0: no palette.
 std::uint32_t palette_bytes(GLenum internal_format);
 

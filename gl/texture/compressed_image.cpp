@@ -99,9 +99,11 @@ void load(Context& context, const CompressedImage& from) {
 void compressed_image(Context& context, GLenum target, GLint level, GLenum internal_format, GLsizei width,
                       GLsizei height, GLint border, GLsizei size, const void* data, bool constant) {
     ImageTarget of;
-    if (!is_compressed(internal_format))
-        return error(context, GL_INVALID_ENUM,
-                     SPANGLE_TEXT("glCompressedTexImage2D: not a compressed format of this GL"));
+    if (!is_compressed(internal_format) || !is_held(internal_format))
+        return error(
+            context, GL_INVALID_ENUM,
+            SPANGLE_TEXT("glCompressedTexImage2D: not a compressed format of this GL, or one that this build "
+                         "leaves out (SPANGLE_TEXTURE_FORMATS)"));
     if (!find_image_target(context, target, 2, of))
         return;
     const bool palette = is_palette(internal_format);

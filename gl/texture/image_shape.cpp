@@ -56,7 +56,9 @@ bool shape_of(Context& context, ImageRequest request, LevelShape& out) {
     out = {};
     const TextureKind kind = request.target.kind;
     if (!texel_format_of(request.internal_format, context.drawable.surface.format, out.format)) {
-        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexImage: not an internal format"));
+        error(context, GL_INVALID_VALUE,
+              SPANGLE_TEXT("glTexImage: not an internal format, or one that this build leaves out "
+                           "(SPANGLE_TEXTURE_FORMATS)"));
         return false;
     }
     if (is_depth(out.format) && kind != TextureKind::one && kind != TextureKind::two) {

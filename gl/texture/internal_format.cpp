@@ -38,10 +38,8 @@ void take_base_format(GLint& internal_format) {
     }
 }
 
-} // namespace
-
-bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& out) {
-    take_base_format(internal_format);
+/// Of the table, whatever the build holds.
+bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out) {
     switch (internal_format) {
     case GL_ALPHA:
     case GL_ALPHA4:
@@ -111,6 +109,13 @@ bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& o
     default:
         return depth_format_of(internal_format, out);
     }
+}
+
+} // namespace
+
+bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& out) {
+    take_base_format(internal_format);
+    return kept_format_of(internal_format, surface, out) && raster::has_format(out);
 }
 
 BaseFormat base_format_of(TexelFormat format, GLenum internal_format) {

@@ -8,10 +8,11 @@
 
 namespace spangle::gl {
 
-/// False: not an internal format of TexImage. Resolutions that are asked for are kept where the board has
-/// such texels; where none is, colours of 16-bit surfaces are kept in 16 bits: "closely" is all GL wants, and
-/// a board's memory is small. Of generic compressed formats `internal_format` becomes the base format, which
-/// is what stands in for them (GL 1.3, 3.8.1).
+/// False: not an internal format of TexImage, or one that the build leaves out (SPANGLE_TEXTURE_FORMATS).
+/// Resolutions that are asked for are kept where the board has such texels; where none is, colours of 16-bit
+/// surfaces are kept in 16 bits: "closely" is all GL wants, and a board's memory is small. Of generic
+/// compressed formats `internal_format` becomes the base format, which is what stands in for them
+/// (GL 1.3, 3.8.1).
 bool texel_format_of(GLint& internal_format, PixelFormat surface, raster::TexelFormat& out);
 
 /// Of the table above and of CompressedTexImage.

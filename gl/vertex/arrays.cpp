@@ -97,8 +97,12 @@ bool is_integer_type(GLenum type) {
     return type >= GL_BYTE && type <= GL_UNSIGNED_INT;
 }
 
-bool is_position_type(GLenum type) {
+bool is_wide_type(GLenum type) {
     return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED;
+}
+/// Bytes are normals, and by OES_byte_coordinates positions and texture coordinates.
+bool is_signed_type(GLenum type) {
+    return type == GL_BYTE || is_wide_type(type);
 }
 
 } // namespace
@@ -141,7 +145,7 @@ namespace cmd {
 void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
     if (size < 2 || size > 4 || stride < 0)
         return error(context, GL_INVALID_VALUE);
-    if (!is_position_type(type))
+    if (!is_signed_type(type))
         return error(context, GL_INVALID_ENUM);
     point(context, context.arrays.vertex, size, type, stride, pointer);
 }
@@ -149,7 +153,7 @@ void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, co
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
-    if (!is_position_type(type) && type != GL_BYTE)
+    if (!is_signed_type(type))
         return error(context, GL_INVALID_ENUM);
     point(context, context.arrays.normal, 3, type, stride, pointer);
 }
@@ -165,7 +169,7 @@ void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, con
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
     if (size < 1 || size > 4 || stride < 0)
         return error(context, GL_INVALID_VALUE);
-    if (!is_position_type(type))
+    if (!is_signed_type(type))
         return error(context, GL_INVALID_ENUM);
     point(context, context.arrays.tex_coord[context.array_bindings.client_active], size, type, stride,
           pointer);
@@ -187,7 +191,7 @@ void PrimitiveRestartIndex(Context& context, GLuint index) {
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);
-    if (!is_position_type(type) && type != GL_UNSIGNED_BYTE)
+    if (!is_wide_type(type) && type != GL_UNSIGNED_BYTE)
         return error(context, GL_INVALID_ENUM);
     point(context, context.arrays.index, 1, type, stride, pointer);
 }

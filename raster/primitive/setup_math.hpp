@@ -65,7 +65,7 @@ template <class N> [[gnu::noinline]] inline std::uint32_t dithered_word(const st
 SPANGLE_INLINE std::uint32_t flat_word(const DrawState& state, const std::uint32_t (&color)[4]) {
     if (!state.fragment.dither)
         return word565(color);
-    return state.tier == Tier::exact ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
+    return drawn(state.tier) == Tier::exact ? dithered_word<Exact>(color) : dithered_word<Balanced<1>>(color);
 }
 
 /// What a difference between two ends is worth per pixel of the axis along which they lie apart.

@@ -89,7 +89,7 @@ bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) c
 
 bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     const std::uint32_t four = state_.four_color_tolerances;
-    if (state_.tier == Tier::fast || bounded(2 * bits, four))
+    if (drawn(state_.tier) == Tier::fast || bounded(2 * bits, four))
         return true;
     widest_ = widest_range();
     return bounded(widest_, four);

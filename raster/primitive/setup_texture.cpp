@@ -126,7 +126,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
         return false;
     if (same_w)
         return true;
-    if (state_.tier == Tier::exact || u.shift > 7)
+    if (drawn(state_.tier) == Tier::exact || u.shift > 7)
         return false;
     // A quarter of a texel of the base level.
     const auto within = [&](const std::int32_t v[3], int log2_size) {
@@ -188,8 +188,8 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
             return Kind::textured;
     if (!has_fog || !needs.fog)
         return Kind::affine;
-    const std::uint64_t four = state_.tier == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
-    const bool affine = span_.fog_exponent == -24 && (same_w || state_.tier == Tier::fast ||
+    const std::uint64_t four = drawn(state_.tier) == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
+    const bool affine = span_.fog_exponent == -24 && (same_w || drawn(state_.tier) == Tier::fast ||
                                                       bounded(range_of(fog[0], fog[1], fog[2]), four));
     return affine ? Kind::affine : Kind::textured;
 }

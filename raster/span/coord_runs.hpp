@@ -200,7 +200,7 @@ class CoordRuns {
     int choose_log2() const {
         if (row_.dq == 0)
             return row_log2;
-        if (span_->state->tier == Tier::fast)
+        if (drawn(span_->state->tier) == Tier::fast)
             return 4;
         const std::int32_t q0 = row_.q(0), end = row_.q(span_->length - 1);
         const std::int32_t least = q0 < end ? q0 : end;

@@ -68,9 +68,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-/// True where colours are guessed.
-bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
-    variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
+/// The stages one after the other.
+void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
     switch (key.number) {
     case Number::raw565:
         if (has_format(PixelFormat::rgb565_be) && drawn(key.format) == PixelFormat::rgb565_be)
@@ -79,13 +78,21 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
             assemble_raw<PixelFormat::rgb565_le>(variant, key);
         break;
     case Number::balanced:
-        if constexpr (has_tiers)
+        if constexpr (has_balanced)
             assemble<Balanced<host_lanes>>(variant, key, state);
         break;
     default:
-        assemble<Exact>(variant, key, state);
+        if constexpr (has_exact)
+            assemble<Exact>(variant, key, state);
         break;
     }
+}
+
+/// True where colours are guessed.
+bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
+    variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
+    if constexpr (has_chain)
+        assemble_chain(variant, key, state);
     const FusedSpan* const fused = find_fused(key);
     if (fused == nullptr)
         return false;
@@ -128,10 +135,10 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.format = target.format;
     // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target, of indices and 8 bits a unit.
     const bool units = format_info(target.format).green_bits == 8 || drawn_indexed(target.format);
-    draw.four_color_tolerances = state.tier == Tier::exact  ? color_one >> 17
-                                 : state.tier == Tier::fast ? UINT32_MAX
-                                 : units                    ? 1u << color_fraction_bits
-                                                            : 4u << color_fraction_bits;
+    draw.four_color_tolerances = drawn(state.tier) == Tier::exact  ? color_one >> 17
+                                 : drawn(state.tier) == Tier::fast ? UINT32_MAX
+                                 : units                           ? 1u << color_fraction_bits
+                                                                   : 4u << color_fraction_bits;
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =
@@ -167,7 +174,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
 
 template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
     DrawState draw;
-    bool walks = false;
+    bool walks = false, lacks_span = false;
     prepare(draw, state, target);
     for (int i = 0; i < kind_count && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
@@ -178,10 +185,17 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (kind == Kind::textured && plain)
             continue;
+        if (!has_chain && kind == Kind::full && drawn(state.tier) == Tier::fast)
+            continue; // whose colours and fog are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
+        lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
         walks = walks || draw.variant[i].walk != nullptr;
         draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
     }
+#if !SPANGLE_CHAIN
+    draw.lacks_span = lacks_span;
+#endif
+    draw.nothing = draw.nothing || lacks_span;
     if (walks)
         draw.paths = area_of_paths(state.scissor, target);
     return draw;

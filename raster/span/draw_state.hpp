@@ -134,6 +134,9 @@ struct DrawState {
             return static_cast<std::uint32_t>(px - x) < w && static_cast<std::uint32_t>(py - y) < h;
         }
     } paths;
+#if !SPANGLE_CHAIN
+    bool lacks_span = false; ///< of some kind of primitive; nothing is drawn then
+#endif
     /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
     bool nothing = false;
 };

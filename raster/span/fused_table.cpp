@@ -1,5 +1,5 @@
 // The table of fused spans: one line per key. A key that is not here draws with the chain: the same bytes,
-// slower.
+// slower. A scene profile has a table of its own (SPANGLE_FUSED, a file of such lines).
 #include "raster/span/fused_table.hpp"
 
 #include "raster/span/fused_cases.hpp"
@@ -83,6 +83,9 @@ constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind
 constexpr Say fine_bent = bent.cubic();
 
 constexpr FusedSpan table[] = {
+#ifdef SPANGLE_FUSED
+#include SPANGLE_FUSED
+#else
     // One colour (S2); with depth: faces of gears (S5), lines (S8).
     entry<flat>(),
     entry<flat.depth(less)>(),
@@ -174,6 +177,7 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t565, rgb, linear, modulate).depth(less).dither()>(),
     entry<textured.texture(t888, rgb, linear, modulate).depth(less).dither()>(),
     entry<textured.texture(t565, rgb, linear, modulate).depth(less).dither()>(),
+#endif
 };
 
 } // namespace

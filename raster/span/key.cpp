@@ -165,11 +165,11 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         key.number = Number::raw565;
         key.color_alpha = false;
         key.dither = state.dither && key.kind == Kind::flat && !key.pixels; // else dithering changes nothing
-        key.cubic = key.unit[0].on && key.kind == Kind::textured && state.tier == Tier::exact;
+        key.cubic = key.unit[0].on && key.kind == Kind::textured && drawn(state.tier) == Tier::exact;
     } else {
         // One copy of the code for narrow formats, which are those of small displays: the exact one.
-        const bool exact = !has_tiers || state.tier == Tier::exact || drawn_narrow(key.format);
-        key.number = exact ? Number::exact : Number::balanced;
+        const bool exact = !has_balanced || drawn(state.tier) == Tier::exact || drawn_narrow(key.format);
+        key.number = has_exact && exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);
     }
     return key;

@@ -126,13 +126,13 @@ template <class N> struct TextureFunction {
     }
     const std::uint8_t* address(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         return image.texels + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(image.stride) +
-               i * texel_bytes(texture.format);
+               i * texel_bytes(sampled(texture.format));
     }
     /// A texel of the image, of its border, or the border colour.
     Color texel(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         if (!stored(image, i, j))
             return border;
-        if constexpr (has_compressed_textures)
+        if constexpr (has_indirect_texels)
             if (is_indirect(texture.format))
                 return read_indirect<N>(texture, image, i, j);
         return read_texel<N>(texture.format, address(image, i, j));

@@ -119,7 +119,7 @@ template <class N> class PacketTexture {
         constexpr std::int32_t group = sizeof coord / sizeof coord.s[0];
         const bool linear = filter == Filter::linear, border = texture_.border_texels != 0;
         const bool indirect = is_indirect(texture_.format); // found by texel and row, not by bytes
-        const std::int32_t bytes = indirect ? 1 : texel_bytes(texture_.format),
+        const std::int32_t bytes = indirect ? 1 : texel_bytes(sampled(texture_.format)),
                            stride = indirect ? 1 : static_cast<std::int32_t>(image.stride);
         TexelOffsets s, t;
         const bool stored = find_texels<lanes>(s, linear, {texture_.wrap_s, image.width, bytes, border},

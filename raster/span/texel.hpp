@@ -76,26 +76,38 @@ template <class N>
     }
 }
 
+/// The same of a format that the build may not have.
+template <class N, TexelFormat Format>
+SPANGLE_INLINE typename N::Color read_texel_of(const std::uint8_t* at) {
+    if constexpr (has_format(Format))
+        return read_texel<N, Format>(at);
+    else
+        return {};
+}
+
 /// Format at run time.
 template <class N>
 [[gnu::noinline]] typename N::Color read_texel(TexelFormat format, const std::uint8_t* at) {
-    switch (format) {
+    switch (sampled(format)) {
     case TexelFormat::a8:
-        return read_texel<N, TexelFormat::a8>(at);
+        return read_texel_of<N, TexelFormat::a8>(at);
     case TexelFormat::l8:
-        return read_texel<N, TexelFormat::l8>(at);
+        return read_texel_of<N, TexelFormat::l8>(at);
     case TexelFormat::i8:
-        return read_texel<N, TexelFormat::i8>(at);
+        return read_texel_of<N, TexelFormat::i8>(at);
     case TexelFormat::la88:
-        return read_texel<N, TexelFormat::la88>(at);
+        return read_texel_of<N, TexelFormat::la88>(at);
     case TexelFormat::rgb565:
-        return read_texel<N, TexelFormat::rgb565>(at);
+        return read_texel_of<N, TexelFormat::rgb565>(at);
     case TexelFormat::rgb888:
-        return read_texel<N, TexelFormat::rgb888>(at);
+        return read_texel_of<N, TexelFormat::rgb888>(at);
     case TexelFormat::rgba8888:
-        return read_texel<N, TexelFormat::rgba8888>(at);
+        return read_texel_of<N, TexelFormat::rgba8888>(at);
     default:
-        return read_other_texel<N>(format, at);
+        if constexpr (has_other_texels)
+            return read_other_texel<N>(format, at);
+        else
+            return {};
     }
 }
 

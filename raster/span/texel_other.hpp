@@ -8,7 +8,7 @@ namespace spangle::raster {
 
 /// Texels that are found by their place (i, j), not by an address.
 constexpr bool is_indirect(TexelFormat format) {
-    return format >= TexelFormat::p4;
+    return has_indirect_texels && format >= TexelFormat::p4;
 }
 
 /// As what a texel comes into lanes.
@@ -18,7 +18,7 @@ enum class TexelWords : std::uint8_t {
     none,  ///< one by one
 };
 constexpr TexelWords words_of(TexelFormat format) {
-    switch (format) {
+    switch (sampled(format)) {
     case TexelFormat::rgb565:
         return TexelWords::rgb565;
     case TexelFormat::rgba5551:
@@ -92,7 +92,7 @@ inline std::uint32_t word_4444(const std::uint8_t* at) {
 inline std::uint32_t other_word(const Texture& texture, const TextureLevel& image, std::int32_t s,
                                 std::int32_t t) {
     constexpr std::uint32_t opaque = 0xFF000000;
-    if constexpr (has_compressed_textures) {
+    if constexpr (has_indirect_texels) {
         if (texture.format == TexelFormat::etc1)
             return etc1_word(image.texels, image.width, s, t) | opaque;
         if (is_indirect(texture.format)) {

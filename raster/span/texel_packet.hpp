@@ -106,7 +106,7 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
         for (std::int32_t i = 0; i < n; ++i)
             to[i] = word(image.texels + t[i] + s[i]);
     };
-    switch (texture.format) {
+    switch (sampled(texture.format)) {
     case TexelFormat::a8:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::a8>(at); });
     case TexelFormat::l8:
@@ -120,7 +120,7 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     case TexelFormat::rgba8888:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgba8888>(at); });
     default:
-        for (std::int32_t i = 0; i < n; ++i)
+        for (std::int32_t i = 0; has_other_texels && i < n; ++i)
             to[i] = other_word(texture, image, s[i], t[i]);
     }
 }

@@ -359,16 +359,43 @@ TEST_F(Attributes, ArraysOfEveryTypeEqualTheCommands) {
         GL_FIXED, x, [&] { glColor4xvOES(x); }, [&] { glNormal3xvOES(x); }, true);
 }
 
+/// OES_byte_coordinates: numbers, not fractions.
+TEST_F(Attributes, BytesAsCoordinates) {
+    static const GLbyte corner[4][2] = {{-128, 127}, {-1, -1}, {1, -1}, {-1, 1}};
+    glTexCoordPointer(2, GL_BYTE, 0, corner);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glArrayElement(0);
+    GLint st[4] = {};
+    glGetIntegerv(GL_CURRENT_TEXTURE_COORDS, st);
+    EXPECT_EQ(st[0], -128);
+    EXPECT_EQ(st[1], 127);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    const auto drawn = [] { // the lower left half of the window
+        GLubyte pixel[4] = {};
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glDrawArrays(GL_TRIANGLES, 1, 3);
+        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+        return pixel[0];
+    };
+    glColor3f(1, 1, 1);
+    glVertexPointer(2, GL_BYTE, 0, corner);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    EXPECT_EQ(drawn(), 255);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 /// GL 1.3, 2.8, the table of array sizes and types: what it does not list is refused.
 TEST_F(Attributes, PointersOfOtherTypes) {
     const auto refused = [](const char* what) {
         EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM)) << what;
     };
     for (const GLenum type : {GL_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_2_BYTES}) {
-        glVertexPointer(2, type, 0, nullptr);
-        refused("vertices");
-        glTexCoordPointer(2, type, 0, nullptr);
-        refused("texture coordinates");
+        if (type != GL_BYTE) { // OES_byte_coordinates
+            glVertexPointer(2, type, 0, nullptr);
+            refused("vertices");
+            glTexCoordPointer(2, type, 0, nullptr);
+            refused("texture coordinates");
+        }
         if (type != GL_UNSIGNED_BYTE) {
             glIndexPointer(type, 0, nullptr);
             refused("indices");

@@ -79,6 +79,14 @@ enum class FogMode : std::uint8_t { exp, exp2, linear };
 /// Accuracy tier (design 3). A tier never changes coverage or depth.
 enum class Tier : std::uint8_t { exact, balanced, fast };
 
+constexpr bool has_tier(Tier tier) {
+    return (tiers >> static_cast<unsigned>(tier) & 1) != 0;
+}
+/// Of a draw; where a build has one tier only the compiler knows it.
+constexpr Tier drawn(Tier tier) {
+    return one_of(tiers, tier);
+}
+
 /// How texels lie in memory; 16-bit texels are host-order uint16_t, the first component in the top bits.
 enum class TexelFormat : std::uint8_t {
     a8,
@@ -97,6 +105,19 @@ enum class TexelFormat : std::uint8_t {
     p8,
     etc1, ///< blocks of 4 x 4 texels, 8 bytes each, in rows
 };
+
+/// Textures may have it.
+constexpr bool has_format(TexelFormat format) {
+    return (texture_formats >> static_cast<unsigned>(format) & 1) != 0;
+}
+/// Of a texture; where a build has one format only the compiler knows it.
+constexpr TexelFormat sampled(TexelFormat format) {
+    return one_of(texture_formats, format);
+}
+/// Some texels have no loops of their own, or are found by their place.
+inline constexpr bool has_other_texels = texture_formats >> static_cast<unsigned>(TexelFormat::rgba4444) != 0,
+                      has_indirect_texels = has_compressed_textures &&
+                                            texture_formats >> static_cast<unsigned>(TexelFormat::p4) != 0;
 
 /// line: one row, t is not looked at. volume: images one behind the other, as high as the first one and its
 /// border.

@@ -10,13 +10,19 @@
 #define SPANGLE_TEXTURE_LEVELS 12
 #endif
 #ifndef SPANGLE_TIERS
-#define SPANGLE_TIERS 3
+#define SPANGLE_TIERS 7
 #endif
 #ifndef SPANGLE_PACKET
 #define SPANGLE_PACKET 16
 #endif
 #ifndef SPANGLE_FUSED_SPANS
 #define SPANGLE_FUSED_SPANS 1
+#endif
+#ifndef SPANGLE_CHAIN
+#define SPANGLE_CHAIN 1
+#endif
+#ifndef SPANGLE_TEXTURE_FORMATS
+#define SPANGLE_TEXTURE_FORMATS 32767
 #endif
 #ifndef SPANGLE_COLOR_FORMATS
 #define SPANGLE_COLOR_FORMATS 1023
@@ -36,9 +42,12 @@ static_assert(max_texture_units == 1 || max_texture_units == 2);
 inline constexpr int max_texture_levels = SPANGLE_TEXTURE_LEVELS;
 static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 
-/// Balanced and fast, beside exact.
-inline constexpr bool has_tiers = SPANGLE_TIERS > 1;
+inline constexpr unsigned tiers = SPANGLE_TIERS;
+static_assert(tiers != 0 && tiers < 8);
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
+/// Without it a state that has no fused span is an error.
+inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
+static_assert(has_chain || has_fused_spans);
 
 /// Fragments between two stages of the chain, where lanes do not ask for more, and most rows that a primitive
 /// hands to its span function at once. They lie on the stack.
@@ -58,9 +67,10 @@ inline constexpr unsigned wide_formats = formats_between(PixelFormat::rgb565_be,
                                               : 0;
 inline constexpr unsigned color_formats =
                               SPANGLE_COLOR_FORMATS & (wide_formats | narrow_formats | index_formats),
-                          depth_formats = SPANGLE_DEPTH_FORMATS;
+                          depth_formats = SPANGLE_DEPTH_FORMATS, texture_formats = SPANGLE_TEXTURE_FORMATS;
 static_assert(SPANGLE_COLOR_FORMATS < 1u << pixel_formats);
 static_assert(color_formats != 0, "the format needs NARROW_SURFACES or COLOR_INDEX");
+static_assert(texture_formats < 1u << 15);
 static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may always be without depth");
 
 /// Surfaces of it are drawn on.
@@ -74,12 +84,18 @@ inline constexpr bool has_narrow_formats = (color_formats & narrow_formats) != 0
                       has_wide_formats =
                           (color_formats & ~narrow_formats) != 0; ///< whose pixels have an address
 
+/// The number systems of the chain (key.cpp): narrow surfaces have the exact one in every tier.
+inline constexpr bool has_exact = has_narrow_formats || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
+static_assert(has_chain || !has_narrow_formats, "narrow surfaces are drawn by the chain");
+
+/// The value itself; where a build has no other the compiler knows it.
+template <class E> constexpr E one_of(unsigned set, E value) {
+    return (set & (set - 1)) != 0 || set == 0 ? value : static_cast<E>(__builtin_ctz(set));
+}
+
 /// The format of a surface. Where a build draws on one format only the compiler knows it.
 constexpr PixelFormat drawn(PixelFormat format) {
-    if constexpr ((color_formats & (color_formats - 1)) != 0)
-        return format;
-    else
-        return static_cast<PixelFormat>(__builtin_ctz(color_formats));
+    return one_of(color_formats, format);
 }
 constexpr bool drawn_narrow(PixelFormat format) {
     return has_narrow_formats && (!has_wide_formats || is_narrow(format));

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Prints the compiler definitions of a scene profile, for builds without CMake (cmake/Profile.cmake says what they mean).
+
+usage: profile.py PROFILE
+
+PROFILE: a file of cmake/profiles without its ending, or a path.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROFILES = ROOT / "cmake/profiles"
+
+
+def features():
+    return re.findall(r"^spangle_feature\((\w+) ", (ROOT / "cmake/Features.cmake").read_text(), re.M)
+
+
+def limits():
+    """{limit: usual value}"""
+    return dict(re.findall(r"^spangle_limit\((\w+) (\w+) ", (ROOT / "cmake/Limits.cmake").read_text(), re.M))
+
+
+def find(name, folder, ending):
+    for path in (folder / f"{name}.{ending}", pathlib.Path(name)):
+        if path.is_file():
+            return path.resolve()
+    raise SystemExit(f"profile.py: no profile '{name}': neither {(folder / name).relative_to(ROOT)}.{ending} nor a path")
+
+
+def known(names, what, among):
+    unknown = sorted(set(names) - set(among))
+    if unknown:
+        raise SystemExit(f"profile.py: no {what} {', '.join(unknown)}")
+    return names
+
+
+def definitions(name):
+    """[NAME=VALUE]"""
+    text = find(name, PROFILES, "cmake").read_text()
+    says = dict(re.findall(r"^set\(SPANGLE_(\w+) ([^)]*)\)", text, re.M))
+    out = []
+    on = says.pop("PROFILE_FEATURES", "all")
+    if on != "all":
+        wanted = known(on.split(), "feature", features())
+        out += [f"SPANGLE_FEATURE_{feature}=0" for feature in features() if feature not in wanted]
+    if "FUSED" in says:
+        out.append(f'SPANGLE_FUSED="{find(says.pop("FUSED"), PROFILES / "spans", "inc")}"')
+    return out + [f"SPANGLE_{limit}={says[limit]}" for limit in known(list(says), "limit", limits())]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        print(__doc__.strip())
+        sys.exit(2)
+    print("\n".join(definitions(sys.argv[1])))

@@ -1,0 +1,18 @@
+# A lit, textured model in the fast tier, and nothing else: what the smallest boards draw. Only the spans of the list are there; a
+# state that needs another one is an error.
+set(SPANGLE_PROFILE_FEATURES LIGHTING)
+set(SPANGLE_FUSED lit_textured)
+set(SPANGLE_CHAIN 0)
+set(SPANGLE_TIERS 4)            # fast
+set(SPANGLE_COLOR_FORMATS 1)    # rgb565_be
+set(SPANGLE_DEPTH_FORMATS 3)    # none, z16
+set(SPANGLE_TEXTURE_FORMATS 16) # rgb565
+set(SPANGLE_TEXTURE_UNITS 1)
+set(SPANGLE_TEXTURE_LEVELS 7)
+set(SPANGLE_LIGHTS 1)
+set(SPANGLE_MODELVIEW_STACK 3)
+set(SPANGLE_PROJECTION_STACK 1)
+set(SPANGLE_TEXTURE_STACK 1)
+set(SPANGLE_VERTEX_CACHE 24)
+set(SPANGLE_LINE_BATCH 2)
+set(SPANGLE_PACKET 4)

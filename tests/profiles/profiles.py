@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Builds each scene profile (cmake/profiles) as firmware for a Cortex-M4: its text against the goals and the golden sizes, its
+pictures against those of the whole library.
+
+usage: profiles.py [PROFILE...] [--update] [--build FOLDER]
+
+Text is .text with .rodata of the linked image with start-up, EGL, one panel and one bus, without the data of the model; -Os, fused
+spans at -O2, no messages. minimal: the demo of one scene. first_slice and whole: the same with every command that the profile
+has. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
+"""
+import argparse
+import dataclasses
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "boards/tools"))
+import firmware  # noqa: E402
+import profile  # noqa: E402
+
+GOLDEN = HERE / "golden.json"
+TARGET, BOARD, FRAMES = "cortex-m4", "mps2_an386", 3
+MACHINE = ["qemu-system-arm", "-M", "mps2-an386"]
+HOT = ("raster/span/fused_table.cpp",)
+
+
+@dataclasses.dataclass(frozen=True)
+class Subject:
+    goal: int  # bytes of text
+    precision: str
+    scenes: tuple  # whose pictures are held against the whole library's
+    every_command: bool
+
+
+SUBJECTS = {
+    "minimal": Subject(20 * 1024, "FAST", ("BAKED",), False),
+    "first_slice": Subject(56 * 1024, "BALANCED", ("BAKED", "S3", "S4", "S6", "S7", "S9"), True),
+    "whole": Subject(128 * 1024, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9"), True),
+}
+
+
+def commands():
+    """Every command that the public header declares."""
+    return re.findall(r"^GLAPI .*GLAPIENTRY (gl\w+)\(", (ROOT / "gl/include/spangle/GL/gl.h").read_text(), re.M)
+
+
+def demo(build, name, library, scenes, report, subject, keep=()):
+    """The demo of these scenes as an image."""
+    defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
+               f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
+    paths = ["boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp"]
+    paths += ["hal/mcu/emulated/panic.cpp"] if report == "semihosting" else []
+    own = [build.compile(TARGET, "-Os", ROOT / path, defines, name) for path in paths]
+    script = build.folder / f"{name}.ld"
+    script.parent.mkdir(parents=True, exist_ok=True)
+    script.write_text("".join(f"EXTERN({symbol})\n" for symbol in keep) + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
+    return build.image(TARGET, [*own, *library], script, f"{name}.elf")
+
+
+def frames(image):
+    """{scene: [hash]} as the image prints them."""
+    out, scene = {}, None
+    for words in map(str.split, firmware.emulate(MACHINE, image, (str(FRAMES),)).splitlines()):
+        if words[:1] == ["scene"]:
+            scene = out.setdefault(words[1], [])
+        elif words[:1] == ["frame"]:
+            scene.append(words[1])
+        elif words[:1] == ["failed"]:
+            scene.append("failed: " + " ".join(words[1:]))
+    return out
+
+
+def model_bytes(image):
+    """Of baked meshes and textures, and the tables of scenes: not the library's."""
+
+    listing = subprocess.run(["arm-none-eabi-nm", "-S", "-C", str(image)], capture_output=True, text=True, check=True).stdout
+    return sum(int(size, 16) for size in re.findall(r"^\w+ (\w+) \w spangle::baked::", listing, re.M))
+
+
+def text_of(image):
+    return firmware.sizes(TARGET, image)[".text"] - model_bytes(image)
+
+
+def measure(names, folder):
+    """{profile: (text, {scene: [hash]}, {scene: [hash] of the whole library})}"""
+    build = firmware.Build(folder)
+    images = {}
+    everything = build.library(TARGET, (), "everything")
+    for name in names:
+        subject = SUBJECTS[name]
+        defines = [f"-D{definition}" for definition in profile.definitions(name)]
+        library = build.library(TARGET, defines, name, hot=HOT)
+        keep = commands() if subject.every_command else ()
+        images[name] = (demo(build, f"{name}_size", library, ("BAKED",), "silent", subject, keep),
+                        demo(build, f"{name}_pictures", library, subject.scenes, "semihosting", subject),
+                        demo(build, f"{name}_reference", everything, subject.scenes, "semihosting", subject))
+    build.run()
+    return {name: (text_of(size), frames(pictures), frames(reference))
+            for name, (size, pictures, reference) in images.items()}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("profiles", nargs="*", help="else all")
+    parser.add_argument("--update", action="store_true", help="keeps these sizes as the golden ones")
+    parser.add_argument("--build", type=pathlib.Path, help="where objects and images go, and stay")
+    arguments = parser.parse_args()
+    missing = firmware.missing([TARGET])
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (./dev setup --all installs them)")
+        return 77
+    golden = json.loads(GOLDEN.read_text()) if GOLDEN.exists() else {}
+    names, bad = arguments.profiles or list(SUBJECTS), []
+    with tempfile.TemporaryDirectory() as folder:
+        measured = measure(names, arguments.build or folder)
+    print(f"{'profile':<14}{'text':>9}{'golden':>9}{'goal':>9}{'of the goal':>13}  pictures")
+    for name, (text, ours, theirs) in measured.items():
+        equal = ours == theirs and set(ours) == set(SUBJECTS[name].scenes) and all(len(f) == FRAMES for f in ours.values())
+        kept = golden.get(name, 0)
+        print(f"{name:<14}{text:>9}{kept:>9}{SUBJECTS[name].goal:>9}{text / SUBJECTS[name].goal:>11.2f} x  {'equal' if equal else f'differ: {ours} instead of {theirs}'}")
+        if not equal:
+            bad.append(f"{name}: pictures are not those of the whole library")
+        if not arguments.update and text > kept * 1.03:
+            bad.append(f"{name}: {text} bytes of text, {kept} are the golden ones")
+        golden[name] = text
+    if arguments.update:
+        GOLDEN.write_text(json.dumps(golden, indent=1) + "\n")
+    print("\n".join(bad))
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

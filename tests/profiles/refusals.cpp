@@ -1,0 +1,149 @@
+// Run with the definitions of a profile: what it holds draws, what it leaves out is an error with a message
+// that names the setting. Prints what is wrong; exit status 1 then.
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <spangle/EGL/egl.h>
+#include <spangle/GL/gl.h>
+#include <spangle/message.hpp>
+#include <spangle/raster/fragment_state.hpp>
+
+#include "boards/scenes/models/rocket.hpp"
+
+namespace {
+
+using namespace spangle;
+
+int wrong = 0;
+std::string said;
+
+void check(bool good, const char* what) {
+    if (good)
+        return;
+    std::printf("%s (said: %s)\n", what, said.c_str());
+    wrong = 1;
+}
+
+/// The error that waits, and that a message holds the word.
+bool refused(GLenum code, const char* word) {
+    return glGetError() == code && said.find(word) != std::string::npos;
+}
+
+EGLint count_configs(EGLDisplay display, std::vector<EGLint> wish) {
+    wish.insert(wish.end(), {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE});
+    EGLint n = 0;
+    eglChooseConfig(display, wish.data(), nullptr, 0, &n);
+    return n;
+}
+
+/// One config for each precision, format and depth that the build holds.
+void configs(EGLDisplay display) {
+    const struct {
+        EGLint token;
+        raster::Tier tier;
+    } tiers[] = {{EGL_PRECISION_EXACT_SPANGLE, raster::Tier::exact},
+                 {EGL_PRECISION_BALANCED_SPANGLE, raster::Tier::balanced},
+                 {EGL_PRECISION_FAST_SPANGLE, raster::Tier::fast}};
+    for (const auto& t : tiers)
+        check((count_configs(display, {EGL_PRECISION_SPANGLE, t.token, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT}) >
+               0) == raster::has_tier(t.tier),
+              "configs of a tier");
+    check((count_configs(display, {EGL_DEPTH_SIZE, 24, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT}) > 0) ==
+              raster::has_format(DepthFormat::z24s8),
+          "configs of 24-bit depth");
+    check((count_configs(display, {EGL_RED_SIZE, 8, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT}) > 0) ==
+              (raster::has_format(PixelFormat::rgb888) || raster::has_format(PixelFormat::rgba8888)),
+          "configs of 8 bits a component");
+}
+
+void open(EGLDisplay display) {
+    EGLConfig config = nullptr;
+    EGLint n = 0;
+    const EGLint wish[] = {EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 16,
+                           EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,  EGL_NONE};
+    eglChooseConfig(display, wish, &config, 1, &n);
+    const EGLint size[] = {EGL_WIDTH, 64, EGL_HEIGHT, 64, EGL_NONE};
+    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    check(n == 1 && eglMakeCurrent(display, surface, surface, context) == EGL_TRUE, "a context");
+}
+
+void textures() {
+    static constexpr GLubyte texel[4] = {1, 2, 3, 4};
+    const struct {
+        GLint format;
+        raster::TexelFormat kept;
+    } formats[] = {
+        {GL_RGB565, raster::TexelFormat::rgb565},  {GL_RGB8, raster::TexelFormat::rgb888},
+        {GL_RGBA8, raster::TexelFormat::rgba8888}, {GL_ALPHA8, raster::TexelFormat::a8},
+        {GL_LUMINANCE8, raster::TexelFormat::l8},  {GL_LUMINANCE8_ALPHA8, raster::TexelFormat::la88},
+        {GL_RGBA4, raster::TexelFormat::rgba4444}, {GL_RGB5_A1, raster::TexelFormat::rgba5551},
+        {GL_R3_G3_B2, raster::TexelFormat::rgb332}};
+    for (const auto& f : formats) {
+        said.clear();
+        glTexImage2D(GL_TEXTURE_2D, 0, f.format, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+        check(raster::has_format(f.kept) ? glGetError() == GL_NO_ERROR
+                                         : refused(GL_INVALID_VALUE, "SPANGLE_TEXTURE_FORMATS"),
+              "a format of textures");
+    }
+}
+
+/// Drawn pixels other than the cleared one.
+int drawn() {
+    std::vector<GLubyte> pixels(64 * 64 * 3);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, 64, 64, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    int n = 0;
+    for (std::size_t i = 3; i < pixels.size(); i += 3)
+        n += std::memcmp(&pixels[i], pixels.data(), 3) != 0 ? 1 : 0;
+    return n;
+}
+
+/// The lit, textured model is in every profile; one flat triangle is in those with the chain or its span.
+void draws() {
+    const baked::Part& part = baked::rocket::parts[0];
+    glDisable(GL_DITHER);
+    baked::load(baked::rocket::textures[0]);
+    baked::scale_texcoords(baked::rocket::mesh);
+    glEnable(GL_TEXTURE_2D);
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glEnable(GL_RESCALE_NORMAL);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    baked::scale_positions(baked::rocket::mesh);
+    baked::material(part);
+    baked::point_arrays(part);
+    baked::draw(part);
+    check(glGetError() == GL_NO_ERROR && drawn() > 300, "the model is drawn");
+
+    said.clear();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_TEXTURE_2D);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    baked::draw(part);
+    if (raster::has_chain)
+        check(glGetError() == GL_NO_ERROR && drawn() > 300, "what has no span runs in the chain");
+    else
+        check(refused(GL_INVALID_OPERATION, "SPANGLE_FUSED") && drawn() == 0, "what has no span is refused");
+}
+
+} // namespace
+
+int main() {
+    on_message([](unsigned, const char* text) { said = text; });
+    const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    eglInitialize(display, nullptr, nullptr);
+    configs(display);
+    open(display);
+    textures();
+    draws();
+    // A hint for a tier that is not there is one for the config's.
+    glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
+    check(glGetError() == GL_NO_ERROR, "hints are taken");
+    return wrong;
+}
