@@ -53,9 +53,9 @@ def demo(build, name, library, scenes, report, subject, keep=()):
     """The demo of these scenes as an image."""
     defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
                f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
-    paths = ["boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp"]
-    paths += ["hal/mcu/emulated/panic.cpp"] if report == "semihosting" else []
-    own = [build.compile(TARGET, "-Os", ROOT / path, defines, name) for path in paths]
+    paths = [ROOT / path for path in ("boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp")]
+    paths += [path for path in firmware.startup(TARGET) if report == "semihosting" or path.parent.name != "emulated"]
+    own = [build.compile(TARGET, "-Os", path, defines, name) for path in paths]
     script = build.folder / f"{name}.ld"
     script.parent.mkdir(parents=True, exist_ok=True)
     script.write_text("".join(f"EXTERN({symbol})\n" for symbol in keep) + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
