@@ -84,9 +84,11 @@ inline constexpr bool has_narrow_formats = (color_formats & narrow_formats) != 0
                       has_wide_formats =
                           (color_formats & ~narrow_formats) != 0; ///< whose pixels have an address
 
-/// The number systems of the chain (key.cpp): narrow surfaces have the exact one in every tier.
-inline constexpr bool has_exact = has_narrow_formats || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
-static_assert(has_chain || !has_narrow_formats, "narrow surfaces are drawn by the chain");
+/// The number systems of the chain (key.cpp): narrow surfaces and those of indices have the exact one in
+/// every tier, and no loops of their own.
+inline constexpr bool chain_only = (color_formats & (narrow_formats | index_formats)) != 0;
+inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
+static_assert(has_chain || !chain_only, "narrow surfaces and those of indices are drawn by the chain");
 
 /// The value itself; where a build has no other the compiler knows it.
 template <class E> constexpr E one_of(unsigned set, E value) {
