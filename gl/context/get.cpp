@@ -1,11 +1,10 @@
-// Get{Boolean,Integer,Float,Double,Fixed}v, GetPointerv, GetString, GetError (GL 1.3, 2.5, 6.1.2, 6.1.11).
+// Get{Boolean,Integer,Float,Double,Fixed}v, GetPointerv, GetError (GL 1.3, 2.5, 6.1.2, 6.1.11).
 #include <cstring>
 
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/state_table.hpp"
-#include "gl/context/version.hpp"
 
 namespace spangle::gl {
 
@@ -61,27 +60,6 @@ GLenum GetError(Context& context) {
     const GLenum code = context.error_code;
     context.error_code = GL_NO_ERROR;
     return code;
-}
-
-const GLubyte* GetString(Context& context, GLenum name) {
-    const char* text = nullptr;
-    switch (name) {
-    case GL_VENDOR:
-        text = "Spangle";
-        break;
-    case GL_RENDERER:
-        text = "Spangle fixed point";
-        break;
-    case GL_VERSION:
-        text = "1.0 Spangle " SPANGLE_VERSION " (subset)";
-        break;
-    case GL_EXTENSIONS:
-        text = ""; // none is whole yet
-        break;
-    default:
-        error(context, GL_INVALID_ENUM);
-    }
-    return reinterpret_cast<const GLubyte*>(text);
 }
 
 } // namespace cmd

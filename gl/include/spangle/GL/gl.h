@@ -21,6 +21,9 @@ extern "C" {
 
 #define SPANGLE_GL 1
 #define GL_VERSION_1_0 1
+#define GL_VERSION_1_1 1
+#define GL_VERSION_1_2 1
+#define GL_VERSION_1_3 1
 
 typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
