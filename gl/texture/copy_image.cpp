@@ -58,10 +58,17 @@ class Copy {
     Transfer transfer_;
 };
 
+/// Unlike TexImage, which takes component counts and calls others wrong values (GL 1.3, 3.8.2).
+bool copies_to(const Context& context, GLint internal_format) {
+    raster::TexelFormat unused;
+    return (internal_format < 1 || internal_format > 4) &&
+           texel_format_of(internal_format, context.drawable.surface.format, unused);
+}
+
 void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y) {
     LevelShape shape;
-    if (request.internal_format >= 1 && request.internal_format <= 4)
-        return error(context, GL_INVALID_ENUM);
+    if (!copies_to(context, request.internal_format))
+        return error(context, GL_INVALID_ENUM, SPANGLE_TEXT("glCopyTexImage: not an internal format"));
     if (!shape_of(context, request, shape))
         return;
     if (is_depth(shape.format) && !has_depth(context))

@@ -168,8 +168,8 @@ TEST_F(Images, CopiesAreWhatReadPixelsAndTexImageMake) {
     glCopyTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GL_RGB8, 0, 0, 2, 2, 0);
     EXPECT_EQ(read(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, GL_RGB, 12)[3], pixels[4]);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-    for (const GLenum one_to_four : {1, 2, 3, 4}) {
-        glCopyTexImage2D(GL_TEXTURE_2D, 0, one_to_four, 0, 0, 2, 2, 0);
+    for (const GLenum none : {1, 2, 3, 4, 0, 5, GL_BGRA}) { // TexImage takes the first four
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, none, 0, 0, 2, 2, 0);
         EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
     }
     glCopyTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGB, 0, 0, 2, 2, 0);

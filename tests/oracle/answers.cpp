@@ -21,7 +21,11 @@ const std::vector<Questions>& all_questions() {
                                                {"fog_coordinates", fog_coordinates},
                                                {"secondary_colors", secondary_colors},
                                                {"primitive_restart", primitive_restart},
-                                               {"vertex_array_objects", vertex_array_objects}};
+                                               {"vertex_array_objects", vertex_array_objects},
+                                               {"texture_images", texture_images},
+                                               {"texture_parameters", texture_parameters},
+                                               {"pixel_paths", pixel_paths},
+                                               {"fragment_operations", fragment_operations}};
     return all;
 }
 

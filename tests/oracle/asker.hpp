@@ -50,5 +50,9 @@ Answers fog_coordinates();
 Answers secondary_colors();
 Answers primitive_restart();
 Answers vertex_array_objects();
+Answers texture_images();
+Answers texture_parameters();
+Answers pixel_paths();
+Answers fragment_operations();
 
 } // namespace spangle::oracle
