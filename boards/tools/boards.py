@@ -203,10 +203,11 @@ def main():
         print(f"skipped: {', '.join(missing)} not installed (./dev setup --all installs them)")
         return 77
     build = firmware.Build(arguments.build)
-    images = {board.name: add_image(build, board, "silent" if arguments.hardware else "semihosting") for board in boards}
+    hardware = [add_image(build, board, "silent") for board in boards]
+    images = {} if arguments.hardware else {board.name: add_image(build, board, "semihosting") for board in boards}
     build.run()
     if arguments.hardware:
-        print("\n".join(str(image) for image in images.values()))
+        print("\n".join(map(str, hardware)))
         return 0
 
     with tempfile.TemporaryDirectory() as name:

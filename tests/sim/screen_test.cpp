@@ -49,6 +49,7 @@ TEST(Screen, StepsOfAFormatAreComparedNotTheirScale) {
     EXPECT_FALSE(shows(one(0, 0, 16), one(0, 0, 8), PixelFormat::rgb565_le));
     EXPECT_TRUE(shows(one(17, 17, 17), one(20, 20, 20), PixelFormat::grey4));
     EXPECT_FALSE(shows(one(34, 34, 34), one(20, 20, 20), PixelFormat::grey4));
+    EXPECT_FALSE(shows(one(51, 51, 51), one(34, 34, 34), PixelFormat::grey4));
     EXPECT_TRUE(shows(one(128, 255, 200), one(255, 255, 255), PixelFormat::mono));
     EXPECT_FALSE(shows(one(127, 255, 200), one(255, 255, 255), PixelFormat::mono));
     EXPECT_FALSE(shows(Image(2, 1), Image(1, 1), PixelFormat::mono));

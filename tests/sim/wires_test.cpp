@@ -63,7 +63,7 @@ TEST(Wiring, LevelsOfPinsAreBitsOfRegisters) {
 TEST(Wiring, SetResetRegistersKeepWhatIsNotNamed) {
     const Wiring wiring = wired({"spi=0x8", "select=0x18:1:set_reset"});
     const std::string trace = write(0x18, 1u << 17) + write(0x18, 1u << 16) + write(0x18, 1u << 0) +
-                              write(0x18, 1u << 1) + write(0x18, 2);
+                              write(0x18, 1u << 1) + write(0x18, 2) + write(0x18, 1u << 0);
     EXPECT_EQ(events(trace, wiring), "SR");
 }
 
@@ -103,7 +103,8 @@ struct Hx8347 {
 TEST(WiredPanel, TakesWhatIsSentWhileItIsSelected) {
     Hx8347 bus;
     bus.value(0x17, 0x05);
-    bus.events.push_back({Kind::byte, 0x70}); // nobody is selected
+    bus.events.push_back({Kind::byte, 0x72}); // nobody is selected
+    bus.events.push_back({Kind::byte, 0x00});
     bus.value(0x02, 0x00);
     WiredPanel panel(boards::hx8347_spi, wired({"spi=0x8", "pause=0x4:1000"}), bus.events);
     EXPECT_TRUE(panel.advance(2)) << "start bytes do not count";
