@@ -18,7 +18,7 @@ spangle_limit(VERTEX_CACHE 0 "Vertices of arrays kept for indices that come agai
 spangle_limit(CLIP_SPARE 2 "Corners kept for polygons that are not convex while they are clipped")
 spangle_limit(LINE_BATCH 0 "Lines of elements under way at once, even; 0: what suits the processor")
 spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0: what suits the processor")
-spangle_limit(TIERS 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
+spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
 spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")
 spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")
 spangle_limit(CHAIN 1 "What draws the states that have no loop of their own; 0: they are errors")

@@ -2,7 +2,7 @@
 # 16-bit surfaces. Lists, the imaging paths and all that came later are left out.
 set(SPANGLE_PROFILE_FEATURES LIGHTING FOG)
 set(SPANGLE_FUSED few)
-set(SPANGLE_TIERS 2)            # balanced
+set(SPANGLE_TIER_SET 2)            # balanced
 set(SPANGLE_COLOR_FORMATS 1)    # rgb565_be
 set(SPANGLE_DEPTH_FORMATS 3)    # none, z16
 set(SPANGLE_TEXTURE_FORMATS 83) # a8, l8, rgb565, rgba8888

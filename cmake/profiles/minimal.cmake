@@ -3,7 +3,7 @@
 set(SPANGLE_PROFILE_FEATURES LIGHTING)
 set(SPANGLE_FUSED lit_textured)
 set(SPANGLE_CHAIN 0)
-set(SPANGLE_TIERS 4)            # fast
+set(SPANGLE_TIER_SET 4)            # fast
 set(SPANGLE_COLOR_FORMATS 1)    # rgb565_be
 set(SPANGLE_DEPTH_FORMATS 3)    # none, z16
 set(SPANGLE_TEXTURE_FORMATS 16) # rgb565

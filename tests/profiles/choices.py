@@ -13,10 +13,9 @@ import sys
 import tempfile
 
 import profiles
-from profiles import ROOT, SUBJECTS, TARGET, firmware, profile
+from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, profile
 
 RECORD = profiles.HERE / "choices.json"
-DOCUMENT = ROOT / "docs/profiles.md"
 
 
 def choices():
@@ -24,9 +23,9 @@ def choices():
     out = {
         "all fused spans instead of six": {"SPANGLE_FUSED": None},
         "without the chain": {"SPANGLE_CHAIN": "0"},
-        "exact instead of balanced": {"SPANGLE_TIERS": "1"},
-        "fast instead of balanced": {"SPANGLE_TIERS": "4"},
-        "balanced and exact": {"SPANGLE_TIERS": "3"},
+        "exact instead of balanced": {"SPANGLE_TIER_SET": "1"},
+        "fast instead of balanced": {"SPANGLE_TIER_SET": "4"},
+        "balanced and exact": {"SPANGLE_TIER_SET": "3"},
         "16-bit depth only": {"SPANGLE_DEPTH_FORMATS": "3"},
         "textures of rgb565 only": {"SPANGLE_TEXTURE_FORMATS": "16"},
         "textures of 8-bit and 565 texels only": {"SPANGLE_TEXTURE_FORMATS": "127"},
@@ -57,15 +56,8 @@ def measure(changes, folder, name):
 
 def table(record):
     whole = record["whole"]
-    rows = [f"| {name} | {text - whole:+,} |".replace(",", " ") for name, text in record.items() if name != "whole"]
-    return "\n".join(["| choice | bytes of text |", "|---|--:|", f"| the whole profile | {whole:,} |".replace(",", " "), *rows])
-
-
-def write_table(record):
-    text = DOCUMENT.read_text()
-    begin, end = "<!-- table: choices -->\n", "\n<!-- end -->"
-    before, rest = text.split(begin)
-    DOCUMENT.write_text(before + begin + table(record) + end + rest.split(end, 1)[1])
+    rows = "".join(f"| {name} | {text - whole:+} |\n" for name, text in record.items() if name != "whole")
+    return f"| choice | bytes of text |\n|---|--:|\n| the whole profile | {whole} |\n{rows}"
 
 
 def main():
@@ -85,8 +77,7 @@ def main():
                     RECORD.write_text(json.dumps(record, indent=1) + "\n")
         record = {name: record[name] for name in wanted if name in record}
         RECORD.write_text(json.dumps(record, indent=1) + "\n")
-    if DOCUMENT.exists():
-        write_table(record)
+    DOCUMENT.write_text(profiles.with_table(DOCUMENT.read_text(), "choices", table(record)))
     return 0
 
 

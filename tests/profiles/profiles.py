@@ -82,6 +82,20 @@ def model_bytes(image):
     return sum(int(size, 16) for size in re.findall(r"^\w+ (\w+) \w spangle::baked::", listing, re.M))
 
 
+DOCUMENT = ROOT / "docs/profiles.md"
+
+
+def with_table(text, name, table):
+    """The document with another table of that name."""
+    before, rest = text.split(f"<!-- table: {name} -->\n")
+    return f"{before}<!-- table: {name} -->\n{table}<!-- end -->" + rest.split("<!-- end -->", 1)[1]
+
+
+def sizes_table(golden):
+    rows = [f"| {name} | {golden[name]} | {subject.goal} | {golden[name] / subject.goal:.2f} x |\n" for name, subject in SUBJECTS.items()]
+    return "| profile | bytes of text | goal | of the goal |\n|---|--:|--:|--:|\n" + "".join(rows)
+
+
 def text_of(image):
     return firmware.sizes(TARGET, image)[".text"] - model_bytes(image)
 
@@ -130,6 +144,9 @@ def main():
         golden[name] = text
     if arguments.update:
         GOLDEN.write_text(json.dumps(golden, indent=1) + "\n")
+        DOCUMENT.write_text(with_table(DOCUMENT.read_text(), "sizes", sizes_table(golden)))
+    elif with_table(DOCUMENT.read_text(), "sizes", sizes_table(json.loads(GOLDEN.read_text()))) != DOCUMENT.read_text():
+        bad.append("docs/profiles.md does not show the golden sizes; --update writes it")
     print("\n".join(bad))
     return 1 if bad else 0
 

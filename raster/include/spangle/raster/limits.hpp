@@ -9,8 +9,8 @@
 #ifndef SPANGLE_TEXTURE_LEVELS
 #define SPANGLE_TEXTURE_LEVELS 12
 #endif
-#ifndef SPANGLE_TIERS
-#define SPANGLE_TIERS 7
+#ifndef SPANGLE_TIER_SET
+#define SPANGLE_TIER_SET 7
 #endif
 #ifndef SPANGLE_PACKET
 #define SPANGLE_PACKET 16
@@ -42,7 +42,7 @@ static_assert(max_texture_units == 1 || max_texture_units == 2);
 inline constexpr int max_texture_levels = SPANGLE_TEXTURE_LEVELS;
 static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 
-inline constexpr unsigned tiers = SPANGLE_TIERS;
+inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
 /// Without it a state that has no fused span is an error.
