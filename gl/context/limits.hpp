@@ -51,12 +51,13 @@ inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
 inline constexpr int max_clip_planes = 6;
 
 inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;
-/// How many vertices of array draws are kept for indices that come again, about 120 bytes each. A
+/// How many vertices of array draws are kept for indices that come again, about 140 bytes each. A
 /// strip finds the vertices that it shares with the strip before it when both their rows fit less a few.
+/// Hosts, which have the memory, keep whole meshes: those drawn several times a frame are transformed once.
 #ifdef SPANGLE_FIRMWARE
 inline constexpr unsigned usual_vertex_cache = 80;
 #else
-inline constexpr unsigned usual_vertex_cache = 128;
+inline constexpr unsigned usual_vertex_cache = 8192;
 #endif
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;

@@ -58,7 +58,7 @@ struct FixedMath {
         /// Exponents of the rows x, y, z over that of w, less lift_room.
         std::int32_t lift[3] = {};
         std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
-        std::uint32_t most_zeros = 0; ///< of a w that to_window() divides by
+        std::uint32_t most_zeros = 0; ///< of a w that process() divides by
         Range x, y;                   ///< the viewport, n.8
         Range depth;                  ///< DepthRange, Q0.30
     };
@@ -501,7 +501,7 @@ struct FixedMath {
             m = numeric::factor32(m);
         const std::int32_t r = numeric::row_times(elements, v.m);
 #if __SIZEOF_POINTER__ == 4
-        asm("" : "+r"(v.m[0]) : "r"(r)); // NOLINT(hicpp-no-assembler): no instruction
+        asm volatile("" : "+r"(v.m[0]) : "r"(r)); // NOLINT(hicpp-no-assembler): no instruction
 #endif
         return r;
     }

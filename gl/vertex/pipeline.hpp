@@ -333,9 +333,8 @@ template <class M, class L> class Pipeline {
     };
 
     // pipeline_vertex.hpp
-    SPANGLE_INLINE void process(Vertex& v);
-    [[gnu::noinline]] bool to_window(Vertex& v, unsigned& planes) const;
-    SPANGLE_INLINE void set_flags(Vertex& v, bool divided, unsigned planes);
+    [[gnu::noinline]] void process(Vertex& v) const;
+    SPANGLE_INLINE void set_flags(Vertex& v, bool divided, unsigned planes) const;
     SPANGLE_INLINE void attributes(const CurrentState& current, Vertex& v);
     SPANGLE_INLINE void set_unlit_color(const CurrentState& current);
     [[gnu::noinline]] typename M::Eye texture_of(const CurrentState& current, const Vertex& v,
@@ -402,7 +401,7 @@ template <class M, class L> class Pipeline {
                    const Window& provoking);
     [[gnu::noinline]] void draw_modal_line(const Window& a, const Window& b, const Window& provoking);
     void line(Vertex& a, Vertex& b);
-    [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step);
+    [[gnu::noinline]] void lines(Vertex* const* vertex, int n, int step, bool one_color);
     [[gnu::noinline]] void seen_line(Vertex& a, Vertex& b);
     [[gnu::noinline]] void cut_line(Vertex& a, Vertex& b);
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c);

@@ -198,32 +198,41 @@ SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* wor
 /// that none waits for another.
 template <class M, class L>
 inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count,
-                                          const Indices& indices, bool normals) {
+                                          const Indices& given, bool normals) {
+    const Indices indices = given; // in registers
     Pending lines;
+    int held = 0; // as well; lines.count while others look
+    const auto draw = [&] {
+        lines.count = held;
+        draw_pending(lines);
+        held = lines.count;
+    };
     const auto place = [&](Vertex& cached) -> Vertex& {
         if ((cached.flags & is_pending) != 0) [[unlikely]]
-            draw_pending(lines);
+            draw();
         if ((cached.flags & is_pending) == 0) [[likely]]
             return cached;
         return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
     };
     const auto begin = [&](Vertex& v) {
+        if constexpr (numeric::cheap_branches) // nor would one alone
+            return process(v);
         lines.fresh[lines.fresh_count] = &v;
         lines.projections.add(lines.fresh_count++, transforms_, v.position, v.window, fog_);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
         Vertex& v = usual_element(reader, indices.at(i), normals, place, begin);
         v.flags |= is_pending;
-        lines.vertex[lines.count++] = &v;
-        if (mode_ == GL_LINE_LOOP && i == 0) {
+        lines.vertex[held++] = &v;
+        if (i == 0 && mode_ == GL_LINE_LOOP) {
             divide(lines);
             slot_[2] = v;
         }
-        if (lines.fresh_count == line_batch || lines.count == line_batch + 1)
-            draw_pending(lines);
+        if (held == line_batch + 1 || (!numeric::cheap_branches && lines.fresh_count == line_batch))
+            draw();
     }
-    draw_pending(lines);
-    if (lines.count == 0)
+    draw();
+    if (held == 0)
         return;
     lines.vertex[0]->flags &= ~is_pending;
     if (mode_ == GL_LINE_LOOP && count > 1) { // end() closes it
@@ -270,7 +279,7 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
-    lines(p.vertex, p.count, step);
+    lines(p.vertex, p.count, step, !lit_);
     for (int i = 0; i < p.count - left; ++i)
         p.vertex[i]->flags &= ~is_pending;
     if (left != 0) {

@@ -94,11 +94,12 @@ template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& 
     if (captures())
         return captured_line(a, b);
     Vertex* const ends[2] = {&a, &b};
-    lines(ends, 2, 1);
+    lines(ends, 2, 1, false);
 }
 
-/// From vertices i to i + 1, with i = 0, step, ...
-template <class M, class L> void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step) {
+/// From vertices i to i + 1, with i = 0, step, ... `one_color`: they are known to have the same.
+template <class M, class L>
+void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_color) {
     unsigned any = 0;
     const Window* window[line_batch + 1];
     for (int i = 0; i < n; ++i) {
@@ -114,8 +115,9 @@ template <class M, class L> void Pipeline<M, L>::lines(Vertex* const* vertex, in
     if ((any & uncolored) != 0)
         for (int i = flat_ ? 1 : 0; i < n; i += flat_ ? step : 1)
             color(*vertex[i]);
+    const Window* const painted = one_color ? window[0] : nullptr;
     if constexpr (line_batch > 2)
-        return raster::draw_lines(*state_, context_->drawable.surface, window, n, step, line_width_);
+        return raster::draw_lines(*state_, context_->drawable.surface, window, n, step, painted, line_width_);
     for (int i = 0; i + 1 < n; i += step)
         raster::draw_line(*state_, context_->drawable.surface, *window[i], *window[i + 1], *window[i + 1],
                           line_width_);

@@ -56,21 +56,17 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
 }
 
 /// Position and normal are set: its place in the window, or what is known of it.
-template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::process(Vertex& v) {
-    unsigned planes = 0;
-    const bool divided = to_window(v, planes);
-    set_flags(v, divided, planes);
-}
-
-template <class M, class L> bool Pipeline<M, L>::to_window(Vertex& v, unsigned& planes) const {
+template <class M, class L> void Pipeline<M, L>::process(Vertex& v) const {
     typename M::template Projections<1> projection;
     projection.add(0, transforms_, v.position, v.window, fog_);
     projection.finish();
-    return projection.divide(0, transforms_, v.position, v.window, planes);
+    unsigned planes = 0;
+    const bool divided = projection.divide(0, transforms_, v.position, v.window, planes);
+    set_flags(v, divided, planes);
 }
 
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) {
+SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) const {
     v.flags = divided ? planes : undivided_flags(v);
     if (lit_)
         v.flags |= uncolored;

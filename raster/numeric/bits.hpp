@@ -60,6 +60,18 @@ template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
     return v;
 }
 
+/// floor(v / 2^n) for any n < 2^31. What ARM shifts by may be up to 255, which takes a test less.
+SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_t n) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r;
+        asm("usat %0, #8, %1\n\tlsr %0, %2, %0" : "=&r"(r) : "r"(n), "r"(v)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    return n > 31 ? 0 : v >> n;
+}
+
 SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t{factor32(a)} * factor32(b);
 }

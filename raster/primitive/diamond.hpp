@@ -16,36 +16,39 @@
 
 namespace spangle::raster {
 
-/// Which fragments: L::count lines side by side, from the lower end of the major axis to the upper one.
-template <class L> class Diamond {
+/// Which fragments: L::count lines side by side, from the lower end of the major axis to the upper one. X,
+/// Up: the types of along_x and ascends, where they are known constants of these.
+template <class L, class X = typename L::Mask, class Up = typename L::Mask> class Diamond {
   public:
     using Int = typename L::Int;
     using Mask = typename L::Mask;
 
-    Int major;     ///< of the first fragment
-    Int count;     ///< of fragments; may be negative for none
-    Mask along_x;  ///< the major axis
-    Mask ascends;  ///< from the first end point to the second
-    Int low, high; ///< ends on the major axis, subpixels
-    Int low_minor; ///< the lower one's other coordinate
-    Int rise;      ///< from end to end along the minor axis
+    Int major;                        ///< of the first fragment
+    Int count;                        ///< of fragments; may be negative for none
+    [[no_unique_address]] X along_x;  ///< the major axis
+    [[no_unique_address]] Up ascends; ///< from the first end point to the second
+    Int low, high;                    ///< ends on the major axis, subpixels
+    Int low_minor;                    ///< the lower one's other coordinate
+    Int rise;                         ///< from end to end along the minor axis
 
     /// Up to which length first() is right, and above any that fits a surface.
     static constexpr std::int32_t small_length = 1 << 20;
 
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
     SPANGLE_INLINE Diamond(Int ax, Int ay, Int bx, Int by, std::int32_t shift) {
-        along_x = L::no(L::less(absolute(bx - ax), absolute(by - ay)));
+        along_x = is_along_x(ax, ay, bx, by);
         const Int a = L::select(along_x, ax, ay), a_minor = L::select(along_x, ay, ax) - shift;
         const Int b = L::select(along_x, bx, by), b_minor = L::select(along_x, by, bx) - shift;
         ascends = L::no(L::less(b, a));
-        low = L::select(ascends, a, b);
-        high = L::select(ascends, b, a);
-        low_minor = L::select(ascends, a_minor, b_minor);
-        const Int high_minor = L::select(ascends, b_minor, a_minor);
-        rise = high_minor - low_minor;
-        major = first_past(low, low_minor);
-        count = first_past(high, high_minor) - major;
+        find(a, a_minor, b, b_minor);
+    }
+    /// Ends by major and minor coordinate.
+    SPANGLE_INLINE Diamond(X x, Up up, Int a, Int a_minor, Int b, Int b_minor) : along_x(x), ascends(up) {
+        find(a, a_minor, b, b_minor);
+    }
+
+    SPANGLE_INLINE static Mask is_along_x(Int ax, Int ay, Int bx, Int by) {
+        return L::no(L::less(absolute(bx - ax), absolute(by - ay)));
     }
 
     Int length() const { return high - low; }
@@ -53,8 +56,8 @@ template <class L> class Diamond {
     /// A value on the boundary of two fragments belongs to the upper one only if the shifted line lies above
     /// it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does.
     SPANGLE_INLINE Int lower_tie() const {
-        const Int none = rise ^ rise;
-        return L::one(L::no(along_x & L::less(none, rise)));
+        const Mask rises = L::less(rise ^ rise, rise);
+        return L::one(L::no(along_x & rises));
     }
 
     /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. Its
@@ -71,6 +74,15 @@ template <class L> class Diamond {
     SPANGLE_INLINE static Int center(Int i) { return i * subpixel_one + subpixel_one / 2; }
 
   private:
+    SPANGLE_INLINE void find(Int a, Int a_minor, Int b, Int b_minor) {
+        low = L::select(ascends, a, b);
+        high = L::select(ascends, b, a);
+        low_minor = L::select(ascends, a_minor, b_minor);
+        const Int high_minor = L::select(ascends, b_minor, a_minor);
+        rise = high_minor - low_minor;
+        major = first_past(low, low_minor);
+        count = first_past(high, high_minor) - major;
+    }
     SPANGLE_INLINE static Int absolute(Int v) {
         const Int sign = v >> 31;
         return (v ^ sign) - sign;
@@ -92,9 +104,13 @@ template <class L> class Diamond {
 
     /// The first fragment along the major axis that lies past an end: of its own column, or the next where
     /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
-    /// last but one that lies before the end. Without branches: they would be taken at random.
+    /// last but one that lies before the end. With lanes without branches: they would be taken at random.
     SPANGLE_INLINE Int first_past(Int end, Int end_minor) const {
-        const Int f = from_center(end), g = from_center(end_minor);
+        const Int f = from_center(end);
+        if constexpr (L::count == 1)
+            if ((f > 0) != ascends) // the diamond has no say
+                return own(end) + (f > 0 ? 1 : 0);
+        const Int g = from_center(end_minor);
         const Mask out = outside(L::select(along_x, f, g), L::select(along_x, g, f));
         const Mask above = L::less(Int{}, f);
         return own(end) + L::one(L::select(ascends, Mask(out & above), Mask(L::no(out) | above)));

@@ -28,16 +28,16 @@ void draw_line(const DrawState& state, const Surface& target, const V& a, const 
                std::int32_t width);
 
 /// Lines from vertices i to i + 1 of n, i = 0, step, ...: 1 for a strip, 2 for lines apart. Some at a time
-/// are faster than each alone.
+/// are faster than each alone. `painted`: all of them are known to have its colour; or null.
 template <class V>
 void draw_lines(const DrawState& state, const Surface& target, const V* const* vertex, int n, int step,
-                std::int32_t width) {
+                const V* /*painted*/, std::int32_t width) {
     for (int i = 0; i + 1 < n; i += step)
         draw_line(state, target, *vertex[i], *vertex[i + 1], *vertex[i + 1], width);
 }
 template <>
 void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
-                             int n, int step, std::int32_t width);
+                             int n, int step, const FixedVertex* painted, std::int32_t width);
 
 struct LineStipple; // line_stipple.hpp
 

@@ -17,6 +17,7 @@ template <> struct LineLanes<1> {
     using Mask = bool;
     SPANGLE_INLINE static Int load(const std::int32_t* at) { return *at; }
     SPANGLE_INLINE static void store(std::int32_t* at, Int v) { *at = v; }
+    SPANGLE_INLINE static std::int32_t first(Int v) { return v; }
     SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
     SPANGLE_INLINE static Mask no(Mask m) { return !m; }
     SPANGLE_INLINE static bool any(Mask m) { return m; }
@@ -40,6 +41,7 @@ template <> struct LineLanes<4> {
         return v;
     }
     SPANGLE_INLINE static void store(std::int32_t* at, Int v) { __builtin_memcpy(at, &v, sizeof v); }
+    SPANGLE_INLINE static std::int32_t first(Int v) { return v[0]; }
     SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
     SPANGLE_INLINE static Mask no(Mask m) { return ~m; }
     SPANGLE_INLINE static bool any(Mask m) {

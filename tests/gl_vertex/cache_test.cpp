@@ -15,10 +15,16 @@ namespace {
 
 class VertexCache : public Canvas {
   protected:
-    static constexpr int elements = 600, longest = 60;
+    /// Blocks of neighbours, which lie so far apart that they share places.
+    static constexpr int block = 200, apart = static_cast<int>(gl::vertex_cache), elements = 3 * block,
+                         longest = 60;
+    static constexpr std::size_t room = 2 * apart + block;
+    static std::size_t index_of(int element) {
+        return static_cast<std::size_t>(element / block * apart + element % block);
+    }
     std::mt19937 random{11};
-    std::array<std::array<GLfloat, 4>, elements> position, normal, tex_coord;
-    std::array<std::array<GLubyte, 4>, elements> color;
+    std::array<std::array<GLfloat, 4>, room> position, normal, tex_coord;
+    std::array<std::array<GLubyte, 4>, room> color;
     GLint size = 3, tex_coords = 4;
     std::vector<GLushort> indices;
 
@@ -30,8 +36,8 @@ class VertexCache : public Canvas {
 
     void SetUp() override {
         Canvas::SetUp();
-        for (std::size_t i = 0; i < elements; ++i)
-            change(i);
+        for (int i = 0; i < elements; ++i)
+            change(index_of(i));
         glMatrixMode(GL_PROJECTION);
         glFrustum(-1, 1, -1, 1, 1, 9);
         glMatrixMode(GL_MODELVIEW);
@@ -54,7 +60,7 @@ class VertexCache : public Canvas {
     /// GL hears nothing of it. One number of each, so that all of them have to be looked at.
     void change_memory() {
         for (int n = 0; n < 300; ++n) {
-            const auto i = static_cast<std::size_t>(whole(0, elements - 1));
+            const std::size_t i = index_of(whole(0, elements - 1));
             const auto c = static_cast<std::size_t>(whole(0, 3));
             (whole(0, 1) != 0 ? position : normal)[i][c] = c < 3 ? real(-1, 1) : real(0.5, 2);
             tex_coord[i][c] = real(-1, 1);
@@ -144,14 +150,13 @@ class VertexCache : public Canvas {
         glColorPointer(4, GL_UNSIGNED_BYTE, 0, color[0].data());
     }
 
-    /// Runs of neighbours, jumps, and indices that share a place for every size of the cache.
+    /// Runs of neighbours, jumps, and indices that share a place.
     void some_indices() {
         indices.resize(static_cast<std::size_t>(whole(3, longest)));
         int at = whole(0, elements - 1);
         for (GLushort& index : indices) {
-            index = static_cast<GLushort>(at);
-            constexpr int most = static_cast<int>(spangle::gl::vertex_cache);
-            const int steps[] = {1, -1, 0, most, -most, whole(-300, 300)};
+            index = static_cast<GLushort>(index_of(at));
+            const int steps[] = {1, -1, 0, block, -block, whole(-300, 300)};
             at = (at + steps[whole(0, 5)] + elements) % elements;
         }
     }

@@ -1,5 +1,7 @@
 #include "tests/gl_vertex/window_recorder.hpp"
 
+#include <algorithm>
+
 #include "raster/primitive/draw.hpp"
 
 using spangle::raster::DrawState;
@@ -11,7 +13,7 @@ void real_point(const DrawState&, const Surface&, const FixedVertex&,
                 std::int32_t) __asm__("__real_" DRAW_POINT);
 void real_line(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&, const FixedVertex&,
                std::int32_t) __asm__("__real_" DRAW_LINE);
-void real_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int,
+void real_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int, const FixedVertex*,
                 std::int32_t) __asm__("__real_" DRAW_LINES);
 void real_triangle(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&,
                    const FixedVertex&, const FixedVertex&, std::int64_t) __asm__("__real_" DRAW_TRIANGLE);
@@ -19,7 +21,7 @@ void wrap_point(const DrawState&, const Surface&, const FixedVertex&,
                 std::int32_t) __asm__("__wrap_" DRAW_POINT);
 void wrap_line(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&, const FixedVertex&,
                std::int32_t) __asm__("__wrap_" DRAW_LINE);
-void wrap_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int,
+void wrap_lines(const DrawState&, const Surface&, const FixedVertex* const*, int, int, const FixedVertex*,
                 std::int32_t) __asm__("__wrap_" DRAW_LINES);
 void wrap_triangle(const DrawState&, const Surface&, const FixedVertex&, const FixedVertex&,
                    const FixedVertex&, const FixedVertex&, std::int64_t) __asm__("__wrap_" DRAW_TRIANGLE);
@@ -42,11 +44,17 @@ void wrap_line(const DrawState& state, const Surface& target, const FixedVertex&
 }
 
 void wrap_lines(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
-                int step, std::int32_t width) {
+                int step, const FixedVertex* painted, std::int32_t width) {
     if (active == nullptr)
-        return real_lines(state, target, vertex, n, step, width);
+        return real_lines(state, target, vertex, n, step, painted, width);
+    const auto at = [&](int i) {
+        FixedVertex v = *vertex[i];
+        if (painted != nullptr)
+            std::copy_n(painted->color, 4, v.color);
+        return v;
+    };
     for (int i = 0; i + 1 < n; i += step)
-        active->primitives.push_back({2, {*vertex[i], *vertex[i + 1], {}}, *vertex[i + 1]});
+        active->primitives.push_back({2, {at(i), at(i + 1), {}}, at(i + 1)});
 }
 
 void wrap_triangle(const DrawState& state, const Surface& target, const FixedVertex& a, const FixedVertex& b,

@@ -125,7 +125,12 @@ TEST(Paths, ManyAreOneAfterTheOther) {
             for (const FixedVertex& vertex : v)
                 at.push_back(&vertex);
             many.state.fragment.flat = single.state.fragment.flat = round % 7 == 0;
-            draw_lines<FixedVertex>(many.state, many.canvas.surface, at.data(), 41, step, 1);
+            const bool painted = round % 11 == 0;
+            for (FixedVertex& vertex : v)
+                if (painted)
+                    std::copy_n(v[0].color, 4, vertex.color);
+            draw_lines<FixedVertex>(many.state, many.canvas.surface, at.data(), 41, step,
+                                    painted ? at[0] : nullptr, 1);
             for (int i = 0; i + 1 < 41; i += step)
                 draw_line<FixedVertex>(single.state, single.canvas.surface, *at[i], *at[i + 1], *at[i + 1],
                                        1);
