@@ -14,6 +14,7 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
+#include "gl/vertex/engine.hpp"
 
 namespace spangle::gl::list {
 
@@ -44,6 +45,7 @@ const Word* play_link(Context&, const Word* words) {
 const Word* play_run(Context& context, const Word* words) {
     const Word header = *words++;
     const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
+    const auto vertex = context.inside_begin_end() ? context.engine->vertex : nullptr; // as cmd::Vertex
     for (Word left = header & count_mask; left != 0; --left) {
         if (fields & field_color) {
             cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
@@ -60,8 +62,9 @@ const Word* play_run(Context& context, const Word* words) {
             cmd::TexCoord(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
             words += 4;
         }
-        cmd::Vertex(context, {words[0]}, {words[1]}, components > 2 ? Real{words[2]} : numeric::zero,
-                    components > 3 ? Real{words[3]} : numeric::one);
+        if (vertex != nullptr)
+            vertex(context, {words[0]}, {words[1]}, components > 2 ? Real{words[2]} : numeric::zero,
+                   components > 3 ? Real{words[3]} : numeric::one);
         words += components;
     }
     return words;

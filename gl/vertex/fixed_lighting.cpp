@@ -226,43 +226,16 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
                 !indexed();
 }
 
-/// base + sum of (n . l) * diffuse: with unit normals n . l = (N n) . l / |N n|, else (N^T l) . n. False: a
-/// normal so short beside the matrix that its direction needs more care.
-bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVertex& out) const {
+/// base + sum of (n . l) * diffuse; facing(source): n . l.
+template <class Facing>
+SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const Facing& facing) const {
     const Fold& fold = fold_[side];
-    const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, vertex.normal);
-    std::int32_t n[3] = {};
-    std::uint32_t r = 0;
-    int zeros = 0;
-    if (normalize_) {
-        std::uint64_t square = 0;
-#pragma GCC unroll 3
-        for (int i = 0; i < 3; ++i) {
-            n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
-            square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));
-        }
-        zeros = numeric::clz64(square) & ~1; // at least 4
-        if (zeros > 16)
-            return false;
-        r = numeric::rsqrt(
-            static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
-    }
     std::int64_t sum[3] = {fold.plain_base[0], fold.plain_base[1], fold.plain_base[2]};
     for (int i = 0; i < count_; ++i) {
-        std::int32_t facing;
-        if (normalize_) {
-            const std::int64_t along = numeric::row_sum<3>(source_[i].to_light.m, n, std::int64_t{1} << 29);
-            facing = static_cast<std::int32_t>(along >> 30);
-            facing = numeric::mul_high_s32(side == 0 ? facing : -facing, static_cast<std::int32_t>(r >> 1));
-            facing = plain_factor(facing, zeros / 2 - 29);
-        } else {
-            const numeric::BlockRow3& l = source_[i].facing;
-            facing = numeric::row_times<3>(l.m, loaded.m);
-            facing = plain_factor(side == 0 ? facing : -facing, loaded.e + l.e + 1);
-        }
+        const std::int32_t factor = facing(source_[i]);
 #pragma GCC unroll 3
         for (int c = 0; c < 3; ++c)
-            sum[c] += numeric::mul_s32(fold.diffuse[i][c], facing);
+            sum[c] += numeric::mul_s32(fold.diffuse[i][c], factor);
     }
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
@@ -270,6 +243,42 @@ bool FixedLighting::light_plain(const Input& vertex, int side, raster::FixedVert
         out.secondary[c] = 0;
     }
     out.color[3] = fold.alpha;
+}
+
+/// With normals as they are given, n . l = (N^T l) . n.
+void FixedLighting::light_given(const Input& vertex, int side, raster::FixedVertex& out) const {
+    const numeric::Mantissas<3> n = numeric::load(normal_matrix_.column, vertex.normal);
+    add_plain(
+        side, out, [&](const Source& source) __attribute__((always_inline)) {
+            const numeric::BlockRow3& l = source.facing;
+            const std::int32_t facing = numeric::row_times<3>(l.m, n.m);
+            return plain_factor(side == 0 ? facing : -facing, n.e + l.e + 1);
+        });
+}
+
+/// With unit normals n . l = (N n) . l / |N n|. False: a normal so short beside the matrix that its direction
+/// needs more care.
+bool FixedLighting::light_unit(const Input& vertex, int side, raster::FixedVertex& out) const {
+    const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, vertex.normal);
+    std::int32_t n[3];
+    std::uint64_t square = 0;
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
+        n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
+        square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));
+    }
+    const int zeros = numeric::clz64(square) & ~1; // at least 4
+    if (zeros > 16)
+        return false;
+    const std::uint32_t r =
+        numeric::rsqrt(static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
+    add_plain(
+        side, out, [&](const Source& source) __attribute__((always_inline)) {
+            const std::int64_t along = numeric::row_sum<3>(source.to_light.m, n, std::int64_t{1} << 29);
+            std::int32_t facing = static_cast<std::int32_t>(along >> 30);
+            facing = numeric::mul_high_s32(side == 0 ? facing : -facing, static_cast<std::int32_t>(r >> 1));
+            return plain_factor(facing, zeros / 2 - 29);
+        });
     return true;
 }
 

@@ -35,8 +35,10 @@ class FixedLighting {
                               int side, raster::FixedVertex& out) {
         if (!folded_)
             fold(context);
-        if (!fold_[side].plain || !light_plain(vertex, side, out))
+        if (!fold_[side].plain || (normalize_ && !light_unit(vertex, side, out)))
             light_fully(vertex, eye, side, out);
+        else if (!normalize_)
+            light_given(vertex, side, out);
     }
 
     /// A vertex made by clipping.
@@ -95,7 +97,10 @@ class FixedLighting {
                                      raster::FixedVertex& out) const;
     void light_fully(const Input& vertex, const numeric::Block4& eye, int side,
                      raster::FixedVertex& out) const;
-    bool light_plain(const Input& vertex, int side, raster::FixedVertex& out) const;
+    template <class Facing>
+    SPANGLE_INLINE void add_plain(int side, raster::FixedVertex& out, const Facing& facing) const;
+    void light_given(const Input& vertex, int side, raster::FixedVertex& out) const;
+    bool light_unit(const Input& vertex, int side, raster::FixedVertex& out) const;
     Direction direction_of(const Input& vertex, int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
                          Sum (&specular)[3]) const;

@@ -53,7 +53,7 @@ template <class M, class L> class Pipeline {
         context.fragments.primitive.stippled = drawn == Drawn::polygons;
     }
 
-    void vertex(Context& context, Real x, Real y, Real z, Real w) {
+    SPANGLE_INLINE void vertex(Context& context, Real x, Real y, Real z, Real w) {
         Vertex& v = *corner_[held_];
         const CurrentState& current = context.current;
         v.position[0] = x;

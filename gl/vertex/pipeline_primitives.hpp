@@ -185,9 +185,28 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
 
 /// Two triangles with one facing: that of the whole quad.
 template <class M, class L>
-inline void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
-    Vertex* corners[4] = {&a, &b, &c, &d};
-    polygon(corners, 4, provoking);
+void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
+    const unsigned any = a.flags | b.flags | c.flags | d.flags;
+    if ((a.flags & b.flags & c.flags & d.flags & outside_mask) != 0)
+        return;
+    if ((any & (beyond_mask | unprojected)) != 0 || whole_polygons_) {
+        Vertex* const corners[4] = {&a, &b, &c, &d};
+        return polygon(corners, 4, provoking);
+    }
+    const std::int64_t first = area_of(a.window, b.window, c.window),
+                       second = area_of(a.window, c.window, d.window);
+    if (first + second > 0 ? culls_ccw_ : culls_cw_)
+        return;
+    if ((any & uncolored) != 0) {
+        if (!flat_)
+            color(a), color(b), color(c), color(d);
+        color(provoking);
+    }
+    const raster::Surface& surface = context_->drawable.surface;
+    if (first != 0)
+        raster::draw_triangle(*state_, surface, a.window, b.window, c.window, provoking.window, first);
+    if (second != 0)
+        raster::draw_triangle(*state_, surface, a.window, c.window, d.window, provoking.window, second);
 }
 
 template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners, int n, Vertex& provoking) {

@@ -112,22 +112,25 @@ namespace detail {
 template <int N> constexpr Element sum_of_products(const Element (&a)[N], const Element (&b)[N]) {
     constexpr std::int32_t none = -0x10000;
     std::int64_t product[N] = {};
-    std::int32_t exponent[N] = {}, top = none;
-    for (int k = 0; k < N; ++k) {
+    std::int32_t top = none;
+    for (int k = 0; k < N; ++k) { // in most matrices, half of the products are 0
         product[k] = mul_s32(a[k].m, b[k].m);
-        exponent[k] = a[k].e + b[k].e - clz64(abs_u64(product[k]));
-        if (product[k] != 0 && exponent[k] > top)
-            top = exponent[k];
+        if (product[k] == 0)
+            continue;
+        const std::int32_t exponent = a[k].e + b[k].e - clz64(abs_u64(product[k]));
+        if (exponent > top)
+            top = exponent;
     }
     if (top == none)
         return {};
     top += 3; // the largest product shifted to 2^61 at most: four of them stay below 2^63
     std::int64_t sum = 0;
     for (int k = 0; k < N; ++k) {
+        if (product[k] == 0)
+            continue;
         const int right = top - (a[k].e + b[k].e);
         sum += right >= 0 ? shift_right_round(product[k], right)
-                          : static_cast<std::int64_t>(static_cast<std::uint64_t>(product[k])
-                                                      << (product[k] == 0 ? 0 : -right));
+                          : static_cast<std::int64_t>(static_cast<std::uint64_t>(product[k]) << -right);
     }
     return make_element(sum, top + 2 * element_bias);
 }
@@ -144,13 +147,18 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
 }
 
 /// a * b (GL 1.3, 2.10.2: MultMatrix makes C * M). Each element is within 2^-31 of itself plus 2^-58 of its
-/// largest term.
+/// largest term. Translations and turns about an axis leave columns as they are.
 constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
-    Matrix r;
-    for (int i = 0; i < 4; ++i) {
-        const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};
-        for (int j = 0; j < 4; ++j) {
-            const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
+    Matrix r = a;
+    for (int j = 0; j < 4; ++j) {
+        const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
+        std::int32_t others = 0;
+        for (int k = 0; k < 4; ++k)
+            others |= k == j ? 0 : column[k].m;
+        if (others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e)
+            continue;
+        for (int i = 0; i < 4; ++i) {
+            const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};
             r.set(i, j, detail::sum_of_products(row, column));
         }
     }

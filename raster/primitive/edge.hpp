@@ -221,8 +221,6 @@ template <class E> class TriangleRows {
             const std::int32_t stop = stop_;
             do {
                 const std::int32_t l = left.column(), r = right.column();
-                left.step();
-                right.step();
                 std::int32_t from = l, till = r;
                 if constexpr (Cut) {
                     from = l < begin ? begin : l;
@@ -230,6 +228,8 @@ template <class E> class TriangleRows {
                 }
                 if (from < till)
                     *to++ = {y, l, r, from, till};
+                left.step();
+                right.step();
             } while (++y != stop && to != full);
             row_ = y;
             left_ = left;
