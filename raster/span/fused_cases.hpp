@@ -10,6 +10,7 @@
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_coord.hpp"
 #include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_guess.hpp"
@@ -42,11 +43,17 @@ constexpr bool is_guessed(const Key& key) {
            !key.blend && !key.dither && is_565(key.format);
 }
 
+/// Affine colours that nothing is done with but to dither them.
+constexpr bool is_dithered(const Key& key) {
+    return key.number == Number::exact && key.kind == Kind::affine && key.color && !key.unit[0].on &&
+           !key.fog && !key.blend && key.dither;
+}
+
 /// Gray: for primitives whose colours are, only.
 template <Key K, bool Gray = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
-    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K),
+    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || is_dithered(K),
                           exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
@@ -88,6 +95,8 @@ template <Key K, bool Gray = false> class FusedCase {
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>, std::conditional_t<Path, PathDithered, FlatDithered<L>>>>{};
+            else if constexpr (is_dithered(K))
+                return std::type_identity<GouraudDithered<L>>{};
             else if constexpr (is_guessed(K))
                 return std::type_identity<GouraudGuessed<L>>{};
             else if constexpr (Gray)
@@ -162,7 +171,7 @@ template <Key K, bool Gray = false> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (plain && !guessed)
+        if constexpr (plain && !guessed && !is_dithered(K))
             return &fused_paths<FusedCase>;
         else
             return nullptr;
