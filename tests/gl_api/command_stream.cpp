@@ -261,7 +261,7 @@ class Run {
     }
 
     Bytes in;
-    static constexpr std::size_t memory_bytes = 256 * 1024;
+    const std::size_t memory_bytes = 256 * 1024 + 2 * gl::fixed_engine.pipeline_bytes; ///< of two contexts
     std::unique_ptr<std::uint64_t[]> memory{new std::uint64_t[memory_bytes / 8]};
     gl::Arena arena;
     gl::Context *context = nullptr, *other = nullptr;

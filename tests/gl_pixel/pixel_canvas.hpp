@@ -21,14 +21,15 @@ struct CanvasWish {
     std::int32_t width = 40, height = 28;
     bool top_first = false;
     const Engine* engine = &fixed_engine;
-    std::size_t memory = 1 << 20;
+    std::size_t memory = 1 << 20; ///< beside what the pipeline takes
 };
 
 /// Current while it lives. Coordinates are pixels: x, y from the lower left corner.
 class PixelCanvas {
   public:
-    explicit PixelCanvas(const CanvasWish& wish = {}) : memory_(wish.memory / 8) {
-        arena.give(memory_.data(), wish.memory);
+    explicit PixelCanvas(const CanvasWish& wish = {})
+        : memory_((wish.memory + wish.engine->pipeline_bytes) / 8) {
+        arena.give(memory_.data(), 8 * memory_.size());
         context = create_context(arena, {.tier = wish.tier, .engine = wish.engine}, nullptr);
         const std::int32_t pixel = format_info(wish.format).bytes_per_pixel;
         color.resize(static_cast<std::size_t>(wish.width * wish.height * pixel));

@@ -145,7 +145,7 @@ TEST_F(Feedback, APolygonIsOnePolygon) {
 
 /// A context may end while a polygon has not, and a polygon that the arena cannot hold is an error.
 TEST_F(Feedback, PolygonsAndTheirMemory) {
-    std::vector<std::uint64_t> memory(128 * 1024);
+    std::vector<std::uint64_t> memory(128 * 1024 + gl::fixed_engine.pipeline_bytes / 8);
     gl::Arena arena;
     arena.give(memory.data(), 8 * memory.size());
     gl::Context* const before = gl::current_context();
