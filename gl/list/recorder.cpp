@@ -42,26 +42,34 @@ const Word* play_link(Context&, const Word* words) {
     return next;
 }
 
+/// The attributes that come with a vertex; returns where its position lies.
+const Word* play_attributes(Context& context, std::uint32_t fields, const Word* words) {
+    if (fields & field_color) {
+        cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
+        words += 4;
+    }
+    if (fields & field_normal) {
+        cmd::Normal(context, {words[0]}, {words[1]}, {words[2]});
+        words += 3;
+    }
+    if (fields & field_tex2) {
+        cmd::TexCoord(context, {words[0]}, {words[1]}, numeric::zero, numeric::one);
+        words += 2;
+    } else if (fields & field_tex4) {
+        cmd::TexCoord(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
+        words += 4;
+    }
+    return words;
+}
+
 const Word* play_run(Context& context, const Word* words) {
     const Word header = *words++;
     const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
+    const bool attributes = (fields & ((1u << field_position_shift) - 1)) != 0;
     const auto vertex = context.inside_begin_end() ? context.engine->vertex : nullptr; // as cmd::Vertex
     for (Word left = header & count_mask; left != 0; --left) {
-        if (fields & field_color) {
-            cmd::Color(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
-            words += 4;
-        }
-        if (fields & field_normal) {
-            cmd::Normal(context, {words[0]}, {words[1]}, {words[2]});
-            words += 3;
-        }
-        if (fields & field_tex2) {
-            cmd::TexCoord(context, {words[0]}, {words[1]}, numeric::zero, numeric::one);
-            words += 2;
-        } else if (fields & field_tex4) {
-            cmd::TexCoord(context, {words[0]}, {words[1]}, {words[2]}, {words[3]});
-            words += 4;
-        }
+        if (attributes)
+            words = play_attributes(context, fields, words);
         if (vertex != nullptr)
             vertex(context, {words[0]}, {words[1]}, components > 2 ? Real{words[2]} : numeric::zero,
                    components > 3 ? Real{words[3]} : numeric::one);

@@ -135,6 +135,14 @@ template <int N> constexpr Element sum_of_products(const Element (&a)[N], const 
     return make_element(sum, top + 2 * element_bias);
 }
 
+/// Column j of the identity, and zeros: a times it is column j of a.
+template <int N> constexpr bool is_unit(const Element (&column)[N], int j) {
+    std::int32_t others = 0;
+    for (int k = 0; k < N; ++k)
+        others |= k == j ? 0 : column[k].m;
+    return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
+}
+
 } // namespace detail
 
 /// The row v times a.
@@ -152,10 +160,7 @@ constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
     for (int j = 0; j < 4; ++j) {
         const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
-        std::int32_t others = 0;
-        for (int k = 0; k < 4; ++k)
-            others |= k == j ? 0 : column[k].m;
-        if (others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e)
+        if (detail::is_unit(column, j))
             continue;
         for (int i = 0; i < 4; ++i) {
             const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};

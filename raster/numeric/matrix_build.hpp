@@ -61,11 +61,13 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
 /// a * b: orthogonal matrices stay so within 2^-31 a product, in all directions alike.
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     Matrix r = a; // the last column stays
-    for (int i = 0; i < 4; ++i) {
-        const Element row[6] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 0), a.at(i, 1), a.at(i, 2)};
-        for (int j = 0; j < 3; ++j) {
-            const Element column[6] = {b.matrix.at(0, j), b.matrix.at(1, j), b.matrix.at(2, j),
-                                       b.rest[0][j],      b.rest[1][j],      b.rest[2][j]};
+    for (int j = 0; j < 3; ++j) {
+        const Element column[6] = {b.matrix.at(0, j), b.matrix.at(1, j), b.matrix.at(2, j),
+                                   b.rest[0][j],      b.rest[1][j],      b.rest[2][j]};
+        if (detail::is_unit(column, j))
+            continue;
+        for (int i = 0; i < 4; ++i) {
+            const Element row[6] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 0), a.at(i, 1), a.at(i, 2)};
             r.set(i, j, detail::sum_of_products(row, column));
         }
     }
