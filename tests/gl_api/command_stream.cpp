@@ -109,9 +109,12 @@ class Run {
         s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
         s.accum = accum.get();
         surface_ = s;
-        if ((how_ & 4) != 0)
+        if ((how_ & 4) != 0) { // what is left must stay less than client memory holds
+            other_memory.resize((gl::fixed_engine.pipeline_bytes * 9 / 8 + 64) / 8); // sizes come in eighths
+            arena.give(other_memory.data(), 8 * other_memory.size());
             other = gl::create_context(arena, {.tier = raster::Tier::balanced, .engine = &gl::fixed_engine},
                                        context);
+        }
         turn_to(context);
     }
 
@@ -261,8 +264,9 @@ class Run {
     }
 
     Bytes in;
-    const std::size_t memory_bytes = 256 * 1024 + 2 * gl::fixed_engine.pipeline_bytes; ///< of two contexts
+    const std::size_t memory_bytes = 256 * 1024 + gl::fixed_engine.pipeline_bytes;
     std::unique_ptr<std::uint64_t[]> memory{new std::uint64_t[memory_bytes / 8]};
+    std::vector<std::uint64_t> other_memory;
     gl::Arena arena;
     gl::Context *context = nullptr, *other = nullptr;
     unsigned how_ = 0;
