@@ -179,9 +179,10 @@ class MeshText {
 } // namespace
 
 std::string write_header(const HeaderInput& input) {
-    std::string out = fmt::format("// Written by `{}`: change what it reads, not this.\n#pragma once\n\n"
-                                  "#include <spangle/baked.hpp>\n\nnamespace spangle::baked::{} {{\n\n",
-                                  input.command, input.name);
+    std::string out = fmt::format(
+        "// clang-format off\n// Written by `{}`: change what it reads, not this.\n#pragma once\n\n"
+        "#include <spangle/baked.hpp>\n\nnamespace spangle::baked::{} {{\n\n",
+        input.command, input.name);
     std::string entries;
     for (std::size_t n = 0; n < input.textures->size(); ++n) {
         out += texture_arrays((*input.textures)[n], n);

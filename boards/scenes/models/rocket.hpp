@@ -1,3 +1,4 @@
+// clang-format off
 // Written by `spangle bake rocket.obj -o rocket.hpp --normals short --cache 24 --no-mipmaps`: change what it reads, not this.
 #pragma once
 
