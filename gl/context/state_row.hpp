@@ -113,6 +113,7 @@ FEATURE(of_lists, LISTS)
 FEATURE(of_stipple, STIPPLE)
 FEATURE(of_antialiasing, ANTIALIASING)
 FEATURE(of_polygon_offset, POLYGON_OFFSET)
+FEATURE(of_point_parameters, POINT_PARAMETERS)
 #undef FEATURE
 
 /// One of each texture unit.

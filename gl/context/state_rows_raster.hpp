@@ -14,12 +14,29 @@
 #define STIPPLE in(Group::polygon_stipple)
 #endif
 
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+#define POINT_ROW(NAME, MEMBER) STORED(NAME, polygon.MEMBER)
+#define POINT_SWITCH(NAME, MEMBER) SWITCH(NAME, polygon.MEMBER)
+#define COORD_REPLACE HELD(polygon.coord_replace)
+#else
+#define POINT_ROW(NAME, MEMBER) of_point_parameters(constant(NAME, 0))
+#define POINT_SWITCH(NAME, MEMBER) of_point_parameters(absent_switch(NAME))
+#define COORD_REPLACE in(Group::point)
+#endif
+
 namespace spangle::gl {
 
 inline constexpr auto raster_rows = std::to_array<StateRow>({
     in(Group::point),
     STORED(GL_POINT_SIZE, polygon.point_size),
     of_antialiasing(SWITCH(GL_POINT_SMOOTH, polygon.point_smooth)),
+    POINT_ROW(GL_POINT_SIZE_MIN, point_size_min),
+    POINT_ROW(GL_POINT_SIZE_MAX, point_size_max),
+    POINT_ROW(GL_POINT_FADE_THRESHOLD_SIZE, point_fade_threshold),
+    POINT_ROW(GL_POINT_DISTANCE_ATTENUATION, point_attenuation),
+    POINT_SWITCH(GL_POINT_SPRITE, point_sprite),
+    POINT_ROW(GL_POINT_SPRITE_COORD_ORIGIN, sprite_origin),
+    COORD_REPLACE,
     in(Group::line),
     STORED(GL_LINE_WIDTH, polygon.line_width),
     of_antialiasing(SWITCH(GL_LINE_SMOOTH, polygon.line_smooth)),
@@ -42,6 +59,9 @@ inline constexpr auto raster_rows = std::to_array<StateRow>({
     STIPPLE,
 });
 
+#undef POINT_ROW
+#undef POINT_SWITCH
+#undef COORD_REPLACE
 #undef STIPPLE_ROW
 #undef STIPPLE_SWITCH
 #undef STIPPLE

@@ -27,6 +27,14 @@ template <class Draw> void each_target(Context& context, Draw draw) {
     });
 }
 
+/// A vertex of the rasterizer, moved.
+template <class Window> Window shifted(const Window& window, raster::Position by) {
+    Window moved = window;
+    const raster::Position at = raster::position(window);
+    raster::place(moved, {at.x + by.x, at.y + by.y});
+    return moved;
+}
+
 /// The surface that is read, with all that was drawn to its samples.
 inline const raster::Surface& read_surface(const Context& context) {
     raster::resolve(context.drawable.read);

@@ -99,6 +99,13 @@ bool left_out(Context& context, GLenum pname) {
         return true;
     }
 #endif
+#if !SPANGLE_FEATURE_POINT_PARAMETERS
+    if (pname == GL_COORD_REPLACE) {
+        error(context, GL_INVALID_OPERATION,
+              SPANGLE_TEXT("glTexEnv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+        return true;
+    }
+#endif
     static_cast<void>(context);
     static_cast<void>(pname);
     return false;
@@ -144,9 +151,11 @@ bool get(const TexEnvState& env, GLenum pname, Params& params) {
     }
 }
 
-/// The target of GL 1.4 has one parameter, which the others do not.
+/// The targets of GL 1.4 and 2.0 have one parameter each, which the others do not.
 bool legal_target(GLenum target, GLenum pname) {
-    return target == (pname == GL_TEXTURE_LOD_BIAS ? GL_TEXTURE_FILTER_CONTROL : GL_TEXTURE_ENV);
+    return target == (pname == GL_TEXTURE_LOD_BIAS ? GL_TEXTURE_FILTER_CONTROL
+                      : pname == GL_COORD_REPLACE  ? GL_POINT_SPRITE
+                                                   : GL_TEXTURE_ENV);
 }
 
 } // namespace
@@ -165,6 +174,10 @@ void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params)
         return;
     if (pname == GL_TEXTURE_LOD_BIAS) {
         env.lod_bias = params.v[0].real();
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+    } else if (pname == GL_COORD_REPLACE) {
+        context.polygon.coord_replace[context.texture.active] = params.v[0].token() != 0;
+#endif
     } else if (const GLenum refused = set(env, pname, params); refused != GL_NO_ERROR) {
         return error(context, refused);
     }
@@ -181,6 +194,11 @@ void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
     if (pname == GL_TEXTURE_LOD_BIAS) {
         params.v[0] = Param::from(env.lod_bias);
         params.count = 1;
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+    } else if (pname == GL_COORD_REPLACE) {
+        params.v[0] = Param::from_integer(context.polygon.coord_replace[context.texture.active]);
+        params.count = 1;
+#endif
     } else if (!get(env, pname, params)) {
         params.count = 0;
         error(context, GL_INVALID_ENUM);

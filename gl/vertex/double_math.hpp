@@ -229,6 +229,10 @@ struct DoubleMath {
         const Clip v = times(t.texture[unit], stq);
         out.tex[unit] = {v.v[0], v.v[1], v.v[3], v.v[2]};
     }
+    static void set_sprite(int unit, bool s, bool t, Window& out) {
+        out.tex[unit] = {s ? 1.0 : 0.0, t ? 1.0 : 0.0, 1, 0};
+    }
+    static void fade(Real factor, Window& out) { out.color[3] *= number(factor); }
     static void set_fog(Depth eye_z, Window& out) { out.fog = std::fabs(eye_z); }
     static void set_fog_coordinate(Depth coordinate, Window& out) { out.fog = coordinate; }
     static Depth fog_coordinate(const Window& v) { return v.fog; }

@@ -423,6 +423,20 @@ struct FixedMath {
 #endif
     }
 
+    /// Of a corner of a point sprite: s and t are 0 or 1, r is 0, q is 1 (GL 2.0, 3.3).
+    static void set_sprite(int unit, bool s, bool t, Window& out) {
+        const auto whole = [](bool one) { return one ? numeric::one : numeric::zero; };
+        const Real stq[4] = {whole(s), whole(t), numeric::zero, numeric::one};
+        set_texture(stq, unit, out);
+        if constexpr (requires { out.r[unit]; })
+            out.r[unit] = 0;
+    }
+    /// Alpha times a factor, 0 .. 1.
+    static void fade(Real factor, Window& out) {
+        const auto f = static_cast<std::uint32_t>(numeric::to_fixed(factor, 30));
+        out.color[3] = static_cast<std::uint32_t>((numeric::mul_u32(out.color[3], f) + (1u << 29)) >> 30);
+    }
+
     /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
     static void set_fog(Depth eye_z, Window& out) {
         out.fog_mantissa = eye_z.m < 0 ? -eye_z.m : eye_z.m;

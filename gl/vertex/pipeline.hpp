@@ -121,7 +121,7 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_FEATURE_FOG
         typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
         typename M::Eye eye{};
 #endif
         [[no_unique_address]] typename L::Input light{};
@@ -158,7 +158,7 @@ template <class M, class L> class Pipeline {
     bool captures_ = false;       ///< primitives are selected or fed back, not drawn
     bool offsets_ = false;        ///< depths of polygons are offset in some mode
     bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
-    bool modal_points_ = false;   ///< points, likewise
+    bool modal_points_ = false;   ///< points, likewise; or they are sprites, or have sizes of their own
     bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
     bool smooth_polygons_ = false;
     bool multisampling_ = false;
@@ -234,7 +234,8 @@ template <class M, class L> class Pipeline {
         multisampling_ = multisampling(context);
         smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !multisampling_;
         fills_whole_ = smooth_polygons_ || sampled;
-        modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled;
+        modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
+                        ((mode_ == GL_POINTS || outlines_) && sizes_points(polygon));
         offsets_ = polygon.offset_fill || polygon.offset_line || polygon.offset_point;
         whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
         whole_polygons_ = whole_polygons_ || offsets() || fills_whole();
@@ -270,6 +271,17 @@ template <class M, class L> class Pipeline {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
 
+    static bool sizes_points([[maybe_unused]] const PolygonState& p) {
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+        const bool follows = p.point_attenuation[0] != numeric::one ||
+                             p.point_attenuation[1] != numeric::zero ||
+                             p.point_attenuation[2] != numeric::zero;
+        return p.point_sprite || follows || p.point_size < p.point_size_min ||
+               p.point_size_max < p.point_size;
+#else
+        return false;
+#endif
+    }
     bool outlined() const {
         return SPANGLE_FEATURE_POLYGON_MODE && outlines_;
     }
@@ -281,7 +293,8 @@ template <class M, class L> class Pipeline {
                modal_lines_;
     }
     bool modal_points() const {
-        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && modal_points_;
+        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples || SPANGLE_FEATURE_POINT_PARAMETERS) &&
+               modal_points_;
     }
     bool fills_whole() const {
         return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_;
@@ -396,7 +409,12 @@ template <class M, class L> class Pipeline {
     // pipeline_primitives.hpp
     void point(Vertex& v);
     void draw_point(const Vertex& v, const Window& window);
-    [[gnu::noinline]] void draw_modal_point(const Window& window);
+    [[gnu::noinline]] void draw_modal_point(const Vertex& v, const Window& window);
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+    Real attenuated(const Vertex& v) const;
+    Real faded(Real size, Window& point) const;
+    void draw_sprite(const raster::Surface& target, const Window& point, std::int32_t eighths);
+#endif
     void draw_line(const Vertex& a, const Window& at_a, const Vertex& b, const Window& at_b,
                    const Window& provoking);
     [[gnu::noinline]] void draw_modal_line(const Window& a, const Window& b, const Window& provoking);
@@ -462,5 +480,6 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_capture.hpp"
 #include "gl/vertex/pipeline_clip.hpp"
 #include "gl/vertex/pipeline_elements.hpp"
+#include "gl/vertex/pipeline_points.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"
 #include "gl/vertex/pipeline_vertex.hpp"

@@ -8,7 +8,7 @@
 namespace spangle::gl {
 
 template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
-    return planes_.any() || (lit_ && lighting_.needs_eye());
+    return planes_.any() || (lit_ && lighting_.needs_eye()) || modal_points();
 }
 
 /// The vertex with all that clipping mixes; colours come first.
@@ -21,7 +21,7 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     if (fog_)
         out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::to_eye(transforms_, v.position);
 #endif
@@ -50,7 +50,7 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
             M::set_fog(out.eye_z, out.window);
     }
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES
+#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::mix(a.eye, b.eye, t);
 #endif

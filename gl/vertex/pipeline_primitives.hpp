@@ -21,34 +21,8 @@ template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex&
             },
             1);
     if (modal_points())
-        return draw_modal_point(window);
+        return draw_modal_point(v, window);
     raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
-}
-
-namespace detail {
-
-template <class Window> Window shifted(const Window& window, raster::Position by) {
-    Window moved = window;
-    const raster::Position at = raster::position(window);
-    raster::place(moved, {at.x + by.x, at.y + by.y});
-    return moved;
-}
-
-} // namespace detail
-
-template <class M, class L> void Pipeline<M, L>::draw_modal_point(const Window& window) {
-    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
-        const Window moved = detail::shifted(window, shift);
-        if constexpr (raster::has_samples)
-            if (multisampling_)
-                return raster::draw_disc(*state_, target, moved, eighths(context_->polygon.point_size));
-#if SPANGLE_FEATURE_ANTIALIASING
-        if (context_->polygon.point_smooth)
-            return raster::draw_smooth_point(*state_, target, context_->fragments.primitive, moved,
-                                             eighths(context_->polygon.point_size));
-#endif
-        raster::draw_point(*state_, target, moved, point_size_);
-    });
 }
 
 template <class M, class L>
@@ -70,7 +44,7 @@ void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Win
     const PolygonState& polygon = context_->polygon;
     const raster::LineStipple start = stipple_;
     each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
-        const Window from = detail::shifted(a, shift), to = detail::shifted(b, shift);
+        const Window from = shifted(a, shift), to = shifted(b, shift);
         [[maybe_unused]] raster::LineStipple* const stipple = polygon.line_stipple ? &stipple_ : nullptr;
         stipple_ = start;
         if constexpr (raster::has_samples)
@@ -316,7 +290,7 @@ void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Wind
     Window moved[clip_vertices];
     each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
         for (int i = 0; i < n; ++i)
-            moved[i] = detail::shifted(*corner[i], shift);
+            moved[i] = shifted(*corner[i], shift);
 #if SPANGLE_FEATURE_ANTIALIASING
         static_assert(clip_vertices <= raster::most_smooth_corners);
         if (smooth_polygons_) // never moved

@@ -1,6 +1,8 @@
 // How primitives become fragments: shading, facing, culling, sizes (GL 1.3, 2.13.7, 3.3 to 3.5).
 #pragma once
 
+#include "gl/context/features.hpp"
+#include "gl/context/limits.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
@@ -23,6 +25,14 @@ struct PolygonState {
     Real point_size = numeric::one;      ///< as set; clamped and rounded only in use
     Real line_width = numeric::one;
     bool point_smooth = false, line_smooth = false, polygon_smooth = false;
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+    Real point_size_min = numeric::zero, point_size_max = numeric::from_i32(max_point_size);
+    Real point_fade_threshold = numeric::one;
+    Real point_attenuation[3] = {numeric::one, numeric::zero, numeric::zero};
+    bool point_sprite = false;
+    bool coord_replace[texture_units] = {}; ///< of sprites
+    GLenum sprite_origin = GL_UPPER_LEFT;
+#endif
 #if SPANGLE_FEATURE_STIPPLE
     bool line_stipple = false, polygon_stipple = false;
     GLint stipple_factor = 1;

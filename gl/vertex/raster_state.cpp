@@ -42,6 +42,38 @@ void PointSize(Context& context, Real size) {
     context.polygon.point_size = size;
 }
 
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+void PointParameter(Context& context, GLenum pname, const Params& params) {
+    if (params.count == 0)
+        return error(context, GL_INVALID_ENUM);
+    PolygonState& polygon = context.polygon;
+    const auto set_size = [&](Real& size) {
+        if (params.v[0].real() < numeric::zero)
+            return error(context, GL_INVALID_VALUE);
+        size = params.v[0].real();
+    };
+    switch (pname) {
+    case GL_POINT_SIZE_MIN:
+        return set_size(polygon.point_size_min);
+    case GL_POINT_SIZE_MAX:
+        return set_size(polygon.point_size_max);
+    case GL_POINT_FADE_THRESHOLD_SIZE:
+        return set_size(polygon.point_fade_threshold);
+    case GL_POINT_DISTANCE_ATTENUATION:
+        for (int i = 0; i < 3; ++i)
+            polygon.point_attenuation[i] = params.v[i].real();
+        return;
+    case GL_POINT_SPRITE_COORD_ORIGIN:
+        if (params.v[0].token() != GL_LOWER_LEFT && params.v[0].token() != GL_UPPER_LEFT)
+            return error(context, GL_INVALID_ENUM);
+        polygon.sprite_origin = params.v[0].token();
+        return;
+    default:
+        return error(context, GL_INVALID_ENUM);
+    }
+}
+#endif
+
 void LineWidth(Context& context, Real width) {
     if (width <= numeric::zero)
         return error(context, GL_INVALID_VALUE);

@@ -182,6 +182,14 @@ struct ShadowMath {
         DoubleMath::set_texture(t.twin, stq, unit, out.twin);
         report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
     }
+    static void set_sprite(int unit, bool s, bool t, Window& out) {
+        FixedMath::set_sprite(unit, s, t, out.fixed);
+        DoubleMath::set_sprite(unit, s, t, out.twin);
+    }
+    static void fade(Real factor, Window& out) {
+        FixedMath::fade(factor, out.fixed);
+        DoubleMath::fade(factor, out.twin);
+    }
     static void set_raster(const RasterPosition& from, Window& out) {
         FixedMath::set_raster(from, out.fixed);
         DoubleMath::set_raster(from, out.twin);

@@ -128,6 +128,12 @@ std::map<GLenum, GLbitfield> server_state() {
         groups[GL_LINE_SMOOTH] = GL_LINE_BIT | GL_ENABLE_BIT;
         groups[GL_POLYGON_SMOOTH] = GL_POLYGON_BIT | GL_ENABLE_BIT;
     }
+    if (SPANGLE_FEATURE_POINT_PARAMETERS) {
+        groups[GL_POINT_SPRITE] = GL_POINT_BIT | GL_ENABLE_BIT;
+        for (GLenum name : {GL_POINT_SIZE_MIN, GL_POINT_SIZE_MAX, GL_POINT_FADE_THRESHOLD_SIZE,
+                            GL_POINT_DISTANCE_ATTENUATION, GL_POINT_SPRITE_COORD_ORIGIN})
+            groups[name] = GL_POINT_BIT;
+    }
     if (SPANGLE_FEATURE_STIPPLE) {
         groups[GL_LINE_STIPPLE] = GL_LINE_BIT | GL_ENABLE_BIT;
         groups[GL_LINE_STIPPLE_PATTERN] = groups[GL_LINE_STIPPLE_REPEAT] = GL_LINE_BIT;
@@ -396,6 +402,14 @@ class Attrib : public RecordingContext {
 #endif
 #if SPANGLE_FEATURE_POLYGON_OFFSET
         glPolygonOffset(f(1), f(2));
+#endif
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+        const GLfloat attenuation[] = {f(1), f(2), f(3)};
+        glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+        glPointParameterf(GL_POINT_SIZE_MIN, f(4));
+        glPointParameterf(GL_POINT_SIZE_MAX, f(5));
+        glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, f(6));
+        glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, either(GL_LOWER_LEFT, GL_UPPER_LEFT));
 #endif
 #if SPANGLE_FEATURE_EVALUATORS
         glMapGrid1f(k + 2, f(1), f(2));

@@ -249,6 +249,13 @@ std::vector<Expected> initial_state() {
                                    {GL_LINE_STIPPLE_PATTERN, {0xFFFF}},
                                    {GL_LINE_STIPPLE_REPEAT, {1}},
                                    {GL_POLYGON_STIPPLE, {0}}});
+    if (SPANGLE_FEATURE_POINT_PARAMETERS)
+        table.insert(table.end(), {{GL_POINT_SIZE_MIN, {0}},
+                                   {GL_POINT_SIZE_MAX, {64}},
+                                   {GL_POINT_FADE_THRESHOLD_SIZE, {1}},
+                                   {GL_POINT_DISTANCE_ATTENUATION, {1, 0, 0}},
+                                   {GL_POINT_SPRITE, {0}},
+                                   {GL_POINT_SPRITE_COORD_ORIGIN, {GL_UPPER_LEFT}}});
     if (SPANGLE_FEATURE_POLYGON_OFFSET)
         table.insert(table.end(), {{GL_POLYGON_OFFSET_FACTOR, {0}},
                                    {GL_POLYGON_OFFSET_UNITS, {0}},
@@ -398,6 +405,7 @@ TEST_F(State, EveryQueryAgreesAcrossTypes) {
             }
 #if SPANGLE_FEATURE_FIXED_POINT
             const bool real = linear(e.name) || e.values.size() == 16 || e.name == GL_POINT_SIZE ||
+                              (e.name >= GL_POINT_SIZE_MIN && e.name <= GL_POINT_DISTANCE_ATTENUATION) ||
                               e.name == GL_LINE_WIDTH || e.name == GL_POINT_SIZE_GRANULARITY ||
                               e.name == GL_SAMPLE_COVERAGE_VALUE || e.name == GL_LINE_WIDTH_GRANULARITY ||
                               e.name == GL_FOG_DENSITY || e.name == GL_FOG_START ||

@@ -12,12 +12,23 @@
 namespace spangle::test::samples {
 namespace {
 
+/// Those that others have, too; the pattern of four that nearly all hardware draws with.
+TEST_F(Multisample, PositionsAreTheUsualOnes) {
+    constexpr double usual[][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+    for (unsigned s = 0; s < raster::sample_count; ++s) {
+        EXPECT_EQ(offset(s, false), usual[s][0]);
+        EXPECT_EQ(offset(s, true), usual[s][1]);
+    }
+}
+
 TEST_F(Multisample, TrianglesCoverTheSamplesInside) {
     Target target(4);
     for (int n = 0; n < 500; ++n) {
         std::array<double, 6> t;
         for (double& v : t) // every other on samples' rows and columns
             v = n % 2 != 0 ? place() : below(size * 8) / 8.0;
+        if (n % 3 == 0) // no matter
+            glEnable(GL_POLYGON_SMOOTH);
         glClear(GL_COLOR_BUFFER_BIT);
         glBegin(GL_TRIANGLES);
         for (unsigned i = 0; i < 3; ++i)

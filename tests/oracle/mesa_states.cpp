@@ -7,7 +7,47 @@
 
 #include <GL/osmesa.h>
 
+#include <GL/glext.h>
+
 #include "tests/oracle/states.hpp"
+
+namespace {
+
+GLuint sampled = 0, resolved = 0; ///< framebuffers: that with samples, and what becomes of it
+
+GLuint framebuffer(int samples) {
+    using spangle::oracle::state_size;
+    GLuint name = 0, buffer[2] = {};
+    glGenFramebuffers(1, &name);
+    glGenRenderbuffers(2, buffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    const GLenum formats[] = {GL_RGBA8, GL_DEPTH24_STENCIL8},
+                 attachments[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT};
+    for (int i = 0; i < 2; ++i) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer[i]);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, formats[i], state_size, state_size);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, buffer[i]);
+    }
+    return name;
+}
+
+bool make_framebuffers(int samples) {
+    resolved = framebuffer(0);
+    sampled = framebuffer(samples);
+    GLint has = 0;
+    glGetIntegerv(GL_SAMPLES, &has);
+    return has == samples && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void resolve() {
+    using spangle::oracle::state_size;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
+    glBlitFramebuffer(0, 0, state_size, state_size, 0, 0, state_size, state_size,
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     using namespace spangle::oracle;
@@ -19,11 +59,15 @@ int main(int argc, char** argv) {
     for (const Family& family : all_families()) {
         if (std::strcmp(family.id, argv[1]) != 0)
             continue;
+        if (family.samples != 0 && !make_framebuffers(family.samples))
+            return 1;
         std::FILE* const out = std::fopen(argv[2], "wb");
         if (out == nullptr)
             return 1;
         for (int n = std::atoi(argv[3]); n < std::atoi(argv[3]) + std::atoi(argv[4]); ++n) {
-            const Planes planes = draw_state(family, n).planes;
+            if (family.samples != 0)
+                glBindFramebuffer(GL_FRAMEBUFFER, sampled);
+            const Planes planes = draw_state(family, n, family.samples != 0 ? resolve : nullptr).planes;
             std::fwrite(planes.data(), 1, planes.size(), out);
         }
         return std::fclose(out);

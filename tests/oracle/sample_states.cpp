@@ -11,7 +11,8 @@ GLfloat place(Random& random) {
     return static_cast<GLfloat>(random.below(state_size * 256)) / 256;
 }
 void vertex(Random& random) {
-    const GLfloat x = place(random), y = place(random), z = static_cast<GLfloat>(random.below(64)) / 40 - 0.8f;
+    const GLfloat x = place(random), y = place(random),
+                  z = static_cast<GLfloat>(random.below(64)) / 40 - 0.8f;
     glVertex3f(x, y, z);
 }
 void color(Random& random) {
@@ -41,19 +42,11 @@ void random_tests(Random& random) {
         const GLenum fail = ops[random.below(6)], zfail = ops[random.below(6)], zpass = ops[random.below(6)];
         glStencilOp(fail, zfail, zpass);
     }
-    if (random.below(4) == 0) {
-        glEnable(GL_COLOR_LOGIC_OP);
-        glLogicOp(GL_CLEAR + random.below(16));
-    }
     if (random.below(3) == 0) {
         GLboolean open[4];
         for (GLboolean& m : open)
             m = random.below(3) != 0;
         glColorMask(open[0], open[1], open[2], open[3]);
-    }
-    if (random.below(3) == 0) {
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(3, 5, 15, 13);
     }
 }
 
@@ -71,7 +64,9 @@ void multisample(Random& random, Quads&) {
         }
         glEnd();
         if (random.below(3) == 0) { // of a part, or masked
-            glClearColor(0.9f, 0.1f, 0.3f, 0.5f);
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(3, 5, 15, 13);
+            glClearColor(0.8f, 0.2f, 1, 0.6f);
             glClear(GL_COLOR_BUFFER_BIT);
         }
         glPopAttrib();
@@ -96,29 +91,72 @@ void multisample_points(Random& random, Quads&) {
     figures(random, GL_POINTS, 1);
 }
 
-/// Alpha is what is covered.
+/// White over the background: a difference of coverage is 0.8 of it in red.
+void blended() {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+}
 void smooth_points(Random& random, Quads&) {
     glEnable(GL_POINT_SMOOTH);
+    blended();
     figures(random, GL_POINTS, 1);
 }
 void smooth_lines(Random& random, Quads&) {
     glEnable(GL_LINE_SMOOTH);
+    blended();
     figures(random, GL_LINES, 2);
 }
 void smooth_polygons(Random& random, Quads&) {
     glEnable(GL_POLYGON_SMOOTH);
+    blended();
     figures(random, GL_TRIANGLES, 3);
+}
+
+/// At distances from the eye; as sprites, of which Mesa does not cut the sizes to whole pixels.
+void point_parameters(Random& random, Quads&) {
+    glEnable(GL_POINT_SPRITE);
+    const auto a = static_cast<GLfloat>(1 + random.below(3)), b = static_cast<GLfloat>(random.below(3)) / 64,
+               c = static_cast<GLfloat>(random.below(3)) / 512;
+    const GLfloat abc[] = {a, b, c};
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, abc);
+    glPointParameterf(GL_POINT_SIZE_MIN, static_cast<GLfloat>(random.below(3)));
+    glPointParameterf(GL_POINT_SIZE_MAX, static_cast<GLfloat>(3 + random.below(12)));
+    figures(random, GL_POINTS, 3);
+}
+
+void point_sprites(Random& random, Quads&) {
+    glEnable(GL_POINT_SPRITE);
+    glTexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, GL_TRUE);
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, random.below(2) != 0 ? GL_LOWER_LEFT : GL_UPPER_LEFT);
+    GLubyte texels[8 * 8 * 4];
+    for (GLubyte& t : texels)
+        t = static_cast<GLubyte>(random.below(256));
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glEnable(GL_TEXTURE_2D);
+    figures(random, GL_POINTS, 1);
 }
 
 } // namespace
 
 void add_sample_families(std::vector<Family>& all) {
-    all.push_back({"multisample", 1000, 0, 1, multisample, 4});
-    all.push_back({"multisample_lines", 500, 0, 1, multisample_lines, 4});
-    all.push_back({"multisample_points", 500, 0, 1, multisample_points, 4});
-    all.push_back({"smooth_points", 300, 0, 1, smooth_points});
-    all.push_back({"smooth_lines", 300, 0, 1, smooth_lines});
-    all.push_back({"smooth_polygons", 300, 0, 1, smooth_polygons});
+    // Halves of a mean are rounded up here. Not with a scissor box: Mesa draws samples of pixels below it.
+    all.push_back({"multisample", 1000, 1, 0.976, multisample, 4, "llvmpipe"});
+    // Corners of a line's rectangle are snapped to 1/256: now and then a sample lies in between.
+    all.push_back({"multisample_lines", 500, 51, 0.9999, multisample_lines, 4, "llvmpipe"});
+    // Mesa's points are squares; the specification's are discs.
+    all.push_back({"multisample_points", 500, 204, 0.981, multisample_points, 4, "llvmpipe"});
+    // Sizes count 1/8 here: centres between that and Mesa's floats are in one of the squares.
+    all.push_back({"point_parameters", 300, 204, 0.982, point_parameters, 0, "llvmpipe"});
+    // Where a coordinate is on the edge of a texel Mesa's floats take the one or the other.
+    all.push_back({"point_sprites", 300, 255, 0.9997, point_sprites, 0, "llvmpipe"});
+    // Mesa's coverage is an estimate: of points by the distance of centres, of lines by ramps; polygons are
+    // drawn as if nothing was to be smoothed, so that all of their edges differ, and nothing else does.
+    all.push_back({"smooth_points", 300, 204, 0.975, smooth_points});
+    all.push_back({"smooth_lines", 300, 23, 0.945, smooth_lines});
+    all.push_back({"smooth_polygons", 300, 204, 0.929, smooth_polygons});
 }
 
 } // namespace spangle::oracle

@@ -17,5 +17,6 @@ void add_pixel_families(std::vector<Family>& all);
 void add_primitive_families(std::vector<Family>& all);
 void add_texture_families(std::vector<Family>& all);
 void add_texture_update_families(std::vector<Family>& all);
+void add_sample_families(std::vector<Family>& all);
 
 } // namespace spangle::oracle

@@ -15,6 +15,7 @@ const std::vector<Family>& all_families() {
         add_primitive_families(all);
         add_texture_families(all);
         add_texture_update_families(all);
+        add_sample_families(all);
         return all;
     }();
     return families;
@@ -66,7 +67,7 @@ bool Quads::has_on_edge(int x, int y) const {
     });
 }
 
-Drawn draw_state(const Family& family, int n) {
+Drawn draw_state(const Family& family, int n, void (*resolve)()) {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
     glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
     glMatrixMode(GL_PROJECTION);
@@ -81,6 +82,8 @@ Drawn draw_state(const Family& family, int n) {
     family.draw(random, drawn.quads);
     glPopClientAttrib();
     glPopAttrib();
+    if (resolve != nullptr)
+        resolve();
     constexpr std::size_t pixels = std::size_t{state_size} * state_size;
     std::vector<GLubyte> color(4 * pixels), stencil(pixels);
     std::vector<GLfloat> depth(pixels); // how Mesa rounds to bytes is no question of ours

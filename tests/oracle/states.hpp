@@ -40,6 +40,8 @@ struct Family {
     int tolerance;    ///< largest difference of a channel, 255ths
     double identical; ///< share of the pixels that must be the same to the bit
     void (*draw)(test::Random&, Quads&);
+    int samples = 0;                 ///< of a pixel
+    const char* driver = "softpipe"; ///< of Mesa
 };
 const std::vector<Family>& all_families();
 
@@ -48,7 +50,7 @@ struct Drawn {
     Quads quads;
 };
 /// Drawing `n` of a family, from a state of its own that is left as it was; the current drawable has the size
-/// above.
-Drawn draw_state(const Family& family, int n);
+/// above. `resolve` makes of samples what can be read, where GL does not.
+Drawn draw_state(const Family& family, int n, void (*resolve)() = nullptr);
 
 } // namespace spangle::oracle

@@ -32,9 +32,9 @@ constexpr int drawings_at_once = 2000;
 
 Planes draw_with_mesa(const Family& family, int first, int count) {
     const std::string file = testing::TempDir() + "mesa_states_" + family.id + std::to_string(getpid());
-    const std::string command = "ASAN_OPTIONS=detect_leaks=0 GALLIUM_DRIVER=softpipe '" MESA_STATES "' " +
-                                std::string(family.id) + " '" + file + "' " + std::to_string(first) + " " +
-                                std::to_string(count);
+    const std::string command = "ASAN_OPTIONS=detect_leaks=0 GALLIUM_DRIVER=" + std::string(family.driver) +
+                                " '" MESA_STATES "' " + std::string(family.id) + " '" + file + "' " +
+                                std::to_string(first) + " " + std::to_string(count);
     if (std::system(command.c_str()) != 0)
         return {};
     Planes all(bytes_of_drawing * static_cast<std::size_t>(count));
@@ -74,11 +74,11 @@ struct Differences {
 };
 
 struct StatesOf : testing::TestWithParam<Family> {
-    spangle::test::HeadlessGl current{
-        state_size,
-        state_size,
-        {EGL_STENCIL_SIZE, 8, EGL_PRECISION_SPANGLE, EGL_PRECISION_EXACT_SPANGLE},
-        {EGL_ACCUM_SIZE_SPANGLE, 16}};
+    spangle::test::HeadlessGl current{state_size,
+                                      state_size,
+                                      {EGL_STENCIL_SIZE, 8, EGL_PRECISION_SPANGLE,
+                                       EGL_PRECISION_EXACT_SPANGLE, EGL_SAMPLES, GetParam().samples},
+                                      {EGL_ACCUM_SIZE_SPANGLE, 16}};
 };
 
 TEST_P(StatesOf, LookLikeMesa) {

@@ -114,6 +114,7 @@ void FrontFace(Context& context, GLenum mode);
 void CullFace(Context& context, GLenum mode);
 void PolygonMode(Context& context, GLenum face, GLenum mode);
 void PointSize(Context& context, Real size);
+void PointParameter(Context& context, GLenum pname, const Params& params);
 void LineWidth(Context& context, Real width);
 void LineStipple(Context& context, GLint factor, GLushort pattern);
 void PolygonStipple(Context& context, const GLubyte* pattern);
@@ -948,6 +949,13 @@ struct PointSize {
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glPointSize between glBegin and glEnd");
+};
+struct PointParameter {
+    static constexpr auto run = &cmd::PointParameter;
+    static constexpr auto encode = nullptr;
+    static constexpr bool inside = false;
+    static constexpr Listing listing = Listing::words;
+    static constexpr const char* refusal = SPANGLE_TEXT("glPointParameter between glBegin and glEnd");
 };
 struct LineWidth {
     static constexpr auto run = &cmd::LineWidth;

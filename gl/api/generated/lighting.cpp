@@ -228,6 +228,44 @@ void GLAPIENTRY glPointSizexOES(GLfixed size) {
 
 #endif
 
+#if SPANGLE_FEATURE_POINT_PARAMETERS
+
+void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param) {
+    issue<family::PointParameter>(pname, convert::scalar_f(shape::PointParameter(pname), param));
+}
+
+void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glPointParameterfv: null pointer"));
+    issue<family::PointParameter>(pname, convert::vector_f(shape::PointParameter(pname), params));
+}
+
+void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
+    issue<family::PointParameter>(pname, convert::scalar_i(shape::PointParameter(pname), param));
+}
+
+void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glPointParameteriv: null pointer"));
+    issue<family::PointParameter>(pname, convert::vector_i(shape::PointParameter(pname), params));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POINT_PARAMETERS && SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param) {
+    issue<family::PointParameter>(pname, convert::scalar_x(shape::PointParameter(pname), param));
+}
+
+void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params) {
+    if (params == nullptr)
+        return refuse_null(SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
+    issue<family::PointParameter>(pname, convert::vector_x(shape::PointParameter(pname), params));
+}
+
+#endif
+
 void GLAPIENTRY glLineWidth(GLfloat width) {
     issue<family::LineWidth>(convert::cast_f(width));
 }
@@ -424,6 +462,50 @@ void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
 
 void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
     refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POINT_PARAMETERS
+
+void GLAPIENTRY glPointParameterf(GLenum, GLfloat) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterf: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+void GLAPIENTRY glPointParameterfv(GLenum, const GLfloat*) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterfv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+void GLAPIENTRY glPointParameteri(GLenum, GLint) {
+    refuse_feature(SPANGLE_TEXT("glPointParameteri: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+void GLAPIENTRY glPointParameteriv(GLenum, const GLint*) {
+    refuse_feature(SPANGLE_TEXT("glPointParameteriv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+#endif
+
+#if !SPANGLE_FEATURE_POINT_PARAMETERS
+
+void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterxOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterxvOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+}
+
+#endif
+
+#if SPANGLE_FEATURE_POINT_PARAMETERS && !SPANGLE_FEATURE_FIXED_POINT
+
+void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
+}
+
+void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*) {
+    refuse_feature(SPANGLE_TEXT("glPointParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
 }
 
 #endif

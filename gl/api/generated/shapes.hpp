@@ -118,6 +118,21 @@ inline Shape GetMaterial(GLenum pname) {
     }
 }
 
+inline Shape PointParameter(GLenum pname) {
+    switch (pname) {
+    case GL_POINT_SIZE_MIN:
+    case GL_POINT_SIZE_MAX:
+    case GL_POINT_FADE_THRESHOLD_SIZE:
+        return {Kind::real, 1};
+    case GL_POINT_DISTANCE_ATTENUATION:
+        return {Kind::real, 3};
+    case GL_POINT_SPRITE_COORD_ORIGIN:
+        return {Kind::integer, 1};
+    default:
+        return {};
+    }
+}
+
 inline Shape PixelStore(GLenum pname) {
     switch (pname) {
     case GL_UNPACK_SWAP_BYTES:
@@ -253,6 +268,7 @@ inline Shape TexEnv(GLenum pname) {
     case GL_OPERAND0_ALPHA:
     case GL_OPERAND1_ALPHA:
     case GL_OPERAND2_ALPHA:
+    case GL_COORD_REPLACE:
         return {Kind::integer, 1};
     case GL_TEXTURE_ENV_COLOR:
         return {Kind::color, 4};
@@ -282,6 +298,7 @@ inline Shape GetTexEnv(GLenum pname) {
     case GL_OPERAND0_ALPHA:
     case GL_OPERAND1_ALPHA:
     case GL_OPERAND2_ALPHA:
+    case GL_COORD_REPLACE:
         return {Kind::integer, 1};
     case GL_TEXTURE_ENV_COLOR:
         return {Kind::color, 4};

@@ -670,6 +670,15 @@ GLAPI void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation);
 #define GL_LIGHT5 0x4005
 #define GL_LIGHT6 0x4006
 #define GL_LIGHT7 0x4007
+#define GL_POINT_SIZE_MIN 0x8126
+#define GL_POINT_SIZE_MAX 0x8127
+#define GL_POINT_FADE_THRESHOLD_SIZE 0x8128
+#define GL_POINT_DISTANCE_ATTENUATION 0x8129
+#define GL_POINT_SPRITE 0x8861
+#define GL_COORD_REPLACE 0x8862
+#define GL_POINT_SPRITE_COORD_ORIGIN 0x8CA0
+#define GL_LOWER_LEFT 0x8CA1
+#define GL_UPPER_LEFT 0x8CA2
 #define GL_POINT_SIZE 0x0B11
 #define GL_POINT_SIZE_RANGE 0x0B12
 #define GL_POINT_SIZE_GRANULARITY 0x0B13
@@ -725,6 +734,12 @@ GLAPI void GLAPIENTRY glCullFace(GLenum mode);
 GLAPI void GLAPIENTRY glPolygonMode(GLenum face, GLenum mode);
 GLAPI void GLAPIENTRY glPointSize(GLfloat size);
 GLAPI void GLAPIENTRY glPointSizexOES(GLfixed size);
+GLAPI void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params);
+GLAPI void GLAPIENTRY glPointParameteri(GLenum pname, GLint param);
+GLAPI void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params);
+GLAPI void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param);
+GLAPI void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params);
 GLAPI void GLAPIENTRY glLineWidth(GLfloat width);
 GLAPI void GLAPIENTRY glLineWidthxOES(GLfixed width);
 GLAPI void GLAPIENTRY glLineStipple(GLint factor, GLushort pattern);
