@@ -231,7 +231,7 @@ void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
     }
 }
 
-void clear_narrow(const Surface& s, const ClearRequest& r) {
+[[maybe_unused]] void clear_narrow(const Surface& s, const ClearRequest& r) {
     if ((r.channels & 7) != 7)
         return clear_narrow_masked(s, r);
     std::uint32_t word[4][4];

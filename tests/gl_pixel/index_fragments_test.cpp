@@ -25,8 +25,8 @@ TEST_F(IndexFragments, TheModeAndItsBits) {
 
 /// Without dithering the nearest index, with it one of the two that depends on the place; whole ones stay.
 TEST_F(IndexFragments, AreMaskedAndRounded) {
-    for (const float index : {0.0f, 1.0f, 7.25f, 7.5f, 7.75f, 100.0f, 254.5f, 255.0f, 255.75f, 256.0f,
-                              300.25f, -1.0f, -0.75f, 65537.0f}) {
+    for (const float index : {0.0f, 1.0f, 7.25f, 7.5f, 7.75f, 100.0f, 254.5f, 255.0f, 255.75f, 255.9995f,
+                              256.0f, 300.25f, -1.0f, -0.75f, 65537.0f}) {
         glDisable(GL_DITHER);
         EXPECT_EQ(covered(index), nearest(index)) << index;
         glEnable(GL_DITHER);
