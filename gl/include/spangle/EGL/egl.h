@@ -197,8 +197,8 @@ EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig 
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
 EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                               EGLint* value);
-/* EGL_OPENGL_API is current from the start, bound or not: there is no other (EGL 1.4, 3.7 begins with EGL_NONE
-   where there is no OpenGL ES). */
+/* EGL_OPENGL_API is current from the start, bound or not: there is no other (EGL 1.4, 3.7 begins with
+   EGL_NONE where there is no OpenGL ES). */
 EGLAPI EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api);
 EGLAPI EGLenum EGLAPIENTRY eglQueryAPI(void);
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint interval);
