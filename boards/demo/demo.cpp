@@ -1,7 +1,10 @@
 #include "boards/demo/demo.hpp"
 
+#include <initializer_list>
+
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
+#include <spangle/frame.hpp>
 #include <spangle/native.hpp>
 
 /// A scene profile may hold another tier only.
@@ -19,16 +22,32 @@ struct Window {
     EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
 
+    /// The first of these configs that there is. Narrow formats are drawn in exact numbers in every tier;
+    /// small builds have no other.
+    EGLConfig choose(bool narrow) const {
+        struct Wish {
+            EGLint depth, precision;
+        };
+        const EGLint usual = narrow ? EGL_PRECISION_EXACT_SPANGLE : DEMO_PRECISION;
+        for (const Wish wish :
+             {Wish{16, usual}, Wish{16, EGL_PRECISION_EXACT_SPANGLE}, Wish{0, EGL_PRECISION_EXACT_SPANGLE}}) {
+            const EGLint list[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
+                                   EGL_WINDOW_BIT,        EGL_DEPTH_SIZE, wish.depth,
+                                   EGL_PRECISION_SPANGLE, wish.precision, EGL_NONE};
+            EGLConfig config = nullptr;
+            EGLint count = 0;
+            if (eglChooseConfig(display, list, &config, 1, &count) != EGL_FALSE && count != 0)
+                return config;
+        }
+        return nullptr;
+    }
+
     const char* open(hal::Display& native_display) {
-        static constexpr EGLint wish[] = {EGL_RENDERABLE_TYPE,   EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
-                                          EGL_WINDOW_BIT,        EGL_DEPTH_SIZE, 16,
-                                          EGL_PRECISION_SPANGLE, DEMO_PRECISION, EGL_NONE};
         display = eglGetDisplay(native(native_display));
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
             return "eglInitialize";
-        EGLConfig config = nullptr;
-        EGLint count = 0;
-        if (eglChooseConfig(display, wish, &config, 1, &count) == EGL_FALSE || count == 0)
+        const EGLConfig config = choose(is_narrow(native_display.info().format));
+        if (config == nullptr)
             return "eglChooseConfig";
         surface = eglCreateWindowSurface(display, config, 0, nullptr);
         if (surface == EGL_NO_SURFACE)
@@ -51,20 +70,55 @@ struct Window {
     }
 };
 
-const char* draw(const Window& window, hal::Display& display, const scenes::Scene& scene, int frames,
+/// A display that tells what is drawn into its buffers.
+class Tap final : public hal::Display {
+  public:
+    explicit Tap(hal::Display& display) : display_(display), info_(display.info()) {}
+
+    hal::DisplayInfo info() const override { return info_; }
+    hal::Result<void> init() override { return display_.init(); }
+    hal::Result<hal::Frame> acquire() override { return hold(display_.acquire(), info_.height); }
+    hal::Result<void> present() override { return display_.present(); }
+    hal::Result<void> finish() override { return display_.finish(); }
+    void swap_interval(std::int32_t interval) override { display_.swap_interval(interval); }
+    hal::Result<hal::Frame> acquire_band(std::int32_t first, std::int32_t rows) override {
+        return hold(display_.acquire_band(first, rows), rows);
+    }
+    hal::Result<void> present_band() override { return display_.present_band(); }
+
+    const Rows& rows() const { return rows_; }
+
+  private:
+    hal::Result<hal::Frame> hold(hal::Result<hal::Frame> frame, std::int32_t height) {
+        rows_ = {};
+        if (frame.ok())
+            rows_ = {frame.value().pixels, frame.value().stride, row_bytes(info_.format, info_.width),
+                     stored_rows(info_.format, height)};
+        return frame;
+    }
+
+    hal::Display& display_;
+    hal::DisplayInfo info_;
+    Rows rows_;
+};
+
+const char* draw(const Window& window, const Tap& tap, const scenes::Scene& scene, int frames,
                  Watcher& watcher) {
-    const hal::DisplayInfo info = display.info();
+    const hal::DisplayInfo info = tap.info();
     if (format_info(info.format).bits >= 16) // fewer need it
         glDisable(GL_DITHER);
     scene.setup(info.width, info.height);
     for (int frame = 0; frame < frames; ++frame) {
         watcher.begin_frame();
-        scene.draw(frame);
+        const bool shown = spangle::frame(window.display, [&] {
+            watcher.draws();
+            scene.draw(frame);
+            watcher.drawn(tap.rows());
+        });
         if (glGetError() != GL_NO_ERROR)
             return "the scene";
-        watcher.drawn();
-        if (eglSwapBuffers(window.display, window.surface) == EGL_FALSE)
-            return "eglSwapBuffers";
+        if (!shown)
+            return "spangle::frame";
         watcher.presented();
     }
     return nullptr;
@@ -73,25 +127,21 @@ const char* draw(const Window& window, hal::Display& display, const scenes::Scen
 } // namespace
 
 const char* play(hal::Display& display, const scenes::Scene& scene, int frames, Watcher& watcher) {
+    Tap tap(display);
     Window window;
-    const char* problem = window.open(display);
+    const char* problem = window.open(tap);
     if (problem == nullptr)
-        problem = draw(window, display, scene, frames, watcher);
+        problem = draw(window, tap, scene, frames, watcher);
     window.close();
     return problem;
 }
 
-std::uint32_t frame_hash(hal::Display& display) {
-    const hal::DisplayInfo info = display.info();
-    const hal::Result<hal::Frame> frame = display.acquire();
-    std::uint32_t hash = 2166136261u;
-    for (std::int32_t y = 0; frame.ok() && y < stored_rows(info.format, info.height); ++y) {
-        const std::uint8_t* const row =
-            frame.value().pixels + static_cast<std::ptrdiff_t>(y) * frame.value().stride;
-        for (std::int32_t i = 0; i < row_bytes(info.format, info.width); ++i)
-            hash = (hash ^ row[i]) * 16777619u;
+void PictureHash::add(const Rows& rows) {
+    for (std::int32_t y = 0; y < rows.count; ++y) {
+        const std::uint8_t* const row = rows.pixels + static_cast<std::ptrdiff_t>(y) * rows.stride;
+        for (std::int32_t i = 0; i < rows.row_bytes; ++i)
+            value_ = (value_ ^ row[i]) * 16777619u;
     }
-    return hash;
 }
 
 } // namespace spangle::demo

@@ -12,7 +12,7 @@ int main() {
     using namespace spangle;
     static constexpr const scenes::Scene* list[] = {DEMO_SCENES};
     hal::Display& display = board::start();
-    demo::Watcher& watcher = demo::watcher(display);
+    demo::Watcher& watcher = demo::watcher();
     do
         for (const scenes::Scene* scene : list) {
             demo::begin(*scene);

@@ -6,7 +6,7 @@
 namespace spangle::demo {
 
 /// Who looks on while the display shows scenes.
-Watcher& watcher(hal::Display& display);
+Watcher& watcher();
 
 /// Of a scene each time it is shown.
 int frames_to_show();

@@ -49,19 +49,25 @@ void print_line(const char* name, std::uint32_t value) {
 
 class Semihosting final : public Watcher {
   public:
-    explicit Semihosting(hal::Display& display) : display_(display) {}
-
-    void begin_frame() override { count_.begin(); }
-    void drawn() override {
-        drawing_ = count_.end();
-        hash_ = frame_hash(display_);
+    void begin_frame() override {
+        hash_ = {};
+        drawing_ = presenting_ = 0;
+        count_.begin();
+    }
+    void draws() override {
+        presenting_ += count_.end();
+        count_.begin();
+    }
+    void drawn(const Rows& rows) override {
+        drawing_ += count_.end();
+        hash_.add(rows);
         count_.begin();
     }
     void presented() override {
-        const std::uint32_t presenting = count_.end();
+        presenting_ += count_.end();
         semihosting::print("frame ");
-        semihosting::print_hex(hash_);
-        for (const std::uint32_t value : {drawing_, presenting, board::bus_bytes()}) {
+        semihosting::print_hex(hash_.value());
+        for (const std::uint32_t value : {drawing_, presenting_, board::bus_bytes()}) {
             semihosting::print(" ");
             semihosting::print_number(value);
         }
@@ -84,17 +90,17 @@ class Semihosting final : public Watcher {
         }
     }
 
-    hal::Display& display_;
     mcu::InstructionCount count_{board::clock_hz};
-    std::uint32_t drawing_ = 0, hash_ = 0, shown_ = 0;
+    PictureHash hash_;
+    std::uint32_t drawing_ = 0, presenting_ = 0, shown_ = 0;
 };
 
 Semihosting* listener;
 
 } // namespace
 
-Watcher& watcher(hal::Display& display) {
-    static Semihosting one(display);
+Watcher& watcher() {
+    static Semihosting one;
     listener = &one;
     return one;
 }

@@ -6,7 +6,7 @@
 
 namespace spangle::demo {
 
-Watcher& watcher(hal::Display&) {
+Watcher& watcher() {
     static class Nobody final : public Watcher {
     } nobody;
     return nobody;

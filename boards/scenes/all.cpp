@@ -17,7 +17,7 @@ bool same(const char* a, const char* b) {
 SceneList all() {
     static const Scene list[] = {clear,          two_triangles, gouraud, plane,   plane_linear,
                                  plane_rolled,   gears,         torus,   sprites, wireframe,
-                                 torus_textured, hud,           rocket};
+                                 torus_textured, hud,           rocket,  tiny,    cube};
     return {list, static_cast<int>(sizeof list / sizeof list[0])};
 }
 

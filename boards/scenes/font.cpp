@@ -91,4 +91,15 @@ void draw_text(float x, float y, float scale, const char* text) {
     glEnd();
 }
 
+void plot_text(int x, int y, const char* text) {
+    glBegin(GL_POINTS);
+    for (; *text != '\0'; ++text, x += 6) {
+        const int i = index_of(*text);
+        for (int pixel = 0; i >= 0 && pixel < 35; ++pixel)
+            if (shapes[i][pixel] == '#')
+                glVertex2i(x + pixel % 5, y + pixel / 5);
+    }
+    glEnd();
+}
+
 } // namespace spangle::scenes

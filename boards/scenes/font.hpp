@@ -12,4 +12,7 @@ void make_font();
 /// down. Inside no Begin/End; the font texture is bound and enabled.
 void draw_text(float x, float y, float scale, const char* text);
 
+/// A point for each pixel of the text, top left one at (x, y), y down. Inside no Begin/End; without textures.
+void plot_text(int x, int y, const char* text);
+
 } // namespace spangle::scenes

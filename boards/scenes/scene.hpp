@@ -27,6 +27,6 @@ SceneList all();
 const Scene* find(const char* id);
 
 extern const Scene clear, two_triangles, gouraud, plane, plane_rolled, plane_linear, gears, torus, sprites,
-    wireframe, torus_textured, hud, rocket;
+    wireframe, torus_textured, hud, rocket, tiny, cube;
 
 } // namespace spangle::scenes

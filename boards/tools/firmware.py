@@ -18,7 +18,8 @@ CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "
 HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
 # The scenes and their objects, boards/scenes.
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
-          "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket"}
+          "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
+          "CUBE": "cube"}
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
 ENVIRONMENT = {**os.environ, "QEMU_AUDIO_DRV": "none"}

@@ -261,7 +261,7 @@ struct FixedMath {
     template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
 #endif
@@ -381,27 +381,29 @@ struct FixedMath {
     static void set_color(Window& out, const Real (&rgba)[4]) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = color_units(rgba[c]);
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = 0;
 #endif
     }
-    static void set_secondary_color(Window& out, const Real (&rgb)[4]) {
+    static void set_secondary_color([[maybe_unused]] Window& out, [[maybe_unused]] const Real (&rgb)[4]) {
+#if SPANGLE_SECONDARY_COLORS
         for (int c = 0; c < 3; ++c)
             out.secondary[c] = color_units(rgb[c]);
+#endif
     }
 
     /// Of a vertex, without the rest.
     struct Colors {
         std::uint32_t color[4];
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
         std::uint32_t secondary[3];
 #endif
     };
     template <class From, class To> static void copy_color(const From& from, To& to) {
         for (int c = 0; c < 4; ++c)
             to.color[c] = from.color[c];
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
         for (int c = 0; c < 3; ++c)
             to.secondary[c] = from.secondary[c];
 #endif
@@ -461,7 +463,7 @@ struct FixedMath {
         const std::uint32_t units = index_units(index, bits);
         out.color[0] = units < largest_index ? units : largest_index;
         out.color[1] = out.color[2] = out.color[3] = 0;
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
         for (std::uint32_t& c : out.secondary)
             c = 0;
 #endif

@@ -48,6 +48,7 @@ struct LightingState {
 #else
 struct LightingState {
     static constexpr bool lighting = false, color_material = false;
+    bool color_sum = false;
     static constexpr GLenum color_control = GL_SINGLE_COLOR;
 };
 #endif

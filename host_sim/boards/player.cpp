@@ -9,22 +9,22 @@ namespace {
 
 class Observer final : public demo::Watcher {
   public:
-    Observer(Desk& desk, const scenes::Scene& scene, const std::function<void(const PlayedFrame&)>& presented)
-        : desk_(desk), scene_(scene), presented_(presented) {}
+    Observer(const scenes::Scene& scene, const std::function<void(const PlayedFrame&)>& presented)
+        : scene_(scene), presented_(presented) {}
 
     void begin_frame() override {
+        hash_ = {};
         counters_ = {};
         gl::observe(*gl::current_context(), &counters_, false);
     }
-    void drawn() override { hash_ = demo::frame_hash(desk_.display()); }
-    void presented() override { presented_({scene_, frame_++, hash_, counters_.fragments}); }
+    void drawn(const demo::Rows& rows) override { hash_.add(rows); }
+    void presented() override { presented_({scene_, frame_++, hash_.value(), counters_.fragments}); }
 
   private:
-    Desk& desk_;
     const scenes::Scene& scene_;
     const std::function<void(const PlayedFrame&)>& presented_;
     raster::Counters counters_;
-    std::uint32_t hash_ = 0;
+    demo::PictureHash hash_;
     int frame_ = 0;
 };
 
@@ -36,7 +36,7 @@ std::string play(Desk& desk, const std::vector<std::string>& ids, int frames,
         const scenes::Scene* const scene = scenes::find(id.c_str());
         if (scene == nullptr)
             return "no scene '" + id + "'";
-        Observer observer(desk, *scene, presented);
+        Observer observer(*scene, presented);
         if (const char* const problem = demo::play(desk.display(), *scene, frames, observer))
             return id + ": " + problem + " failed";
     }

@@ -7,6 +7,9 @@
 #ifndef SPANGLE_FEATURE_LIGHTING
 #define SPANGLE_FEATURE_LIGHTING 1
 #endif
+#ifndef SPANGLE_FEATURE_SECONDARY_COLOR
+#define SPANGLE_FEATURE_SECONDARY_COLOR 1
+#endif
 #ifndef SPANGLE_FEATURE_TEXTURE_COMBINE
 #define SPANGLE_FEATURE_TEXTURE_COMBINE 1
 #endif
@@ -38,8 +41,9 @@
 namespace spangle::raster {
 
 inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
-inline constexpr bool has_color_sum =
-    SPANGLE_FEATURE_LIGHTING != 0; ///< secondary colours are those of lights
+/// Secondary colours are those of lights, or of vertices.
+#define SPANGLE_SECONDARY_COLORS (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR)
+inline constexpr bool has_color_sum = SPANGLE_SECONDARY_COLORS;
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
 inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;

@@ -22,7 +22,7 @@ struct FixedVertex {
     std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
     std::int32_t fog_mantissa;
     std::uint32_t color[4]; ///< RGBA, colour units, 0 .. color_one; [0] may be an index, 20 fraction bits
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_SECONDARY_COLORS
     std::uint32_t secondary[3]; ///< RGB, colour units
 #else
     static constexpr std::uint32_t secondary[3] = {};

@@ -1,0 +1,53 @@
+// A display on I2C: a control byte stands for D/C (SSD1306 datasheet, 8.1.5).
+//
+// `I2c` has begin(address, byte), write(byte) and end(byte), `Timer` has pause(micros).
+#pragma once
+
+#include <cstdint>
+
+#include <spangle/hal/polled_bus.hpp>
+
+namespace spangle::mcu {
+
+template <class I2c, class Timer> class I2cPort final : public hal::PolledPort {
+  public:
+    constexpr I2cPort(I2c i2c, std::uint8_t address, Timer timer)
+        : i2c_(i2c), address_(address), timer_(timer) {}
+
+    hal::Fault begin(bool data) override {
+        data_ = data;
+        return hal::Fault::none;
+    }
+    /// Data are one message. Commands are a message each, Co = 1: SSD0303 takes no more in one.
+    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) override {
+        if (data_)
+            return message(data_follow, bytes, count);
+        hal::Fault fault = hal::Fault::none;
+        for (; count != 0 && fault == hal::Fault::none; --count)
+            fault = message(one_command, bytes++, 1);
+        return fault;
+    }
+    hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) override { return hal::Fault::unsupported; }
+    void end() override {}
+    void reset(bool) override {} ///< no line for it
+    void pause(std::uint32_t micros) override { timer_.pause(micros); }
+
+  private:
+    static constexpr std::uint8_t one_command = 0x80, data_follow = 0x40;
+
+    hal::Fault message(std::uint8_t control, const std::uint8_t* bytes, std::uint32_t count) const {
+        if (count == 0)
+            return hal::Fault::none;
+        hal::Fault fault = i2c_.begin(address_, control);
+        for (; count > 1 && fault == hal::Fault::none; --count)
+            fault = i2c_.write(*bytes++);
+        return fault == hal::Fault::none ? i2c_.end(*bytes) : fault;
+    }
+
+    I2c i2c_;
+    std::uint8_t address_;
+    Timer timer_;
+    bool data_ = false;
+};
+
+} // namespace spangle::mcu
