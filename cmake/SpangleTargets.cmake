@@ -4,8 +4,12 @@ function(spangle_common target)
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${SPANGLE_WERROR}>:-Werror>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                          POSITION_INDEPENDENT_CODE ON)
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    if(CMAKE_SYSTEM_NAME STREQUAL "Generic") # no operating system: nothing is shared, every program is linked to its place
+        target_compile_definitions(${target} PRIVATE SPANGLE_FIRMWARE=1)
+    else()
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
 endfunction()
 
 # Code that also runs in firmware.

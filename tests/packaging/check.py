@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Builds and runs projects outside the tree against Spangle, as a user would.
 
-usage: check.py find_package|fetch_content|self_test|raspberry_pi|oled_i2c|gud_display|ftdi_adapter BUILD_DIR
+usage: check.py find_package|fetch_content|self_test|cortex_m|rv32|raspberry_pi|oled_i2c|gud_display|ftdi_adapter BUILD_DIR
 
 find_package: installs BUILD_DIR into a temporary prefix and looks it up there. fetch_content: hands the source tree to
 FetchContent. The project links every exported library, draws a triangle on a simulated board and checks the glass.
 self_test: the example boards/examples/self_test against the installed package: its tests pass, and with another golden
 picture one of them fails and leaves the difference.
+cortex_m, rv32: installs a build for that processor, builds a project outside against it with the toolchain file, runs it in
+QEMU, and holds the picture it draws against that of the same project on this machine.
 raspberry_pi, oled_i2c, gud_display, ftdi_adapter: those examples against the installed package: built, and they say what this machine has not.
 """
 import os
@@ -89,8 +91,37 @@ def example(way, build, outside):
     return 0
 
 
+BARE_METAL = pathlib.Path(__file__).with_name("bare_metal")
+QEMU = ["-display", "none", "-monitor", "none", "-serial", "null", "-semihosting-config", "enable=on,target=native", "-kernel"]
+PROCESSORS = {  # toolchain file, its compiler, emulator
+    "cortex_m": ("cortex-m.cmake", "arm-none-eabi-g++", ["qemu-system-arm", "-M", "mps2-an385"]),
+    "rv32": ("rv32imac.cmake", "riscv64-unknown-elf-g++", ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
+}
+
+
+def bare_metal(way, build, outside):
+    toolchain, compiler, emulator = PROCESSORS[way]
+    missing = [program for program in (compiler, emulator[0]) if shutil.which(program) is None]
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (./dev setup --all installs them)")
+        return 77
+    project = shutil.copytree(BARE_METAL, outside / "project")
+    cross = f"-DCMAKE_TOOLCHAIN_FILE={ROOT / 'cmake/toolchains' / toolchain}"
+    run("cmake", "-S", ROOT, "-B", outside / "spangle", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DSPANGLE_HOST=OFF", "-DSPANGLE_TESTS=OFF",
+        "-DSPANGLE_FUSED_SPANS=0", cross)
+    run("cmake", "--build", outside / "spangle", "-j", os.cpu_count() or 2)
+    run("cmake", "--install", outside / "spangle", "--prefix", outside / "cross")
+    run("cmake", "-S", project, "-B", outside / "firmware", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=MinSizeRel", cross,
+        f"-DCMAKE_PREFIX_PATH={outside / 'cross'}")
+    run("cmake", "--build", outside / "firmware")
+    build_project(project, outside, installed(build, outside))
+    drawn, expected = run("timeout", "120", *emulator, *QEMU, outside / "firmware/picture").strip(), run(outside / "build/picture").strip()
+    print(f"{way}: {drawn}, here {expected}")
+    return 0 if drawn == expected and expected != "00000000" else 1
+
+
 def main():
-    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content", "self_test", *EXAMPLES):
+    if len(sys.argv) != 3 or sys.argv[1] not in ("find_package", "fetch_content", "self_test", *EXAMPLES, *PROCESSORS):
         print(__doc__.strip())
         return 2
     way, build = sys.argv[1:]
@@ -98,6 +129,8 @@ def main():
         outside = pathlib.Path(folder)
         if way == "self_test":
             return self_test(build, outside)
+        if way in PROCESSORS:
+            return bare_metal(way, build, outside)
         return example(way, build, outside) if way in EXAMPLES else hello(way, build, outside)
 
 

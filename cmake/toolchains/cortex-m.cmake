@@ -1,0 +1,11 @@
+# Cortex-M with Debian's gcc-arm-none-eabi. -DSPANGLE_CPU=cortex-m4 names another processor.
+set(SPANGLE_CPU cortex-m0plus CACHE STRING "-mcpu")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SPANGLE_CPU)
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR ${SPANGLE_CPU})
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_CXX_FLAGS_INIT "-mcpu=${SPANGLE_CPU} -mthumb -mfloat-abi=soft -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-tree-loop-distribute-patterns -ffunction-sections -fdata-sections")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostartfiles -nostdlib -Wl,--gc-sections")
+set(CMAKE_CXX_STANDARD_LIBRARIES -lgcc)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
