@@ -115,9 +115,10 @@ def bare_metal(way, build, outside):
         f"-DCMAKE_PREFIX_PATH={outside / 'cross'}")
     run("cmake", "--build", outside / "firmware")
     build_project(project, outside, installed(build, outside))
-    drawn, expected = run("timeout", "120", *emulator, *QEMU, outside / "firmware/picture").strip(), run(outside / "build/picture").strip()
+    emulated = subprocess.run(["timeout", "120", *emulator, *QEMU, str(outside / "firmware/picture")], capture_output=True, text=True)
+    drawn, expected = (emulated.stdout + emulated.stderr).strip(), run(outside / "build/picture").strip()
     print(f"{way}: {drawn}, here {expected}")
-    return 0 if drawn == expected and expected != "00000000" else 1
+    return 0 if emulated.returncode == 0 and drawn == expected else 1
 
 
 def main():
