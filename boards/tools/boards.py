@@ -122,6 +122,12 @@ def mean(values):
     return sum(values) / len(values)
 
 
+def handler_stack(board):
+    """Bytes beside the program's stack, as the board's linker script says."""
+    own = re.search(r"^handler_stack_size = (\d+);", (board.folder / "memory.ld").read_text(), re.M)
+    return int(own[1]) if own else HANDLER_STACK
+
+
 def check(board, image, host, frames, pictures):
     """The row of a board, and what is wrong. `pictures`: the folder where the last frame looked at of each scene is drawn."""
     try:
@@ -142,7 +148,7 @@ def check(board, image, host, frames, pictures):
         wrong += look.at_screen(host, board, image, LOOKED_AT, drawn)
     wrong += [f"the image holds {name}" for name in firmware.forbidden(board.target, image)]
     size = firmware.sizes(board.target, image)
-    if 4 * run.memory.get("stack", 0) > 3 * (size[".stack"] - HANDLER_STACK):
+    if 4 * run.memory.get("stack", 0) > 3 * (size[".stack"] - handler_stack(board)):
         wrong.append(f"{run.memory['stack']} bytes of stack were used: more than three quarters of it")
     flash = sum(size.get(s, 0) for s in (".text", ".ARM.exidx", ".data"))
     ram = sum(size.get(s, 0) for s in (".data", ".bss", ".noinit")) - run.memory.get("arena", 0) + run.memory.get("peak", 0)

@@ -430,8 +430,10 @@ struct FixedMath {
         const auto whole = [](bool one) { return one ? numeric::one : numeric::zero; };
         const Real stq[4] = {whole(s), whole(t), numeric::zero, numeric::one};
         set_texture(stq, unit, out);
-        if constexpr (requires { out.r[unit]; })
-            out.r[unit] = 0;
+#if SPANGLE_TEXTURE_UNITS &&                                                                                 \
+    (SPANGLE_FEATURE_TEXTURE_3D || SPANGLE_FEATURE_TEXTURE_CUBE_MAP || SPANGLE_FEATURE_DEPTH_TEXTURES)
+        out.r[unit] = 0;
+#endif
     }
     /// Alpha times a factor, 0 .. 1.
     static void fade(Real factor, Window& out) {
