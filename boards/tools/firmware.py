@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal", "hal/mcu", "boards")]
 FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-tree-loop-distribute-patterns",
          "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *INCLUDES]
-CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "hal/bus", "hal/panel", "hal/display",
+CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
         "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
 HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
 # The scenes and their objects, boards/scenes.

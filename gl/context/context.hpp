@@ -5,6 +5,7 @@
 
 #include "gl/context/attrib_state.hpp"
 #include "gl/context/error.hpp"
+#include "gl/context/recording.hpp"
 #include "gl/context/types.hpp"
 #include "gl/list/list_state.hpp"
 #include "gl/pixel/fog_state.hpp"
@@ -52,6 +53,11 @@ struct Drawable {
     bool double_buffered = false, read_double_buffered = false;
     std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
     void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
+#if SPANGLE_HAS_RECORDS
+    const Recording* recording = nullptr; ///< null: what is drawn is drawn at once
+#else
+    static constexpr const Recording* recording = nullptr;
+#endif
     bool bound_before = false; ///< viewport and scissor were set from the first drawable (GL 1.3, 2.10.1)
 };
 

@@ -28,7 +28,10 @@ void destroy_group(ShareGroup* group) {
 #endif
     for (std::uint32_t i = 0; i < group->textures.capacity(); ++i)
         if (group->textures.slot(i).name != 0 && group->textures.slot(i).object != nullptr)
-            destroy_texture(arena, group->textures.slot(i).object);
+            destroy_texture(*group, group->textures.slot(i).object);
+#if SPANGLE_HAS_RECORDS
+    forget_kept_images(*group);
+#endif
 #if SPANGLE_FEATURE_BUFFERS
     for (std::uint32_t i = 0; i < group->buffers.capacity(); ++i)
         if (group->buffers.slot(i).name != 0)
@@ -113,6 +116,9 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     drawable.index_bits =
         raster::drawn_indexed(surface.format) ? format_info(surface.format).index_bits : std::uint8_t{0};
     drawable.show = show;
+#if SPANGLE_HAS_RECORDS
+    drawable.recording = nullptr;
+#endif
     read_from(*context, surface, double_buffered);
     context->changed(dirty_all);
     if (drawable.bound_before)
@@ -127,10 +133,36 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     }
 }
 
-void move_drawable(Context& context, const raster::Surface& surface, bool read_too) {
+#if SPANGLE_HAS_RECORDS
+
+ShareGroup* hold_objects(Context& context) {
+    ++context.share->references;
+    return context.share;
+}
+
+bool has_objects(const Context& context, const ShareGroup& share) {
+    return context.share == &share;
+}
+
+void forget_images(Context& context) {
+    forget_kept_images(*context.share);
+}
+
+void release_objects(ShareGroup* share) {
+    if (share != nullptr && --share->references == 0)
+        destroy_group(share);
+}
+
+#endif
+
+void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
+                   [[maybe_unused]] const Recording* recording) {
     context.drawable.surface = surface;
     if (read_too)
         context.drawable.read = surface;
+#if SPANGLE_HAS_RECORDS
+    context.drawable.recording = recording;
+#endif
     context.changed(dirty_fragment);
 }
 

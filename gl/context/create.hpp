@@ -24,8 +24,18 @@ void destroy_context(Context* context);
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
                   void (*show)(bool finish) = nullptr);
 
-/// Its drawable shows another part of itself, or lies elsewhere.
-void move_drawable(Context& context, const raster::Surface& surface, bool read_too);
+/// Its drawable shows another part of itself, or what is drawn is recorded from now on, or is not any more.
+void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
+                   const Recording* recording = nullptr);
+
+#if SPANGLE_HAS_RECORDS
+/// The objects that recorded draws look at: they stay while somebody holds them, whatever becomes of the
+/// context. Textures' earlier images go with forget_images(), when no record looks at them any more.
+ShareGroup* hold_objects(Context& context);
+void release_objects(ShareGroup* share);
+void forget_images(Context& context);
+bool has_objects(const Context& context, const ShareGroup& share);
+#endif
 
 /// After that: pixels are read from another surface than they are drawn to (ReadPixels, ReadBuffer).
 void read_from(Context& context, const raster::Surface& surface, bool double_buffered);

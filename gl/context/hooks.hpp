@@ -15,6 +15,7 @@ namespace spangle::gl {
 class Arena;
 class NameTable;
 struct Context;
+struct ShareGroup;
 enum class TextureKind : std::uint8_t;
 
 // gl/context
@@ -76,7 +77,9 @@ void restore_textures(Context& context, const void* from);
 GLuint texture_binding(const Context& context, TextureKind kind);
 /// Undoes what this context keeps in the arena (the default textures).
 void release_textures(Context& context);
+/// Frees images that recorded draws looked at, which none does any more.
+void forget_kept_images(ShareGroup& share);
 /// Frees one object of ShareGroup::textures.
-void destroy_texture(Arena& arena, void* object);
+void destroy_texture(ShareGroup& share, void* object);
 
 } // namespace spangle::gl

@@ -1,6 +1,8 @@
 // Windows of which memory holds a band at a time: drawn by a callback, once for each.
 #include <spangle/frame.hpp>
 
+#include <cstring>
+
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
 
@@ -12,13 +14,28 @@ namespace egl {
 
 namespace {
 
-/// GL is given the rows [first, first + rows) of the window; none: nothing can be drawn or read.
-void move_to(Surface& surface, std::int32_t first, std::int32_t rows) {
-    surface.band.first = first;
-    surface.band.rows = rows;
+/// GL is given the rows of the window that are in memory; none: nothing can be drawn or read.
+void give_rows(Surface& surface) {
     const Thread& t = thread();
     gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw);
 }
+
+/// Depth, stencil and accumulation begin the same in every band.
+void clear_planes(const Surface& surface, std::int32_t rows) {
+    const std::size_t pixels = static_cast<std::size_t>(surface.width) * static_cast<std::size_t>(rows);
+    if (surface.depth != nullptr)
+        std::memset(surface.depth, 0, pixels * (surface.config.depth == DepthFormat::z16 ? 2 : 4));
+    if (surface.accum != nullptr)
+        std::memset(surface.accum, 0, pixels * 4 * sizeof *surface.accum);
+}
+
+/// Touches all columns of rows of the picture.
+void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
+    for (std::int32_t y = first; y < first + rows; ++y)
+        surface.frame.extents->rows[y] = {0, static_cast<std::int16_t>(surface.width)};
+}
+
+} // namespace
 
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows) {
     Band& band = surface.band;
@@ -33,15 +50,13 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
     const RowExtents* const all = surface.frame.extents;
     if (all != nullptr && all->rows != nullptr && !band.colors)
         band.extents = {all->rows + first, rows, false, 0};
-    move_to(surface, first, rows);
+    band.first = first;
+    band.rows = rows;
+    clear_planes(surface, rows);
     return true;
 }
 
-/// Touches all columns of rows of the picture.
-void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
-    for (std::int32_t y = first; y < first + rows; ++y)
-        surface.frame.extents->rows[y] = {0, static_cast<std::int16_t>(surface.width)};
-}
+namespace {
 
 /// A whole frame was cleared when all of its bands were, to the same value; else bands that were are touched.
 void gather_extents(Surface& surface) {
@@ -65,6 +80,8 @@ void gather_extents(Surface& surface) {
     }
 }
 
+} // namespace
+
 bool send_band(Display& display, Surface& surface) {
     raster::resolve(pixels_of(surface));
     if (!surface.band.colors)
@@ -74,6 +91,8 @@ bool send_band(Display& display, Surface& surface) {
     return true;
 }
 
+namespace {
+
 bool present_whole(Display& display) {
     const hal::Result<void> shown = display.native->present();
     return shown.ok() || fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
@@ -81,18 +100,17 @@ bool present_whole(Display& display) {
 
 /// Every band, until one fails.
 bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* data) {
-    const std::int32_t height = surface.height, step = surface.band.height;
-    for (std::int32_t first = 0; first < height; first += step) {
-        if (!open_band(display, surface, first, step < height - first ? step : height - first))
+    const bool drawn = each_band(surface, [&](std::int32_t first, std::int32_t rows) {
+        if (!open_band(display, surface, first, rows))
             return false;
+        give_rows(surface);
         draw(data);
         if (thread().draw != &surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
                    EGL_FALSE;
-        if (!send_band(display, surface))
-            return false;
-    }
-    return surface.band.colors || present_whole(display);
+        return send_band(display, surface);
+    });
+    return drawn && (surface.band.colors || present_whole(display));
 }
 
 } // namespace
@@ -126,9 +144,9 @@ void show_band(Surface& surface, raster::Surface& out) {
 
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     const bool drawn = draw_each(display, surface, draw, data);
+    surface.band.first = surface.band.rows = 0;
     if (thread().draw == &surface)
-        move_to(surface, 0, 0);
-    surface.band.rows = 0;
+        give_rows(surface);
     return drawn;
 }
 
@@ -153,8 +171,10 @@ bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
                          SPANGLE_TEXT("spangle::frame: a window of this display must be current")) !=
                EGL_FALSE;
 #if SPANGLE_FEATURE_BANDS
-    if (surface->in_bands())
+    if (surface->in_bands() && surface->band.record == nullptr)
         return egl::draw_bands(*display, *surface, draw, data) && egl::succeed() != EGL_FALSE;
+    if (surface->in_bands())
+        return egl::draw_recorded(*display, *surface, draw, data) && egl::succeed() != EGL_FALSE;
 #endif
     draw(data);
     return eglSwapBuffers(handle, surface) != EGL_FALSE;

@@ -3,6 +3,7 @@
 #include "gl/context/error.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
+#include "gl/vertex/engine.hpp"
 
 #include <new>
 
@@ -27,6 +28,7 @@ void attach_surfaces() {
     gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_window);
     if (t.read != t.draw)
         gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
+    attach_record(*t.draw);
 }
 
 void release_current() {
@@ -37,6 +39,7 @@ void release_current() {
     Display& display = *t.display;
     Context* const context = t.context;
     Surface* const surfaces[2] = {t.draw, t.read};
+    detach_record(*t.draw);
     gl::set_current_context(nullptr);
     t.display = nullptr;
     t.context = nullptr;
@@ -131,6 +134,12 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
         return fail(EGL_BAD_MATCH,
                     SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
                                  "depth buffer or multisample buffer than the surface's"));
+    // What is recorded is drawn by the fixed policy, later.
+    const bool records = draw_surface->band.record != nullptr || read_surface->band.record != nullptr;
+    if (records && (draw_surface != read_surface ||
+                    precision_of(context->config.precision).engine != &spangle::gl::fixed_engine))
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglMakeCurrent: a window with a record is drawn to and read "
+                                                "at once, and not by a reference"));
     if (context->current && thread().context != context)
         return fail(EGL_BAD_ACCESS);
     if (elsewhere(draw_surface) || elsewhere(read_surface))

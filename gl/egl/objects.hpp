@@ -22,12 +22,15 @@ struct Config {
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
 };
 
+struct RecordedFrame; // recorded_frame.hpp
+
 /// What of a window is in memory, where that is not all of it.
 struct Band {
     std::int32_t height = 0;          ///< rows of depth, stencil and accumulation; 0: all
     bool colors = false;              ///< and of colours: the display has no whole frame either
     std::int32_t first = 0, rows = 0; ///< from the top: what is drawn to now
     RowExtents extents;               ///< of these rows
+    RecordedFrame* record = nullptr;  ///< what is drawn is kept there; null: bands are drawn by callback
     bool cleared = false;             ///< all bands of this frame so far, to clear_value
     std::uint32_t clear_value = 0;
 };
@@ -107,11 +110,38 @@ bool next_frame(Display& display, Surface& surface);
 /// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.
 EGLint choose_band(const Display& display, EGLint wish, Band& band);
 
+/// A buffer for rows [first, first + rows) of a window in bands; they are in memory then.
+bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows);
+bool send_band(Display& display, Surface& surface);
+/// Calls open(first, rows) and then close() for each band from the top, while they return true.
+template <class Each> bool each_band(const Surface& surface, Each each) {
+    for (std::int32_t first = 0; first < surface.height; first += surface.band.height) {
+        const std::int32_t left = surface.height - first;
+        if (!each(first, left < surface.band.height ? left : surface.band.height))
+            return false;
+    }
+    return true;
+}
+
 /// `out` is a view on the whole window: cuts it to the band.
 void show_band(Surface& surface, raster::Surface& out);
 
+/// The memory for a record of so many bytes, 0: none is wished. False without memory.
+bool make_record(EGLint bytes, Band& band);
+void free_record(Band& band);
+EGLint record_bytes(const Band& band);
+
+/// What was recorded is shown, or, where it is not whole, forgotten.
+bool present_record(Display& display, Surface& surface);
+
+/// This thread draws to a surface from now on, or not any more.
+void attach_record(Surface& surface);
+void detach_record(Surface& surface);
+
 /// Draws and presents one frame of a window in bands.
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data);
+/// The same, by one call of `draw` where its record is large enough.
+bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void* data);
 
 /// Presents what was drawn to a window of this thread and attaches the next frame's buffer.
 bool present(Display& display, Surface& surface);

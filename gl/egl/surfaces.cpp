@@ -25,6 +25,7 @@ struct Extras {
     bool color = false; ///< a colour buffer from the arena
     bool accum = false;
     Band band = {};
+    EGLint record = 0; ///< bytes
 };
 
 /// Of so many rows, wherever they begin: pages of eight may be one more.
@@ -66,7 +67,7 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     surface->unresolved =
         static_cast<RowSpan*>(plane(config.multisampled, static_cast<std::size_t>(rows) * sizeof(RowSpan)));
     surface->accum = static_cast<std::int16_t*>(plane(extras.accum, pixels * (4 * accum_bits / 8)));
-    if (!whole) {
+    if (!whole || !make_record(extras.record, surface->band)) {
         free_surface(surface);
         return nullptr;
     }
@@ -95,7 +96,7 @@ EGLSurface keep(Display& display, Surface* surface) {
 struct WindowWish {
     bool single = false; ///< without a back buffer
     bool accum = false;
-    EGLint band_height = 0;
+    EGLint band_height = 0, record = 0;
 };
 
 /// EGL_SUCCESS, or the error in the list.
@@ -106,6 +107,10 @@ EGLint read_window(const EGLint* list, WindowWish& out) {
             continue;
         if (SPANGLE_FEATURE_BANDS && list[0] == EGL_BAND_HEIGHT_SPANGLE) {
             out.band_height = list[1];
+            continue;
+        }
+        if (SPANGLE_HAS_RECORDS && list[0] == EGL_BAND_RECORD_SPANGLE) {
+            out.record = list[1];
             continue;
         }
         if (list[0] != EGL_RENDER_BUFFER)
@@ -184,6 +189,7 @@ bool next_frame(Display& display, Surface& surface) {
 }
 
 void free_surface(Surface* surface) {
+    free_record(surface->band);
     for (void* const plane : {static_cast<void*>(surface->color), static_cast<void*>(surface->depth),
                               static_cast<void*>(surface->accum), static_cast<void*>(surface->sample_colors),
                               static_cast<void*>(surface->unresolved), static_cast<void*>(surface)})
@@ -275,19 +281,23 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         problem = read_window(attrib_list, wish);
     if (problem == EGL_SUCCESS)
         problem = choose_band(*display, wish.band_height, band);
+    if (problem == EGL_SUCCESS && wish.record != 0)
+        problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
         if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
     if (problem != EGL_SUCCESS) {
         fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
-                                   "no other window, and bands no higher than the display's"));
+                                   "no other window, and bands no higher than the display's, and a record "
+                                   "only where the display has bands"));
         return EGL_NO_SURFACE;
     }
     const spangle::hal::DisplayInfo info = display->native->info();
-    Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band});
+    Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band, wish.record});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC,
-             SPANGLE_TEXT("eglCreateWindowSurface: no memory for depth and samples; see spangle::memory"));
+             SPANGLE_TEXT(
+                 "eglCreateWindowSurface: no memory for depth, samples and the record; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     surface->window = true;
@@ -317,7 +327,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
         return EGL_NO_SURFACE;
     }
     const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
-    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}});
+    Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}, 0});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreatePbufferSurface: not enough memory; see spangle::memory"));
         return EGL_NO_SURFACE;
@@ -361,6 +371,9 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         break;
     case EGL_ACCUM_SIZE_SPANGLE:
         *value = s->accum != nullptr ? accum_bits : 0;
+        break;
+    case EGL_BAND_RECORD_SPANGLE:
+        *value = record_bytes(s->band);
         break;
     case EGL_BAND_HEIGHT_SPANGLE:
         *value = s->band.height;
@@ -422,6 +435,8 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
         return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
     if (thread().draw != surface)
         return fail(EGL_BAD_SURFACE);
+    if (surface->in_bands() && surface->band.record != nullptr)
+        return present_record(*display, *surface) ? succeed() : EGL_FALSE;
     if (surface->in_bands())
         return fail(EGL_BAD_SURFACE,
                     SPANGLE_TEXT("eglSwapBuffers: no memory holds a frame of this window; draw it by "

@@ -1,14 +1,45 @@
 // The accumulation buffer (GL 1.3, 4.2.4).
-#include "raster/surface/accum.hpp"
-
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/targets.hpp"
+#include "raster/band/record.hpp"
 
 namespace spangle::gl::cmd {
 
 namespace {
+
+#if SPANGLE_HAS_RECORDS
+
+raster::AccumRequest::Op op_of(GLenum op) {
+    using Op = raster::AccumRequest::Op;
+    switch (op) {
+    case GL_ACCUM:
+        return Op::accumulate;
+    case GL_LOAD:
+        return Op::load;
+    case GL_MULT:
+        return Op::multiply;
+    case GL_ADD:
+        return Op::add;
+    default:
+        return Op::give_back; // RETURN
+    }
+}
+
+/// For bands that come later. What is read is what is drawn to.
+raster::AccumRequest request_of(const Context& context, GLenum op, Real value) {
+    raster::AccumRequest request;
+    request.op = op_of(op);
+    request.area = drawing_rect(context);
+    request.value =
+        numeric::to_fixed(value, op == GL_RETURN ? raster::accum_return_bits : raster::accum_value_bits);
+    request.channels = written_channels(context);
+    request.dither = context.fragment_ops.dither;
+    return request;
+}
+
+#endif
 
 /// What two areas have in common; empty where it is nothing.
 spangle::Rect common(const spangle::Rect& a, const spangle::Rect& b) {
@@ -30,6 +61,10 @@ void Accum(Context& context, GLenum op, Real value) {
             SPANGLE_TEXT("glAccum: this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));
     if (!context.render.draws())
         return; // the framebuffer does not change (GL 1.3, 5.2)
+#if SPANGLE_HAS_RECORDS
+    if (context.drawable.recording != nullptr)
+        return context.drawable.recording->record->accum(request_of(context, op, value));
+#endif
     const spangle::Rect area = drawing_rect(context);
     const std::int32_t v = numeric::to_fixed(value, raster::accum_value_bits);
     switch (op) {

@@ -5,6 +5,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/index.hpp"
+#include "raster/band/record.hpp"
 #include "raster/surface/accum.hpp"
 #include "raster/surface/samples.hpp"
 
@@ -17,11 +18,16 @@ void clear_accum([[maybe_unused]] const Context& context, [[maybe_unused]] const
 #if SPANGLE_FEATURE_ACCUM
     if (context.drawable.surface.accum == nullptr)
         return;
-    std::int16_t value[4];
+    raster::AccumRequest request;
+    request.area = area;
     for (int c = 0; c < 4; ++c) // k / 32767, halves away from zero
-        value[c] = static_cast<std::int16_t>(numeric::to_i32_round(
+        request.clear[c] = static_cast<std::int16_t>(numeric::to_i32_round(
             numeric::mul(context.fragment_ops.accum_clear[c], numeric::from_i32(raster::accum_one))));
-    raster::clear_accum(context.drawable.surface, area, value);
+#if SPANGLE_HAS_RECORDS
+    if (context.drawable.recording != nullptr)
+        return context.drawable.recording->record->accum(request);
+#endif
+    raster::clear_accum(context.drawable.surface, area, request.clear);
 #endif
 }
 
@@ -50,7 +56,12 @@ void Clear(Context& context, GLbitfield mask) {
             request.color[c] = color_units(ops.color_clear[c]);
     request.z = static_cast<std::uint32_t>(numeric::to_fixed(ops.depth_clear, 30));
     request.stencil = static_cast<std::uint8_t>(ops.stencil_clear);
-    raster::clear_samples(context.drawable.surface, request);
+#if SPANGLE_HAS_RECORDS
+    if (context.drawable.recording != nullptr)
+        context.drawable.recording->record->clear(request);
+    else
+#endif
+        raster::clear_samples(context.drawable.surface, request);
     if ((mask & GL_ACCUM_BUFFER_BIT) != 0)
         clear_accum(context, request.area);
 }

@@ -67,26 +67,30 @@ Plane plane_of(raster::Surface& surface, Content content) {
     return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
 }
 
-/// Narrow formats share bytes across columns and rows: the whole plane, as far as it is there.
-void* set_aside_narrow(Context& context, raster::Surface& surface) {
-    const Rect all = surface.area();
-    const std::uint8_t *const low = surface.color_row(all.y), *const high =
-                                                                  surface.color_row(all.y + all.h - 1);
-    const std::uint8_t* const first = low < high ? low : high;
-    const auto bytes = static_cast<std::size_t>((low < high ? high : low) - first +
-                                                row_bytes(surface.format, surface.width));
-    auto* const memory = static_cast<std::uint8_t*>(context.arena->allocate(bytes));
+/// Narrow formats share bytes across columns and rows: whole rows of the plane.
+void* set_aside_narrow(Context& context, BufferGroups& source) {
+    raster::Surface& surface = source.surface;
+    const std::int32_t rows = format_info(surface.format).rows,
+                       bytes = row_bytes(surface.format, surface.width),
+                       first = source.row(source.m.begin) / rows, last = source.row(source.m.end - 1) / rows;
+    auto* const memory = static_cast<std::uint8_t*>(context.arena->allocate(
+        static_cast<std::size_t>(bytes) * static_cast<std::size_t>(last - first + 1)));
     if (memory == nullptr)
         return nullptr;
-    std::memcpy(memory, first, bytes);
-    surface.color = memory + (surface.color - first);
+    ReadRows from(context);
+    for (std::int32_t row = first; row <= last; ++row)
+        if (const raster::Surface* const there = from.with_row(row * rows); there != nullptr)
+            std::memcpy(memory + std::ptrdiff_t{row - first} * bytes, there->color_row(row * rows),
+                        static_cast<std::size_t>(bytes));
+    surface.color = memory - std::ptrdiff_t{first} * bytes;
+    surface.color_stride = bytes;
     return memory;
 }
 
 /// What is read, apart from what is drawn; null without memory. The caller frees it.
 void* set_aside(Context& context, BufferGroups& source, Content content) {
     if (content == Content::color && is_narrow(source.surface.format))
-        return set_aside_narrow(context, source.surface);
+        return set_aside_narrow(context, source);
     const Plane plane = plane_of(source.surface, content);
     const std::int32_t width = source.n.end - source.n.begin, height = source.m.end - source.m.begin;
     const auto bytes = static_cast<std::size_t>(width * plane.pixel);
@@ -94,11 +98,19 @@ void* set_aside(Context& context, BufferGroups& source, Content content) {
         static_cast<std::uint8_t*>(context.arena->allocate(bytes * static_cast<std::size_t>(height)));
     if (memory == nullptr)
         return nullptr;
-    for (std::int32_t i = 0; i < height; ++i)
+    ReadRows from(context);
+    for (std::int32_t i = 0; i < height; ++i) {
+        const std::int32_t row = source.row(source.m.begin + i);
+        const raster::Surface* const there = from.with_row(row);
+        if (there == nullptr)
+            continue;
+        raster::Surface rows = *there;
+        const Plane read = plane_of(rows, content);
         std::memcpy(memory + static_cast<std::size_t>(i) * bytes,
-                    plane.first + std::ptrdiff_t{source.row(source.m.begin + i)} * plane.stride +
+                    read.first + std::ptrdiff_t{row} * read.stride +
                         std::ptrdiff_t{source.column(source.n.begin)} * plane.pixel,
                     bytes);
+    }
     plane.first = memory;
     plane.stride = static_cast<std::int32_t>(bytes);
     source.x = -source.n.begin;
@@ -149,7 +161,8 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
     const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;
-    if (!moves && overlaps(context, source, content)) {
+    // What is recorded is drawn when the source is another one.
+    if (context.drawable.recording != nullptr || (!moves && overlaps(context, source, content))) {
         aside = set_aside(context, source, content);
         if (aside == nullptr)
             return error(context, GL_OUT_OF_MEMORY,

@@ -5,8 +5,10 @@
 #include "gl/context/share_group.hpp"
 #include "gl/pixel/index.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
+#include "raster/band/record.hpp"
 #include "raster/numeric/real.hpp"
 
 namespace spangle::gl {
@@ -206,6 +208,21 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.count = counts_passed(context);
 }
 
+/// Where drawing is recorded: primitives of these states are kept.
+void record_states([[maybe_unused]] Context& context) {
+#if SPANGLE_HAS_RECORDS
+    if (context.drawable.recording == nullptr)
+        return;
+    hold_textures(context);
+    raster::Record& record = *context.drawable.recording->record;
+    record.take(context.fragments.state);
+#if SPANGLE_FEATURE_STENCIL_SIDES
+    if (stencil_sides(context))
+        record.take(context.fragments.back);
+#endif
+#endif
+}
+
 } // namespace
 
 std::uint32_t color_units(Real component) {
@@ -301,6 +318,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
             cache.back.primitive = &cache.primitive;
         }
 #endif
+        record_states(context);
         context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_fragment);
     }
     return cache.state;

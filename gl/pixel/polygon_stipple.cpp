@@ -53,6 +53,7 @@ void PolygonStipple(Context& context, const GLubyte* pattern) {
     if (pattern == nullptr)
         return error(context, GL_INVALID_VALUE);
     context.polygon.stipple = unpack_stipple(context.pixel_store.unpack, pattern);
+    context.changed(dirty_fragment); // what is recorded keeps the one before
 }
 
 void GetPolygonStipple(Context& context, GLubyte* pattern) {

@@ -38,7 +38,12 @@ GLuint* make_result(Context& context, GLuint id) {
     return result;
 }
 
+/// Of what was drawn so far, recorded or not.
 std::uint32_t passed(const Context& context) {
+#if SPANGLE_HAS_RECORDS
+    if (const Recording* const recording = context.drawable.recording; recording != nullptr)
+        recording->count();
+#endif
     const raster::Counters* const tool = context.fragments.counters;
     return tool != nullptr ? tool->passed : context.query.counters.passed;
 }

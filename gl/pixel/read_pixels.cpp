@@ -9,7 +9,7 @@ namespace spangle::gl {
 namespace {
 
 struct Read {
-    const raster::Surface& surface;
+    const raster::Surface* surface; ///< with the row at hand
     const PixelLayout& layout;
     Content content;
     Transfer transfer;
@@ -23,8 +23,8 @@ void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t v
 
 void read_index(const Read& r, std::int32_t x, std::int32_t y, unsigned char* row, std::size_t group) {
     const Index index = r.content == Content::stencil
-                            ? r.transfer.stencil(whole_index(raster::read_stencil(r.surface, x, y)))
-                            : r.transfer.index(whole_index(raster::read_index(r.surface, x, y)));
+                            ? r.transfer.stencil(whole_index(raster::read_stencil(*r.surface, x, y)))
+                            : r.transfer.index(whole_index(raster::read_index(*r.surface, x, y)));
     if (r.layout.kind == ElementKind::bitmap)
         put_bit(row, group, r.lsb_first, rounded(index));
     else
@@ -42,9 +42,9 @@ void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count,
         }
         Pixel pixel{};
         if (r.content == Content::depth)
-            pixel.value[0] = r.transfer.depth(fetch_depth(r.surface, x, y));
+            pixel.value[0] = r.transfer.depth(fetch_depth(*r.surface, x, y));
         else
-            pixel = transferred_color(r.surface, r.transfer, x, y);
+            pixel = transferred_color(*r.surface, r.transfer, x, y);
         pack_pixel(r.layout, r.swap_bytes, pixel, row + group * r.layout.group_bytes());
     }
 }
@@ -59,9 +59,9 @@ Inside inside(GLint at, GLsizei size, std::int32_t first, std::int32_t limit) {
     return {at < first ? first : at, static_cast<std::int32_t>(end < limit ? (end < 0 ? 0 : end) : limit)};
 }
 
-void read(const Read& r, const PixelStore& pack, GLint x, GLint y, GLsizei width, GLsizei height,
+void read(Read& r, ReadRows& source, const PixelStore& pack, GLint x, GLint y, GLsizei width, GLsizei height,
           unsigned char* pixels) {
-    const Rect all = r.surface.area();
+    const Rect& all = source.area();
     const Inside columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
     const std::int32_t count = columns.end - columns.begin;
     if (columns.begin >= columns.end)
@@ -71,7 +71,9 @@ void read(const Read& r, const PixelStore& pack, GLint x, GLint y, GLsizei width
     for (std::int32_t line = lines.begin; line < lines.end; ++line) {
         unsigned char* row =
             pixels + rows.skip + static_cast<std::size_t>(std::int64_t{line} - y) * rows.stride;
-        read_row(r, columns.begin, line, count, row, first + rows.skip_bits);
+        r.surface = source.with_row(line);
+        if (r.surface != nullptr)
+            read_row(r, columns.begin, line, count, row, first + rows.skip_bits);
     }
 }
 
@@ -100,8 +102,9 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glReadPixels: null pointer"));
     const gl::PixelStore& pack = context.pixel_store.pack;
-    read({surface, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first}, pack, x,
-         y, width, height, static_cast<unsigned char*>(pixels));
+    Read to{nullptr, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first};
+    ReadRows source(context);
+    read(to, source, pack, x, y, width, height, static_cast<unsigned char*>(pixels));
 }
 
 } // namespace cmd

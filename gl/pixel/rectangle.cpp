@@ -8,6 +8,7 @@
 #include "gl/pixel/targets.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/engine.hpp"
+#include "raster/band/record.hpp"
 #include "raster/surface/pixel.hpp"
 
 namespace spangle::gl {
@@ -122,6 +123,10 @@ void emit(raster::PixelSource& source, raster::PixelSink& sink) {
 void store_stencil(const Context& context, const raster::Surface& surface, Rectangle& rectangle) {
     const auto mask = static_cast<std::uint8_t>(context.fragment_ops.stencil[0].write_mask);
     rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
+#if SPANGLE_HAS_RECORDS
+        if (context.drawable.recording != nullptr)
+            return context.drawable.recording->record->stencil(y, x, count, row.stencil, mask);
+#endif
         for (std::int32_t i = 0; i < count; ++i) {
             const unsigned stored = raster::read_stencil(surface, x + i, y);
             raster::write_stencil(surface, x + i, y,

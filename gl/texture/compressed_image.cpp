@@ -75,7 +75,7 @@ void put_levels(Context& context, const CompressedImage& from, LevelImage* const
         LevelImage*& place = texture.image(from.target.face, l);
         if (!comes && (place == nullptr || !is_palette(place->shape.internal_format)))
             continue;
-        context.share->arena.free(place);
+        discard_image(*context.share, place);
         place = comes ? made[l - from.first] : nullptr;
     }
     texture_changed(context, texture);

@@ -21,38 +21,44 @@ bool has_depth(const Context& context) {
 class Copy {
   public:
     Copy(const Context& context, LevelImage& image)
-        : from_(read_surface(context)), image_(image), bits_(texel_bits(image.shape.format)),
+        : rows_(context), image_(image), bits_(texel_bits(image.shape.format)),
           transfer_(context.pixel_mode) {}
 
     /// Pixels from (x, y) on into a box one texel deep.
-    void run(const TexelBox& box, GLint x, GLint y) const {
+    void run(const TexelBox& box, GLint x, GLint y) {
         const std::size_t bytes = texel_size(image_.shape.format);
-        const Rect all = from_.area();
-        for (std::uint32_t j = 0; j < box.size[1]; ++j)
-            for (std::uint32_t i = 0; i < box.size[0]; ++i) {
-                const std::int64_t px = std::int64_t{x} + i, py = std::int64_t{y} + j;
-                if (px < 0 || px >= all.w || py < all.y || py >= std::int64_t{all.y} + all.h)
+        const Rect all = rows_.area();
+        for (std::uint32_t j = 0; j < box.size[1]; ++j) {
+            const std::int64_t py = std::int64_t{y} + j;
+            if (py < all.y || py >= std::int64_t{all.y} + all.h)
+                continue;
+            from_ = rows_.with_row(static_cast<std::int32_t>(py));
+            for (std::uint32_t i = 0; from_ != nullptr && i < box.size[0]; ++i) {
+                const std::int64_t px = std::int64_t{x} + i;
+                if (px < 0 || px >= all.w)
                     continue;
                 pixel(static_cast<std::int32_t>(px), static_cast<std::int32_t>(py),
                       image_.own_texels() + std::size_t{box.at[2]} * image_.slice() +
                           std::size_t{box.at[1] + j} * image_.stride + (box.at[0] + i) * bytes);
             }
+        }
     }
 
   private:
     void pixel(std::int32_t x, std::int32_t y, std::uint8_t* to) const {
         std::uint32_t codes[4];
         if (is_depth(image_.shape.format)) {
-            codes[0] = code_of(transfer_.depth(fetch_depth(from_, x, y)), bits_.of[0]);
+            codes[0] = code_of(transfer_.depth(fetch_depth(*from_, x, y)), bits_.of[0]);
         } else {
-            const Pixel color = transferred_color(from_, transfer_, x, y);
+            const Pixel color = transferred_color(*from_, transfer_, x, y);
             for (unsigned c = 0; c < 4; ++c)
                 codes[c] = code_of(color.value[c], bits_.of[c]);
         }
         store_texel(image_.shape.format, codes, to);
     }
 
-    const raster::Surface& from_;
+    ReadRows rows_;
+    const raster::Surface* from_ = nullptr; ///< with the row at hand
     LevelImage& image_;
     ColorBits bits_;
     Transfer transfer_;

@@ -31,20 +31,22 @@ bool legal_sides(const ImageRequest& request) {
     return kind != TextureKind::cube || request.size[0] == request.size[1];
 }
 
-/// The image, which is there: constant memory is not written, so it becomes a copy in the arena.
+/// The image, which is there: constant memory is not written, nor what recorded draws look at, so these
+/// become a copy in the arena.
 LevelImage* writable(Context& context, const SubImage& sub) {
     TextureObject& texture = bound_texture(context, sub.target.kind);
     LevelImage*& place = texture.image(sub.target.face, sub.level);
-    if (place->texels == place->own_texels())
+    if (place->texels == place->own_texels() && !is_recorded(*context.share, *place))
         return place;
     LevelImage* const copy = new_image(context.share->arena, place->shape);
     if (copy == nullptr) {
         error(context, GL_OUT_OF_MEMORY,
-              SPANGLE_TEXT("glTexSubImage: no room in the arena for a copy of the constant image"));
+              SPANGLE_TEXT("glTexSubImage: no room in the arena for a copy of the image, which is constant "
+                           "or recorded"));
         return nullptr;
     }
     std::memcpy(copy->own_texels(), place->texels, place->bytes);
-    context.share->arena.free(place);
+    discard_image(*context.share, place);
     place = copy;
     texture_changed(context, texture);
     return copy;

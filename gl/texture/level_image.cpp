@@ -4,7 +4,9 @@
 
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/texture/complete.hpp"
 #include "gl/texture/internal_format.hpp"
 #include "gl/texture/mipmap.hpp"
 #include "gl/texture/texture_target.hpp"
@@ -28,9 +30,54 @@ void clear_texels(LevelImage& image) {
     std::memset(image.own_texels(), 0, image.bytes);
 }
 
+#if SPANGLE_HAS_RECORDS
+
+bool is_recorded(const ShareGroup& share, const LevelImage& image) {
+    return image.frame == share.frame;
+}
+
+void discard_image(ShareGroup& share, LevelImage* image) {
+    if (image == nullptr || !is_recorded(share, *image))
+        return share.arena.free(image);
+    image->next_kept = share.kept_images;
+    share.kept_images = image;
+}
+
+void forget_kept_images(ShareGroup& share) {
+    for (LevelImage* image = share.kept_images; image != nullptr;) {
+        LevelImage* const next = image->next_kept;
+        share.arena.free(image);
+        image = next;
+    }
+    share.kept_images = nullptr;
+    ++share.frame;
+}
+
+void hold_textures(Context& context) {
+    for (int unit = 0; unit < texture_units; ++unit) {
+        const TextureObject* const texture = sampled_texture(context, unit);
+        for (unsigned face = 0; texture != nullptr && face < texture->faces(); ++face)
+            for (GLint level = 0; level < texture_levels; ++level)
+                if (LevelImage* const image = const_cast<TextureObject*>(texture)->image(face, level);
+                    image != nullptr)
+                    image->frame = context.share->frame;
+    }
+}
+
+#else
+
+bool is_recorded(const ShareGroup&, const LevelImage&) {
+    return false;
+}
+void discard_image(ShareGroup& share, LevelImage* image) {
+    share.arena.free(image);
+}
+
+#endif
+
 void put_image(Context& context, TextureObject& texture, unsigned face, GLint level, LevelImage* image) {
     LevelImage*& place = texture.image(face, level);
-    context.share->arena.free(place);
+    discard_image(*context.share, place);
     place = image;
     image_written(context, texture, face, level);
 }

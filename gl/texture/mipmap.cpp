@@ -107,7 +107,7 @@ void generate_mipmaps(Context& context, TextureObject& texture, unsigned face, G
         from = made[l];
     }
     for (GLint l = base + 1; l <= end; ++l) {
-        arena.free(texture.image(face, l));
+        discard_image(*context.share, texture.image(face, l));
         texture.image(face, l) = made[l];
     }
     texture_changed(context, texture);

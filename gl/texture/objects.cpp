@@ -6,27 +6,28 @@
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_target.hpp"
 
 namespace spangle::gl {
 
 namespace {
 
-void free_images(Arena& arena, TextureObject& texture) {
+void free_images(ShareGroup& share, TextureObject& texture) {
     for (unsigned face = 0; face < texture.faces(); ++face)
         for (GLint l = 0; l < texture_levels; ++l) {
-            arena.free(texture.image(face, l));
+            discard_image(share, texture.image(face, l));
             texture.image(face, l) = nullptr;
         }
     texture.view_valid = false;
 }
 
 /// The unit goes back to the default texture. A deleted object goes with its last binding.
-void unbind(Arena& arena, TextureObject*& bound) {
+void unbind(ShareGroup& share, TextureObject*& bound) {
     TextureObject* const texture = bound;
     bound = nullptr;
     if (texture != nullptr && --texture->bindings == 0 && texture->deleted)
-        destroy_texture(arena, texture);
+        destroy_texture(share, texture);
 }
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
@@ -63,9 +64,9 @@ void delete_name(Context& context, GLuint name) {
     ++texture->bindings; // ours, so that the loop's last unbind does not free what it still compares
     for (TextureUnitState& unit : context.texture.unit)
         if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
-            unbind(context.share->arena, bound);
+            unbind(*context.share, bound);
     if (--texture->bindings == 0)
-        destroy_texture(context.share->arena, texture);
+        destroy_texture(*context.share, texture);
 }
 
 } // namespace
@@ -77,16 +78,16 @@ GLuint texture_binding(const Context& context, TextureKind kind) {
 void release_textures(Context& context) {
     for (TextureUnitState& unit : context.texture.unit)
         for (TextureObject*& bound : unit.bound)
-            unbind(context.share->arena, bound);
+            unbind(*context.share, bound);
     for (std::size_t kind = 0; kind < texture_kinds; ++kind)
-        free_images(context.share->arena, context.texture.default_texture(static_cast<TextureKind>(kind)));
+        free_images(*context.share, context.texture.default_texture(static_cast<TextureKind>(kind)));
 }
 
-void destroy_texture(Arena& arena, void* object) {
+void destroy_texture(ShareGroup& share, void* object) {
     if (object == nullptr)
         return;
-    free_images(arena, *static_cast<TextureObject*>(object));
-    arena.free(object);
+    free_images(share, *static_cast<TextureObject*>(object));
+    share.arena.free(object);
 }
 
 namespace cmd {
@@ -120,7 +121,7 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
         return;
     if (object != nullptr)
         ++object->bindings;
-    unbind(context.share->arena, bound);
+    unbind(*context.share, bound);
     bound = object;
     context.changed(dirty_fragment);
 }

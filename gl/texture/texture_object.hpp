@@ -1,6 +1,7 @@
 // A texture object: its images, its parameters, and what the rasterizer samples (GL 1.3, 3.8.10, 3.8.11).
 #pragma once
 
+#include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
@@ -45,10 +46,20 @@ struct LevelImage {
     std::uint32_t stride = 0;              ///< bytes from row to row; 0 for formats without rows
     std::uint32_t bytes = 0;               ///< of the texels
     const std::uint8_t* texels = nullptr;  ///< the border's first, or the first block of a compressed image
-    const std::uint8_t* palette = nullptr; ///< of formats that have one
+    union {
+        const std::uint8_t* palette = nullptr; ///< of formats that have one
+        LevelImage* next_kept;                 ///< of images that no texture has any more (ShareGroup)
+    };
+#if SPANGLE_HAS_RECORDS
+    std::uint32_t frame = 0; ///< recorded draws of this frame look at it (ShareGroup)
+#endif
 
-    std::uint8_t* own_texels() { return reinterpret_cast<std::uint8_t*>(this + 1); }
-    std::uint32_t slice() const { return stride * shape.size[1]; }
+    std::uint8_t* own_texels() {
+        return reinterpret_cast<std::uint8_t*>(this + 1);
+    }
+    std::uint32_t slice() const {
+        return stride * shape.size[1];
+    }
 };
 
 /// What TexParameter sets.

@@ -19,15 +19,13 @@ Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) 
     std::uint8_t* const pixels = buffers_[back_].to_draw(bus_);
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
-    if (first == 0 && !band_.complete)
-        forget_content(); // which clear value is outside of it differs from band to band
     if (first == 0 && is_indexed(config_.format) && memory_.palette->any_stale()) {
         forget_content(); // what shows the new colours was drawn in buffers that are gone
         memory_.palette->all_fresh();
     }
     band_.first = first;
     band_.rows = rows;
-    band_.complete = false;
+    band_.acquired = true;
     const std::size_t bytes =
         std::size_t{stride()} * static_cast<std::size_t>(stored_rows(config_.format, rows));
     for (std::size_t at = 0; at < bytes; ++at)
@@ -39,10 +37,13 @@ Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) 
 }
 
 Result<void> PanelDisplay::present_band() {
-    if (!ready_ || band_.complete)
+    if (!ready_ || !band_.acquired)
         return Error{Fault::bad_argument, "display: a band is presented that was not acquired"};
     if (const auto r = settle(); !r)
         return r;
+    if (band_.first == 0 && !band_.complete)
+        forget_content(); // which clear value is outside of it differs from band to band
+    band_.acquired = band_.complete = false;
     collect_band_damage();
     if (const auto r = send(); !r) {
         forget_content();

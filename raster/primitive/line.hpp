@@ -3,6 +3,7 @@
 
 #include "raster/primitive/diamond.hpp"
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/keep.hpp"
 #include "raster/primitive/line_stipple.hpp"
 #include "raster/primitive/pen.hpp"
 
@@ -62,7 +63,9 @@ void draw_line_of(const DrawState& state, const Surface& target, const typename 
     const Position pa = position(a), pb = position(b);
     DiamondWalk walk(pa.x, pa.y, pb.x, pb.y, (width - 1) * (subpixel_one / 2));
     const typename Pattern::Kept kept = pattern.along(walk);
-    if (state.nothing || walk.count == 0)
+    if (state.nothing)
+        return keep(state, Primitive::Shape::line, width, Pattern::of(kept), provoking, a, b);
+    if (walk.count == 0)
         return;
     const detail::LineInterval interval(walk, walk.along_x ? pa.x : pa.y, walk.along_x ? pb.x : pb.y);
     if (walk.along_x)

@@ -21,6 +21,7 @@ struct SolidLine {
         constexpr bool operator()(std::int32_t) const { return true; }
     };
     Kept along(const DiamondWalk&) { return {}; }
+    static const LineStipple* of(const Kept&) { return nullptr; }
 };
 
 /// Those a stipple leaves, counted from the first end point.
@@ -41,6 +42,7 @@ struct StippledLine {
         stipple.advance(static_cast<std::uint32_t>(walk.count));
         return kept;
     }
+    static const LineStipple* of(const Kept& kept) { return &kept.stipple; }
 };
 
 } // namespace spangle::raster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/keep.hpp"
 #include "raster/primitive/pen.hpp"
 
 namespace spangle::raster {
@@ -46,7 +47,7 @@ void draw_pixels_of(const DrawState& state, const Surface& target, const typenam
                     PixelSource& source) {
     observe_other(state);
     if (state.nothing)
-        return;
+        return keep_pixels(state, at, source);
     PixelPen<P> pen(state, target, at);
     source.emit(source, pen);
 }

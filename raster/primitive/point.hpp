@@ -3,6 +3,7 @@
 
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/edge.hpp"
+#include "raster/primitive/keep.hpp"
 #include "raster/primitive/pen.hpp"
 
 namespace spangle::raster {
@@ -23,7 +24,9 @@ void draw_point_of(const DrawState& state, const Surface& target, const typename
     const std::int32_t left = point_begin(at.x, size), low = point_begin(at.y, size);
     std::int32_t y = low < pen.row_begin() ? pen.row_begin() : low;
     const std::int32_t top = low + size < pen.row_end() ? low + size : pen.row_end();
-    if (state.nothing || y >= top || !pen.sees(left, left + size))
+    if (state.nothing)
+        return keep(state, Primitive::Shape::point, size, nullptr, v, v);
+    if (y >= top || !pen.sees(left, left + size))
         return;
     Setup<P>(pen.span, v);
     pen.begin();

@@ -245,7 +245,7 @@ void draw_smooth_polygon_of(const DrawState& state, const Surface& target, Primi
                             const typename P::Vertex* const* corner, int corners,
                             const typename P::Vertex& provoking) {
     if (state.nothing)
-        return;
+        return keep_polygon(state, corner, corners, provoking);
     OutlinePoint outline[most_smooth_corners];
     for (int i = 0; i < corners; ++i)
         outline[i] = outline_point(position(*corner[i]));
@@ -260,6 +260,12 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
+    if (state.nothing) {
+        keep(state, Primitive::Shape::smooth_line, eighths, stipple, provoking, a, b);
+        if (stipple != nullptr)
+            stipple->advance(line.parts());
+        return;
+    }
     const LineCorners<typename P::Vertex> corners(line, a, b);
     const typename P::Vertex* fan[4];
     for (int i = 0; i < 4; ++i)
@@ -268,8 +274,7 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     line.each_kept(stipple, [&](std::uint32_t begin, std::uint32_t end) {
         OutlinePoint outline[4];
         line.corners(begin, end, outline);
-        if (!state.nothing)
-            painted.draw(outline, 4);
+        painted.draw(outline, 4);
     });
     if (stipple != nullptr)
         stipple->advance(line.parts());
@@ -317,7 +322,9 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
     Pen<P> pen(state, target);
     std::int32_t y = box.rows.begin < pen.row_begin() ? pen.row_begin() : box.rows.begin;
     const std::int32_t top = box.rows.end < pen.row_end() ? box.rows.end : pen.row_end();
-    if (state.nothing || y >= top || !pen.sees(box.columns.begin, box.columns.end))
+    if (state.nothing)
+        return keep(state, Primitive::Shape::smooth_point, eighths, nullptr, v, v);
+    if (y >= top || !pen.sees(box.columns.begin, box.columns.end))
         return;
     Setup<P>(pen.span, v);
     pen.begin();

@@ -5,6 +5,7 @@
 
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/edge.hpp"
+#include "raster/primitive/keep.hpp"
 #include "raster/primitive/pen.hpp"
 #include "raster/primitive/triangle_tile.hpp"
 
@@ -173,7 +174,9 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
     detail::observe(state, {low.vertex, middle.vertex, high.vertex});
     Pen<P> pen(state, target);
     const std::int32_t left = first_center(least), right = first_center(most);
-    if (state.nothing || !pen.sees(left, right))
+    if (state.nothing)
+        return keep(state, Primitive::Shape::triangle, 0, nullptr, provoking, a, b, c);
+    if (!pen.sees(left, right))
         return;
     if (detail::draw_tile(pen, sorted(), provoking, left, right))
         return;

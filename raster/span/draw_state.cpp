@@ -172,9 +172,16 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     }
 }
 
+void scissor_changed(DrawState& draw, const Surface& target) {
+    bool walks = false;
+    for (const Variant& variant : draw.variant)
+        walks = walks || variant.walk != nullptr;
+    draw.paths = walks ? area_of_paths(draw.fragment.scissor, target) : DrawState::Area{};
+}
+
 template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
     DrawState draw;
-    bool walks = false, lacks_span = false;
+    bool lacks_span = false;
     prepare(draw, state, target);
     for (int i = 0; i < kind_count && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
@@ -189,15 +196,13 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue; // whose colours and fog are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
         lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
-        walks = walks || draw.variant[i].walk != nullptr;
         draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
     }
 #if !SPANGLE_CHAIN
     draw.lacks_span = lacks_span;
 #endif
     draw.nothing = draw.nothing || lacks_span;
-    if (walks)
-        draw.paths = area_of_paths(state.scissor, target);
+    scissor_changed(draw, target);
     return draw;
 }
 

@@ -96,6 +96,8 @@ struct FogConstants {
     std::int64_t offset = 0;
 };
 
+struct Recorder; // raster/primitive/keep.hpp
+
 struct DrawState {
     FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
     FogConstants fog;
@@ -137,8 +139,13 @@ struct DrawState {
 #if !SPANGLE_CHAIN
     bool lacks_span = false; ///< of some kind of primitive; nothing is drawn then
 #endif
-    /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor).
+    /// Nothing can be drawn (depth NEVER, no colour and no depth or stencil written, empty scissor), or is
+    /// drawn here and now.
     bool nothing = false;
+#if SPANGLE_HAS_RECORDS
+    /// Takes primitives instead of the surface: `nothing` is set, so that who draws never looks.
+    Recorder* recorder = nullptr;
+#endif
 };
 
 /// V: the vertex type of the policy. The fixed one is compiled into firmware, the others on hosts only.
@@ -146,6 +153,9 @@ template <class V> DrawState compile(const FragmentState& fragment, const Surfac
 
 /// All of a DrawState but its variants, the same in every policy.
 void prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
+
+/// Draws no more than the scissor rectangle of its fragment state, which has become another one.
+void scissor_changed(DrawState& draw, const Surface& target);
 
 /// The key of one kind; what `compile` looks fused spans up by.
 Key make_key(const FragmentState& fragment, const Surface& target, Kind kind);

@@ -90,4 +90,21 @@ void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t 
     });
 }
 
+void accum(const Surface& s, const AccumRequest& r, const Surface& source) {
+    using Op = AccumRequest::Op;
+    switch (r.op) {
+    case Op::clear:
+        return clear_accum(s, r.area, r.clear);
+    case Op::accumulate:
+    case Op::load:
+        return accumulate(s, r.area, source, r.value, r.op == Op::load);
+    case Op::multiply:
+        return multiply_accum(s, r.area, r.value);
+    case Op::add:
+        return add_accum(s, r.area, r.value);
+    case Op::give_back:
+        return return_accum(s, r.area, r.value, r.channels, r.dither);
+    }
+}
+
 } // namespace spangle::raster

@@ -13,6 +13,18 @@ inline constexpr std::int32_t accum_one = 32767;
 /// still show of it.
 inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
 
+/// What of the functions below is to be done with a surface.
+struct AccumRequest {
+    enum class Op : std::uint8_t { clear, accumulate, load, multiply, add, give_back };
+    Op op = Op::clear;
+    std::uint8_t channels = 0; ///< of give_back
+    bool dither = false;       ///< of give_back
+    Rect area;                 ///< inside the surface; may be empty
+    std::int32_t value = 0;    ///< of all but clear
+    std::int16_t clear[4] = {};
+};
+void accum(const Surface& s, const AccumRequest& request, const Surface& source);
+
 /// All of these change the pixels of `area`, which lies in the surface.
 void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]);
 

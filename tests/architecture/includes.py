@@ -15,7 +15,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMERIC, FORMAT = {"raster/numeric"}, {"raster/format"}
 SURFACE = NUMERIC | FORMAT | {"raster/surface", "raster/include"}
 SPAN = SURFACE | {"raster/span"}
-RASTER = SPAN | {"raster/primitive"}
+PRIMITIVE = SPAN | {"raster/primitive"}
+RASTER = PRIMITIVE | {"raster/band"}
 HAL_BUS = FORMAT | {"hal/bus"}
 HAL_PANEL = HAL_BUS | {"hal/panel"}
 HAL_DISPLAY = HAL_PANEL | {"hal/display"}
@@ -30,7 +31,8 @@ MAY_INCLUDE = {
     "raster/format": FORMAT,
     "raster/surface": SURFACE,
     "raster/span": SPAN,
-    "raster/primitive": RASTER,
+    "raster/primitive": PRIMITIVE,
+    "raster/band": RASTER,
     "hal/bus": HAL_BUS | {"hal/include"},
     "hal/panel": HAL_PANEL | {"hal/include"},
     "hal/display": HAL,

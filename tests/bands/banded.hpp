@@ -29,6 +29,7 @@ inline Program program_of(const scenes::Scene& scene) {
 struct Setting {
     std::int32_t display_band = 0; ///< rows that the display holds; 0: all
     std::int32_t band_height = 0;  ///< EGL_BAND_HEIGHT_SPANGLE
+    EGLint record = 0;             ///< EGL_BAND_RECORD_SPANGLE
     EGLint depth = 24, stencil = 8, accum = 16;
     EGLint precision = EGL_DONT_CARE;
     EGLint samples = 0;
@@ -46,13 +47,19 @@ class Banded {
                                EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, setting.band_height, EGL_ACCUM_SIZE_SPANGLE,
-                                 setting.accum, EGL_NONE};
+        const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE,
+                                 setting.band_height,
+                                 EGL_ACCUM_SIZE_SPANGLE,
+                                 setting.accum,
+                                 EGL_BAND_RECORD_SPANGLE,
+                                 setting.record,
+                                 EGL_NONE};
         good = eglInitialize(display, nullptr, nullptr) != EGL_FALSE &&
                eglChooseConfig(display, wish, &config, 1, &count) != EGL_FALSE && count == 1;
         surface = eglCreateWindowSurface(display, config, 0, window);
         context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
         good = good && eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
+        records = setting.record != 0;
         EXPECT_TRUE(good) << "EGL refused";
     }
     ~Banded() {
@@ -68,18 +75,20 @@ class Banded {
     }
     /// Draws and shows frame f; what the controller's memory holds then.
     sim::Image show(const Program& program, int f) {
-        EXPECT_TRUE(spangle::frame(display,
-                                   [&] {
-                                       ++draws;
-                                       program.draw(f);
-                                   }))
+        const auto draw = [&] {
+            ++draws;
+            program.draw(f);
+        };
+        if (records) // drawn as any window is
+            draw();
+        EXPECT_TRUE(records ? eglSwapBuffers(display, surface) != EGL_FALSE : spangle::frame(display, draw))
             << program.name << ", frame " << f << ": " << eglGetError();
         EXPECT_TRUE(sim.display().finish().ok());
         return sim.memory();
     }
     std::int32_t height() { return sim.display().info().height; }
 
-    bool good = false;
+    bool good = false, records = false;
     int draws = 0; ///< calls of Program::draw
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLSurface surface = EGL_NO_SURFACE;
@@ -106,6 +115,7 @@ inline std::vector<sim::Image> play(const hal::Board& board, const Setting& sett
     window.set_up(program);
     for (int f = 0; f < frames; ++f)
         shown.push_back(window.show(program, f));
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << program.name;
     EXPECT_EQ(window.sim.violations_text(), "") << program.name;
     return shown;
 }

@@ -158,6 +158,32 @@ TEST(BandWindows, WhatFailsIsSentAgain) {
         }
 }
 
+/// What a failed transfer should have erased is erased by the next frame, which itself draws nothing there.
+TEST(BandWindows, WhatWasNotErasedIsErasedNext) {
+    const Program blink = {"blink", nothing.setup, [](int f) {
+                               glClearColor(0.F, 0.F, 0.F, 1.F);
+                               glClear(GL_COLOR_BUFFER_BIT);
+                               if (f == 0)
+                                   glRectf(-0.5F, -1.F, 0.5F, 1.F);
+                           }};
+    for (const std::uint8_t buffers : {std::uint8_t{1}, std::uint8_t{2}})
+        for (int broken = 0; broken < 5; ++broken) {
+            hal::Board board = boards::st7735_80x160;
+            board.display.buffers = buffers;
+            Banded window(board, {.display_band = 16});
+            const std::string black = sim::hash(window.show(blink, 1));
+            EXPECT_NE(sim::hash(window.show(blink, 0)), black);
+            int call = 0;
+            const bool shown = spangle::frame(window.display, [&] {
+                blink.draw(1);
+                if (call++ == broken)
+                    window.sim.fail_next(hal::Fault::short_write);
+            });
+            EXPECT_FALSE(window.sim.display().finish().ok() && shown) << broken;
+            EXPECT_EQ(sim::hash(window.show(blink, 1)), black) << broken;
+        }
+}
+
 TEST(BandWindows, DisplaysOfOneKindRefuseTheOther) {
     hal::Board board = boards::st7735_80x160;
     sim::SimBoard whole(board);

@@ -3,9 +3,7 @@
 #include <array>
 
 namespace spangle::test {
-namespace {
-
-void start(int w, int h) {
+void start_program(int w, int h) {
     glViewport(0, 0, w, h);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -13,6 +11,8 @@ void start(int w, int h) {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
 }
+
+namespace {
 
 void clear(float r, float g, float b) {
     glClearColor(r, g, b, 1.F);
@@ -91,7 +91,7 @@ void make_texture() {
 Program dithered(bool dither) {
     return {dither ? "dither" : "no dither",
             [dither](int w, int h) {
-                start(w, h);
+                start_program(w, h);
                 (dither ? glEnable : glDisable)(GL_DITHER);
             },
             [](int f) {
@@ -101,7 +101,7 @@ Program dithered(bool dither) {
 }
 
 Program stippled() {
-    return {"stipple", start, [](int f) {
+    return {"stipple", start_program, [](int f) {
                 clear(0, 0, 0);
                 static std::array<GLubyte, 128> pattern;
                 for (unsigned i = 0; i < 128; ++i)
@@ -121,7 +121,7 @@ Program stippled() {
 }
 
 Program wide() {
-    return {"wide", start, [](int f) {
+    return {"wide", start_program, [](int f) {
                 clear(0.1F, 0, 0);
                 lines(f);
                 glLineWidth(5.F);
@@ -135,7 +135,7 @@ Program wide() {
 }
 
 Program smooth() {
-    return {"smooth", start, [](int f) {
+    return {"smooth", start_program, [](int f) {
                 clear(0, 0, 0.2F);
                 glEnable(GL_BLEND);
                 glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -158,7 +158,7 @@ Program smooth() {
 }
 
 Program pixels() {
-    return {"pixels", start, [](int f) {
+    return {"pixels", start_program, [](int f) {
                 clear(0.3F, 0.3F, 0.3F);
                 glColor3f(1.F, 0.5F, 0.F); // of the raster positions
                 glRasterPos2f(10.F + static_cast<float>(f), 11.F);
@@ -185,7 +185,7 @@ Program pixels() {
 }
 
 Program stencilled() {
-    return {"stencil", start, [](int f) {
+    return {"stencil", start_program, [](int f) {
                 clear(0, 0, 0);
                 glEnable(GL_STENCIL_TEST);
                 glStencilFunc(GL_ALWAYS, 1, 0xFF);
@@ -203,7 +203,7 @@ Program stencilled() {
 Program blended() {
     return {"blend",
             [](int w, int h) {
-                start(w, h);
+                start_program(w, h);
                 make_texture();
             },
             [](int f) {
@@ -228,7 +228,7 @@ Program blended() {
 }
 
 Program accumulated() {
-    return {"accumulation", start, [](int f) {
+    return {"accumulation", start_program, [](int f) {
                 for (int pass = 0; pass < 3; ++pass) {
                     clear(0.1F, 0.2F, 0.3F);
                     triangles(f + pass);
@@ -241,13 +241,21 @@ Program accumulated() {
 }
 
 Program outlined() {
-    return {"outline", start, [](int f) {
+    return {"outline", start_program, [](int f) {
                 clear(0, 0, 0);
                 glEnable(GL_DEPTH_TEST);
                 glEnable(GL_POLYGON_OFFSET_FILL);
                 glPolygonOffset(1.F, 2.F);
                 triangles(f);
                 glDisable(GL_POLYGON_OFFSET_FILL);
+                glShadeModel(GL_FLAT);
+                glBegin(GL_QUAD_STRIP);
+                for (int i = 0; i < 12; ++i) {
+                    glColor3f(static_cast<float>(i % 5) / 5, static_cast<float>(i % 3) / 3, 0.5F);
+                    glVertex3f(static_cast<float>(i / 2) * 29.F, i % 2 == 0 ? 11.F : 38.F, 0.2F);
+                }
+                glEnd();
+                glShadeModel(GL_SMOOTH);
                 glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
                 triangles(f);
                 glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

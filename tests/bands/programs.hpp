@@ -5,6 +5,10 @@
 
 namespace spangle::test {
 
+/// One unit a pixel.
+void start_program(int width, int height);
+
+/// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline.
 const std::vector<Program>& programs();
 
 } // namespace spangle::test

@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOMS = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "hal/bus", "hal/panel", "hal/display",
+ROOMS = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
          "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
 COMMON = ["-std=c++20", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
           "-ffunction-sections", "-fdata-sections", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-DSPANGLE_FIRMWARE=1",

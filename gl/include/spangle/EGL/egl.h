@@ -167,6 +167,10 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  * and accumulation buffers, and of a colour buffer that is no larger; 0: all. Such a window is drawn band by
  * band, by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
+/* Of such a window on a display that holds no whole frame: bytes of memory for the record of a frame, which
+ * eglSwapBuffers draws band by band; 0: there is none. A frame that does not fit is GL_OUT_OF_MEMORY and is
+ * not shown; spangle::frame draws it by callback instead. */
+#define EGL_BAND_RECORD_SPANGLE 0x3F0A
 
 /* EGL_SPANGLE_color_index: configs whose EGL_COLOR_BUFFER_TYPE is INDEX_BUFFER hold indices of INDEX_SIZE
  * bits and no colours; contexts made with them are in GL's color index mode (INDEX_MODE is TRUE). A wish must

@@ -294,7 +294,8 @@ class PanelDisplay : public Display {
     struct Band {
         std::int32_t first = 0, rows = 0; ///< of the picture
         std::uint32_t clear_value = 0;    ///< of this frame's bands
-        bool complete = true;             ///< the frame's last one is accepted
+        bool complete = true;             ///< the frame's last one was sent
+        bool acquired = false;            ///< it may be drawn to
     } band_;
     std::uint32_t frame_ = 0;        ///< presents that succeeded
     std::uint32_t drawn_in_[2] = {}; ///< the last of them that each buffer holds; 0: none

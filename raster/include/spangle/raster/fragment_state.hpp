@@ -128,6 +128,7 @@ struct TextureLevel {
         nullptr; ///< first texel inside the border, row t = 0 first (see border below)
     std::uint16_t width = 0, height = 0; ///< without border
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
+    friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
 };
 
 /// Texels of every face and level of a cube map, in the order of GL's tokens; all else is as with the first
@@ -159,6 +160,7 @@ struct Texture {
         0; ///< 1 when the image has a border around [0,w) x [0,h): texel -1 is readable
     std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8
     std::uint8_t border_color[4] = {0, 0, 0, 0};              ///< RGBA, 255ths
+    friend constexpr bool operator==(const Texture&, const Texture&) = default;
 };
 
 /// The third coordinate is looked at: it is interpolated, and every fragment divides.
@@ -173,7 +175,9 @@ struct Combiner {
     struct Argument {
         CombineSource source = CombineSource::previous;
         CombineOperand operand = CombineOperand::color;
+        friend constexpr bool operator==(const Argument&, const Argument&) = default;
     } argument[3];
+    friend constexpr bool operator==(const Combiner&, const Combiner&) = default;
 };
 
 struct TextureUnit {
@@ -182,12 +186,14 @@ struct TextureUnit {
     Combiner rgb, alpha;                       ///< of TexEnv::combine; units they name as a source are on
     std::int32_t lod_bias = 0;                 ///< s23.8, of the texture and of the unit
     std::uint32_t env_color[4] = {0, 0, 0, 0}; ///< Colour units (see vertex.hpp)
+    friend constexpr bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
 
 struct StencilState {
     Compare func = Compare::always;
     std::uint8_t ref = 0, compare_mask = 0xFF, write_mask = 0xFF;
     StencilOp fail = StencilOp::keep, depth_fail = StencilOp::keep, pass = StencilOp::keep;
+    friend constexpr bool operator==(const StencilState&, const StencilState&) = default;
 };
 
 /// How one part of a colour is blended: C = src Cs + dst Cd and the like.
@@ -236,6 +242,7 @@ struct FragmentState {
     bool alpha_to_coverage = false, alpha_to_one = false;
     bool sample_coverage = false, invert_sample_coverage = false;
     std::uint8_t sample_coverage_value = 255; ///< 255ths
+    friend constexpr bool operator==(const FragmentState&, const FragmentState&) = default;
 };
 
 } // namespace spangle::raster

@@ -1,4 +1,4 @@
-// Bands drawn by callback: the glass holds what it holds of whole frames.
+// Bands drawn by callback or from a record: the glass holds what it holds of whole frames.
 #include "gl/context/features.hpp"
 #include "tests/bands/banded.hpp"
 #include "tests/bands/programs.hpp"
@@ -28,15 +28,21 @@ std::vector<std::int32_t> heights_of(const hal::Board& board) {
 
 void expect_same(const hal::Board& board, const Program& program, const Setting& setting,
                  const std::vector<sim::Image>& whole) {
-    const std::vector<sim::Image> banded = play(board, setting, program, frames);
-    ASSERT_EQ(banded.size(), whole.size());
-    for (std::size_t f = 0; f < whole.size(); ++f)
-        EXPECT_EQ(sim::hash(banded[f]), sim::hash(whole[f]))
-            << program.name << " on " << board.name << ", bands of " << setting.display_band << " and "
-            << setting.band_height << " rows, frame " << f;
+    for (const EGLint record : {0, 1 << 21}) {
+        if (record != 0 && setting.display_band == 0)
+            continue; // the display holds whole frames
+        Setting with = setting;
+        with.record = record;
+        const std::vector<sim::Image> banded = play(board, with, program, frames);
+        ASSERT_EQ(banded.size(), whole.size());
+        for (std::size_t f = 0; f < whole.size(); ++f)
+            EXPECT_EQ(sim::hash(banded[f]), sim::hash(whole[f]))
+                << program.name << " on " << board.name << ", bands of " << setting.display_band << " and "
+                << setting.band_height << " rows, a record of " << record << ", frame " << f;
+    }
 }
 
-TEST(Redraw, ScenesAreTheSameAtEveryHeight) {
+TEST(BandHeights, ScenesAreTheSameAtEveryHeight) {
     for (const scenes::Scene& scene : scenes::all()) {
         const hal::Board& board = boards::st7735_80x160;
         const std::vector<sim::Image> whole = play(board, {}, program_of(scene), frames);
@@ -45,7 +51,7 @@ TEST(Redraw, ScenesAreTheSameAtEveryHeight) {
     }
 }
 
-TEST(Redraw, StatesAreTheSameAtEveryHeight) {
+TEST(BandHeights, StatesAreTheSameAtEveryHeight) {
     for (const Program& program : programs()) {
         const hal::Board& board = boards::st7735_80x160;
         const std::vector<sim::Image> whole = play(board, {}, program, frames);
@@ -55,7 +61,7 @@ TEST(Redraw, StatesAreTheSameAtEveryHeight) {
 }
 
 /// Pages of eight rows, pairs of columns, three bytes a pixel; bus buffers one and two; turned eight ways.
-TEST(Redraw, FormatsAndOrientations) {
+TEST(BandHeights, FormatsAndOrientations) {
     const Program program = program_of(scenes::hud);
     for (hal::Board board : {boards::ssd1306_128x32, boards::ssd0323_spi, boards::st7735_80x160})
         for (const hal::Orientation orientation : hal::orientations) {
@@ -73,7 +79,7 @@ TEST(Redraw, FormatsAndOrientations) {
 }
 
 /// Pixels that lie as they travel: pages drawn into, four-bit greys, 12 and 18 bits.
-TEST(Redraw, NarrowSurfaces) {
+TEST(BandHeights, NarrowSurfaces) {
     const Program program = program_of(scenes::hud);
     hal::Board mono = boards::ssd1306_128x32, grey = boards::ssd0323_spi, wide = boards::ili9488_spi;
     mono.display.wire = grey.display.wire = {};
@@ -88,7 +94,7 @@ TEST(Redraw, NarrowSurfaces) {
 }
 
 /// The display holds whole frames, only depth is short of rows; the display's bands are higher than depth's.
-TEST(Redraw, DepthAloneInBands) {
+TEST(BandHeights, DepthAloneInBands) {
     const hal::Board& board = boards::st7735_80x160;
     for (const scenes::Scene* scene : {&scenes::gears, &scenes::hud}) {
         const Program program = program_of(*scene);
@@ -102,7 +108,7 @@ TEST(Redraw, DepthAloneInBands) {
 #if SPANGLE_FEATURE_MULTISAMPLE
 
 /// The multisample buffer is one of a band, too.
-TEST(Redraw, SamplesInBands) {
+TEST(BandHeights, SamplesInBands) {
     hal::Board mono = boards::ssd1306_128x32;
     mono.display.wire = {};
     mono.display.format = PixelFormat::mono;
@@ -118,7 +124,7 @@ TEST(Redraw, SamplesInBands) {
 #endif
 
 /// Bytes of the second frame of a scene that stands still: those of whole frames, or none at all.
-TEST(Redraw, WhatDoesNotChangeIsNotSent) {
+TEST(BandHeights, WhatDoesNotChangeIsNotSent) {
     const Program still = {"still", [](int w, int h) { glViewport(0, 0, w, h); },
                            [](int f) {
                                glClearColor(0.F, 0.F, f < 2 ? 0.F : 1.F, 0.F);
@@ -142,7 +148,7 @@ TEST(Redraw, WhatDoesNotChangeIsNotSent) {
     }
 }
 
-TEST(Redraw, TheCallbackIsCalledOnceForEachBand) {
+TEST(BandHeights, TheCallbackIsCalledOnceForEachBand) {
     const Program program = program_of(scenes::clear);
     for (const auto& [setting, calls] : {std::pair{Setting{}, 1},
                                          {Setting{.display_band = 8}, 10},

@@ -1,0 +1,207 @@
+// Windows in bands whose frames are recorded: shown band by band, read band by band.
+#include <new>
+
+#include "gl/context/error.hpp"
+#include "gl/egl/objects.hpp"
+#include "raster/band/record.hpp"
+
+namespace spangle::egl {
+
+#if SPANGLE_HAS_RECORDS
+
+struct RecordedFrame {
+    raster::Record record;
+    gl::Recording hooks{};
+    gl::ShareGroup* objects = nullptr; ///< what the record looks at, while no context does
+    bool lost = false;                 ///< so is this frame: its objects are gone
+    bool quiet = false;      ///< a record that is too small is no error: spangle::frame goes on without
+    std::int32_t shown = -1; ///< the band in memory begins with this row, ...
+    std::size_t used = 0;    ///< ... as far as the record went then
+};
+
+namespace {
+
+/// The band in memory, drawn by the record.
+raster::Surface replayed(Surface& surface, bool count) {
+    raster::Surface band = pixels_of(surface);
+    surface.band.record->record.replay(band, count);
+    return band;
+}
+
+/// GL sees the whole window, of which no row is there.
+void show_all(Surface& surface) {
+    surface.band.first = 0;
+    surface.band.rows = surface.height;
+    surface.band.record->shown = -1;
+    gl::move_drawable(*thread().context->gl, pixels_of(surface), true, &surface.band.record->hooks);
+}
+
+/// The next frame begins.
+void forget(Surface& surface) {
+    RecordedFrame& frame = *surface.band.record;
+    frame.record.clear();
+    frame.lost = false;
+    gl::forget_images(*thread().context->gl);
+    show_all(surface);
+}
+
+raster::Surface rows_of(std::int32_t y) {
+    Surface& surface = *thread().draw;
+    RecordedFrame& frame = *surface.band.record;
+    const std::int32_t step = surface.band.height, first = (surface.height - 1 - y) / step * step,
+                       left = surface.height - first;
+    raster::Surface none;
+    none.end_row = 0;
+    if (frame.record.full())
+        return none; // what would be drawn is not known
+    if (frame.shown != first || frame.used != frame.record.used()) {
+        if (!open_band(*thread().display, surface, first, step < left ? step : left))
+            return none;
+        (void)replayed(surface, false);
+        frame.shown = first;
+        frame.used = frame.record.used();
+    }
+    surface.band.first = first;
+    surface.band.rows = step < left ? step : left;
+    const raster::Surface band = pixels_of(surface);
+    surface.band.first = 0;
+    surface.band.rows = surface.height;
+    return band;
+}
+
+void count_recorded() {
+    Surface& surface = *thread().draw;
+    RecordedFrame& frame = *surface.band.record;
+    if (!frame.record.counts())
+        return;
+    (void)each_band(surface, [&](std::int32_t first, std::int32_t rows) {
+        if (!open_band(*thread().display, surface, first, rows))
+            return false;
+        (void)replayed(surface, true);
+        return true;
+    });
+    frame.record.counted();
+    frame.shown = -1;
+    surface.band.first = 0;
+    surface.band.rows = surface.height;
+}
+
+void too_small() {
+    if (!thread().draw->band.record->quiet)
+        gl::error(*thread().context->gl, GL_OUT_OF_MEMORY,
+                  SPANGLE_TEXT("the record of this frame is full (EGL_BAND_RECORD_SPANGLE): it will not be "
+                               "shown"));
+}
+
+bool send_record(Display& display, Surface& surface) {
+    return each_band(surface, [&](std::int32_t first, std::int32_t rows) {
+        if (!open_band(display, surface, first, rows))
+            return false;
+        (void)replayed(surface, true);
+        return send_band(display, surface);
+    });
+}
+
+} // namespace
+
+bool make_record(EGLint bytes, Band& band) {
+    if (bytes == 0)
+        return true;
+    constexpr std::size_t header = (sizeof(RecordedFrame) + 7) / 8 * 8;
+    void* const memory = arena().allocate(header + static_cast<std::size_t>(bytes));
+    if (memory == nullptr)
+        return false;
+    auto* const frame = new (memory) RecordedFrame;
+    frame->record.give(static_cast<std::uint8_t*>(memory) + header, static_cast<std::size_t>(bytes));
+    frame->record.on_full = too_small;
+    frame->hooks = {&frame->record, rows_of, count_recorded};
+    band.record = frame;
+    return true;
+}
+
+EGLint record_bytes(const Band& band) {
+    return band.record == nullptr ? 0 : static_cast<EGLint>(band.record->record.size());
+}
+
+void free_record(Band& band) {
+    if (band.record != nullptr)
+        gl::release_objects(band.record->objects);
+    arena().free(band.record);
+    band.record = nullptr;
+}
+
+bool present_record(Display& display, Surface& surface) {
+    RecordedFrame& frame = *surface.band.record;
+    const bool whole = !frame.record.full() && !frame.lost;
+    const bool shown = whole && send_record(display, surface);
+    if (!whole)
+        fail(EGL_BAD_ALLOC,
+             SPANGLE_TEXT("eglSwapBuffers: the record of this frame is not whole; the panel keeps "
+                          "its picture"));
+    forget(surface);
+    return shown;
+}
+
+bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void* data) {
+    RecordedFrame& frame = *surface.band.record;
+    forget(surface);
+    frame.quiet = true;
+    draw(data);
+    frame.quiet = false;
+    if (thread().draw != &surface)
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
+               EGL_FALSE;
+    if (!frame.record.full())
+        return present_record(display, surface);
+    frame.record.clear();
+    const bool drawn = draw_bands(display, surface, draw, data);
+    if (thread().draw == &surface)
+        forget(surface);
+    return drawn;
+}
+
+void attach_record(Surface& surface) {
+    RecordedFrame* const frame = surface.band.record;
+    if (frame == nullptr)
+        return;
+    gl::Context& context = *thread().context->gl;
+    if (frame->objects != nullptr && !gl::has_objects(context, *frame->objects)) {
+        frame->record.clear(); // it looks at textures that this context's commands do not know
+        frame->lost = true;
+    }
+    gl::release_objects(frame->objects);
+    frame->objects = nullptr;
+    show_all(surface);
+}
+
+void detach_record(Surface& surface) {
+    RecordedFrame* const frame = surface.band.record;
+    if (frame == nullptr)
+        return;
+    count_recorded();
+    frame->record.forget_counters();
+    if (!frame->record.empty())
+        frame->objects = gl::hold_objects(*thread().context->gl);
+}
+
+#else
+
+bool make_record(EGLint, Band&) {
+    return true;
+}
+EGLint record_bytes(const Band&) {
+    return 0;
+}
+void free_record(Band&) {}
+bool present_record(Display&, Surface&) {
+    return false;
+}
+bool draw_recorded(Display&, Surface&, void (*)(void*), void*) {
+    return false;
+}
+void attach_record(Surface&) {}
+void detach_record(Surface&) {}
+
+#endif
+
+} // namespace spangle::egl

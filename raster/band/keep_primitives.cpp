@@ -1,0 +1,232 @@
+// Primitives and pixels on their way into a record.
+#include <new>
+
+#include "raster/band/layout.hpp"
+#include "raster/band/vertex_code.hpp"
+#include "raster/numeric/bits.hpp"
+
+#if SPANGLE_HAS_RECORDS
+
+namespace spangle::raster {
+
+namespace {
+
+constexpr std::uint8_t most_items = 32; ///< of a block: more are found sooner, fewer skipped sooner
+
+/// Rows that fragments of the primitive can lie in: coordinates, and half of its size, rounded outwards.
+struct Reach {
+    std::int32_t low, high; ///< rows [low, high)
+};
+Reach reach(const Primitive& p) {
+    std::int32_t low = p.corner[0]->y, high = low;
+    for (int i = 1; i < p.corners; ++i) {
+        low = p.corner[i]->y < low ? p.corner[i]->y : low;
+        high = p.corner[i]->y > high ? p.corner[i]->y : high;
+    }
+    const bool smooth = p.shape >= Primitive::Shape::smooth_point;
+    // Corners are snapped to fragments, rectangles reach beyond the ends of their lines.
+    const std::int32_t aside = (smooth ? (p.size + 7) / 8 : p.size) + 2;
+    return {(low >> subpixel_bits) - aside, (high >> subpixel_bits) + 1 + aside};
+}
+
+} // namespace
+
+/// A vertex of the state at hand that is there already, or nowhere.
+std::uint32_t Record::find_vertex(const std::uint32_t* words, int count) const {
+    const std::uint32_t hash = (words[0] * 0x9E3779B1u ^ words[1] * 0x85EBCA6Bu) >> (32 - log2_vertices);
+    const std::uint32_t place = vertex_[hash];
+    if (place == nowhere || place < vertices_begin_ ||
+        __builtin_memcmp(at<std::uint32_t>(place), words, static_cast<std::size_t>(count) * 4) != 0)
+        return nowhere;
+    return place;
+}
+
+void Record::remember_vertex(const std::uint32_t* words, int, std::uint32_t place) {
+    const std::uint32_t hash = (words[0] * 0x9E3779B1u ^ words[1] * 0x85EBCA6Bu) >> (32 - log2_vertices);
+    vertex_[hash] = place;
+}
+
+void Record::keep_primitive(Recorder& self, const DrawState& state, const Primitive& primitive) {
+    static_cast<Record&>(self).add(state, primitive);
+}
+
+void Record::add(const DrawState& live, const Primitive& p) {
+    const Rect& scissor = live.fragment.scissor;
+    const Reach all = reach(p);
+    const std::int32_t first = all.low > scissor.y ? all.low : scissor.y,
+                       end = all.high < scissor.y + scissor.h ? all.high : scissor.y + scissor.h;
+    if (first >= end)
+        return;
+    State* const state = stored(live);
+    if (state == nullptr)
+        return;
+    const auto of_state = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(state) - memory_);
+    if (vertices_of_ != of_state) {
+        vertices_of_ = of_state;
+        vertices_begin_ = static_cast<std::uint32_t>(used_);
+    }
+    const VertexCode code(state->draw.needs);
+    const auto words = static_cast<std::uint32_t>(code.words());
+
+    // At most all of its vertices are new, and a block begins.
+    Item item;
+    item.shape = p.shape;
+    item.corners = p.corners;
+    item.first = static_cast<std::int16_t>(first);
+    item.end = static_cast<std::int16_t>(end);
+    item.line_stippled = p.stipple != nullptr;
+    item.polygon_stippled = live.primitive != nullptr && live.primitive->stippled;
+    item.has_offset = live.fragment.depth_offset && live.primitive->depth_offset != 0;
+    const std::size_t most = sizeof(Block) + (item.words() + (p.corners + 1u) * words) * 4 + 8;
+    if (!room(most))
+        return;
+    Block* block = block_ == nowhere ? nullptr : at<Block>(block_);
+    if (block == nullptr || block->content != Content::primitives || block->state != of_state ||
+        block->items == most_items || block_ + block->bytes != used_)
+        block = open(Content::primitives, of_state, {first, end}, 0);
+
+    const auto start = static_cast<std::uint32_t>(used_);
+    std::uint32_t* to = at<std::uint32_t>(start) + sizeof(Item) / 4;
+    const auto put = [&to](const auto& value) {
+        __builtin_memcpy(to, &value, sizeof value);
+        to += sizeof value / 4;
+    };
+    if (item.has_size())
+        put(p.size);
+    if (item.line_stippled)
+        put(*p.stipple);
+    if (item.has_offset)
+        put(live.primitive->depth_offset);
+    auto* const refs = reinterpret_cast<std::uint16_t*>(to);
+    std::uint32_t* vertex = at<std::uint32_t>(start) + item.words();
+    std::uint32_t coded[VertexCode::most_words];
+    for (unsigned i = 0; i <= p.corners; ++i) {
+        // The provoking vertex is looked at where shading is flat.
+        if (i == p.corners && !live.fragment.flat) {
+            refs[i] = refs[i - 1];
+            break;
+        }
+        code.encode(i < p.corners ? *p.corner[i] : *p.provoking, coded);
+        std::uint32_t place = find_vertex(coded, code.words());
+        const auto here = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(vertex) - memory_);
+        if (place == nowhere || (place < start && (start - place) / 4 > Item::farthest)) {
+            __builtin_memcpy(vertex, coded, words * 4);
+            remember_vertex(coded, code.words(), here);
+            place = here;
+            vertex += words;
+            ++item.fresh;
+        }
+        const std::uint32_t first_fresh = start + item.words() * 4;
+        refs[i] = static_cast<std::uint16_t>(place >= start ? (place - first_fresh) / 4 / words
+                                                            : Item::fresh_corners + (start - place) / 4);
+    }
+    __builtin_memcpy(at<Item>(start), &item, sizeof item);
+    const auto bytes =
+        static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(vertex) - at<std::uint8_t>(start));
+    // The block ends where the next one may begin.
+    (void)append((bytes + 7) / 8 * 8);
+    block->bytes += (bytes + 7) / 8 * 8;
+    block->first = item.first < block->first ? item.first : block->first;
+    block->end = item.end > block->end ? item.end : block->end;
+    ++block->items;
+    counts_ = counts_ || state->counters != nullptr;
+}
+
+/// Keeps runs as they come.
+class Record::PixelKeeper : public PixelSink {
+  public:
+    PixelKeeper(Record& record, const DrawState& live, std::uint32_t state, const FixedVertex& at)
+        : PixelSink{run, depth}, record_(record), live_(live) {
+        Block* const block = record.open(Content::pixels, state, {INT16_MAX, 0}, sizeof(FixedVertex));
+        if (block == nullptr)
+            return;
+        block_ = record.block_;
+        __builtin_memcpy(record.at<FixedVertex>(block_ + sizeof(Block)), &at, sizeof at);
+    }
+
+  private:
+    static PixelKeeper& self(PixelSink& sink) { return static_cast<PixelKeeper&>(sink); }
+
+    /// Room for a run and what it brings, or null.
+    Run* put(const Run& run) {
+        const std::size_t bytes = (sizeof(Run) + run.payload() + 7) / 8 * 8;
+        if (block_ == nowhere || !record_.room(bytes))
+            return nullptr;
+        Run* const to = new (record_.at<Run>(record_.append(bytes))) Run(run);
+        Block& block = *record_.at<Block>(block_);
+        block.bytes += static_cast<std::uint32_t>(bytes);
+        return to;
+    }
+
+    static void depth(PixelSink& sink, std::uint32_t z) {
+        if (Run* const to = self(sink).put({0, 0, 0, Run::Form::depth, 0}); to != nullptr)
+            __builtin_memcpy(static_cast<void*>(to + 1), &z, sizeof z);
+    }
+
+    static void run(PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
+                    const void* pixels) {
+        PixelKeeper& own = self(sink);
+        const Rect& clip = own.live_.fragment.scissor;
+        const std::int32_t first = begin > clip.x ? begin : clip.x,
+                           last = end < clip.x + clip.w ? end : clip.x + clip.w;
+        if (y < clip.y || y >= clip.y + clip.h)
+            return;
+        for (std::int32_t x = first; x < last; x += Run::longest)
+            own.keep(y, x, last - x < Run::longest ? last - x : Run::longest, pixels, x - begin);
+    }
+
+    void keep(std::int32_t y, std::int32_t x, std::int32_t count, const void* pixels, std::int32_t from) {
+        const auto* const words = static_cast<const std::uint16_t*>(pixels) + from;
+        const auto* const units = static_cast<const std::uint32_t*>(pixels) + 4 * std::ptrdiff_t{from};
+        Run run{static_cast<std::int16_t>(y),
+                static_cast<std::int16_t>(x),
+                static_cast<std::uint16_t>(count),
+                {},
+                0};
+        run.form = pixels == nullptr ? Run::Form::plain
+                   : live_.words     ? Run::Form::words
+                                     : form_of(units, count);
+        Run* const to = put(run);
+        if (to == nullptr)
+            return;
+        if (run.form == Run::Form::words)
+            __builtin_memcpy(static_cast<void*>(to + 1), words, static_cast<std::size_t>(count) * 2);
+        if (run.form == Run::Form::units)
+            __builtin_memcpy(static_cast<void*>(to + 1), units, static_cast<std::size_t>(count) * 16);
+        auto* const bytes = reinterpret_cast<std::uint8_t*>(to + 1);
+        for (std::int32_t i = 0; run.form == Run::Form::bytes && i < 4 * count; ++i)
+            bytes[i] = static_cast<std::uint8_t>(units[i] >> color_fraction_bits);
+        Block& block = *record_.at<Block>(block_);
+        block.first = run.y < block.first ? run.y : block.first;
+        block.end = run.y >= block.end ? static_cast<std::int16_t>(run.y + 1) : block.end;
+    }
+
+    /// Whole 255ths fit into bytes.
+    static Run::Form form_of(const std::uint32_t* units, std::int32_t count) {
+        std::uint32_t fractions = 0;
+        for (std::int32_t i = 0; i < 4 * count; ++i)
+            fractions |= units[i];
+        return fractions << (32 - color_fraction_bits) == 0 ? Run::Form::bytes : Run::Form::units;
+    }
+
+    Record& record_;
+    const DrawState& live_;
+    std::uint32_t block_ = nowhere;
+};
+
+void Record::keep_pixels(Recorder& self, const DrawState& live, const FixedVertex& vertex,
+                         PixelSource& source) {
+    auto& record = static_cast<Record&>(self);
+    const State* const state = record.stored(live);
+    if (state == nullptr)
+        return;
+    record.counts_ = record.counts_ || state->counters != nullptr;
+    PixelKeeper keeper(
+        record, live,
+        static_cast<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(state) - record.memory_), vertex);
+    source.emit(source, keeper);
+}
+
+} // namespace spangle::raster
+
+#endif

@@ -1,0 +1,92 @@
+// Vertices as a record keeps them: what the set-up of a state looks at, in words.
+#pragma once
+
+#include <cstdint>
+
+#include "raster/span/draw_state.hpp"
+
+namespace spangle::raster {
+
+/// Which attributes a state's vertices have, and how many words they take.
+class VertexCode {
+  public:
+    static constexpr int most_words = static_cast<int>(sizeof(FixedVertex) / 4);
+
+    explicit VertexCode(const Needs& needs) : needs_(needs) {
+        words_ = 4 + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
+        for (int i = 0; i < max_texture_units; ++i)
+            words_ += needs.unit[i] ? words_of_unit + (needs.r[i] ? 1 : 0) : 0;
+    }
+    int words() const { return words_; }
+
+    void encode(const FixedVertex& v, std::uint32_t* to) const {
+        put(to, v.x);
+        put(to, v.y);
+        put(to, v.w_mantissa);
+        put(to, exponents(v));
+        put(to, v.color);
+        if (needs_.z)
+            put(to, v.z);
+        if (needs_.secondary)
+            put(to, v.secondary);
+        if (needs_.fog)
+            put(to, v.fog_mantissa);
+        for (int i = 0; i < max_texture_units; ++i) {
+            if (!needs_.unit[i])
+                continue;
+            put(to, v.tex[i]);
+            if (needs_.r[i])
+                put(to, v.r[i]);
+        }
+    }
+
+    void decode(const std::uint32_t* from, FixedVertex& v) const {
+        v = FixedVertex{};
+        std::uint32_t both = 0;
+        get(from, v.x);
+        get(from, v.y);
+        get(from, v.w_mantissa);
+        get(from, both);
+        v.w_exponent = static_cast<std::int16_t>(both >> 16);
+        v.fog_exponent = static_cast<std::int16_t>(both & 0xFFFF);
+        get(from, v.color);
+        if (needs_.z)
+            get(from, v.z);
+        if (needs_.secondary)
+            get(from, v.secondary);
+        if (needs_.fog)
+            get(from, v.fog_mantissa);
+        for (int i = 0; i < max_texture_units; ++i) {
+            if (!needs_.unit[i])
+                continue;
+            get(from, v.tex[i]);
+            if (needs_.r[i])
+                get(from, v.r[i]);
+        }
+    }
+
+  private:
+    static constexpr int words_of_unit = static_cast<int>(sizeof(FixedVertex::TexCoord) / 4);
+
+    /// One word: nobody else's bits lie between.
+    std::uint32_t exponents(const FixedVertex& v) const {
+        const auto low = [](std::int16_t e) {
+            return static_cast<std::uint32_t>(static_cast<std::uint16_t>(e));
+        };
+        return low(v.w_exponent) << 16 | (needs_.fog ? low(v.fog_exponent) : 0);
+    }
+    template <class T> static void put(std::uint32_t*& to, const T& value) {
+        static_assert(sizeof(T) % 4 == 0);
+        __builtin_memcpy(to, &value, sizeof(T));
+        to += sizeof(T) / 4;
+    }
+    template <class T> static void get(const std::uint32_t*& from, T& value) {
+        __builtin_memcpy(&value, from, sizeof(T));
+        from += sizeof(T) / 4;
+    }
+
+    Needs needs_;
+    int words_;
+};
+
+} // namespace spangle::raster
