@@ -56,7 +56,7 @@ LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, co
     auto* const image = static_cast<LevelImage*>(arena.allocate(sizeof(LevelImage) + kept));
     if (image == nullptr)
         return nullptr;
-    *image = {shape_of(from, step), 0, bytes, texels, palette != 0 ? from.data : nullptr};
+    *image = {shape_of(from, step), 0, bytes, texels, {palette != 0 ? from.data : nullptr}};
     if (!from.constant) {
         std::uint8_t* const own = image->own_texels();
         std::memcpy(own, from.data, palette);

@@ -53,7 +53,7 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
     if (image == nullptr)
         return error(context, GL_OUT_OF_MEMORY,
                      SPANGLE_TEXT("glTexConstantImage2DSPANGLE: no room in the arena for this level"));
-    *image = {shape, stride, bytes, static_cast<const std::uint8_t*>(data), nullptr};
+    *image = {shape, stride, bytes, static_cast<const std::uint8_t*>(data), {nullptr}};
     put_image(context, bound_texture(context, request.target.kind), request.target.face, request.level,
               image);
 }

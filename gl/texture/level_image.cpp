@@ -22,7 +22,7 @@ LevelImage* new_image(Arena& arena, const LevelShape& shape) {
         static_cast<LevelImage*>(arena.allocate(sizeof(LevelImage) + static_cast<std::size_t>(bytes)));
     if (image == nullptr)
         return nullptr;
-    *image = {shape, stride, static_cast<std::uint32_t>(bytes), image->own_texels(), nullptr};
+    *image = {shape, stride, static_cast<std::uint32_t>(bytes), image->own_texels(), {nullptr}};
     return image;
 }
 
