@@ -129,7 +129,8 @@ void show_band(Surface& surface, raster::Surface& out);
 /// The memory for a record of so many bytes, 0: none is wished. False without memory.
 bool make_record(EGLint bytes, Band& band);
 void free_record(Band& band);
-EGLint record_bytes(const Band& band);
+/// Of the record, or of its longest frame so far.
+EGLint record_bytes(const Band& band, bool peak);
 
 /// What was recorded is shown, or, where it is not whole, forgotten.
 bool present_record(Display& display, Surface& surface);

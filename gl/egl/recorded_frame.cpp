@@ -119,8 +119,11 @@ bool make_record(EGLint bytes, Band& band) {
     return true;
 }
 
-EGLint record_bytes(const Band& band) {
-    return band.record == nullptr ? 0 : static_cast<EGLint>(band.record->record.size());
+EGLint record_bytes(const Band& band, bool peak) {
+    if (band.record == nullptr)
+        return 0;
+    const raster::Record& record = band.record->record;
+    return static_cast<EGLint>(peak ? record.peak() : record.size());
 }
 
 void free_record(Band& band) {
@@ -189,7 +192,7 @@ void detach_record(Surface& surface) {
 bool make_record(EGLint, Band&) {
     return true;
 }
-EGLint record_bytes(const Band&) {
+EGLint record_bytes(const Band&, bool) {
     return 0;
 }
 void free_record(Band&) {}

@@ -375,7 +375,8 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         *value = s->accum != nullptr ? accum_bits : 0;
         break;
     case EGL_BAND_RECORD_SPANGLE:
-        *value = record_bytes(s->band);
+    case EGL_BAND_RECORD_PEAK_SPANGLE:
+        *value = record_bytes(s->band, attribute == EGL_BAND_RECORD_PEAK_SPANGLE);
         break;
     case EGL_BAND_HEIGHT_SPANGLE:
         *value = s->band.height;

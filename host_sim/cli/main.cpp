@@ -287,6 +287,20 @@ int spangle_main(int argc, char** argv) {
     run->add_flag("--row-hash", options.present.row_hash,
                   "cells of 16x1 pixels that were drawn again as they were are not sent")
         ->excludes("--size");
+    std::string bands = "redraw";
+    run->add_option("--band-height", options.bands.height,
+                    "rows that memory holds: frames are drawn band by band; 0: whole")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str()
+        ->excludes("--size");
+    run->add_option("--bands", bands, "bands are drawn from a record, or the scene is drawn again for each")
+        ->check(CLI::IsMember({"record", "redraw"}))
+        ->capture_default_str()
+        ->needs("--band-height");
+    run->add_option("--record-bytes", options.bands.record_bytes, "memory for the record")
+        ->check(CLI::Range(1, 1 << 25))
+        ->capture_default_str()
+        ->needs("--bands");
     run->add_option("--shot", options.shot, "write the last frame as PNG");
     run->add_flag("--compare", options.compare,
                   "draw with the double reference too: error figures and a difference picture");
@@ -338,6 +352,7 @@ int spangle_main(int argc, char** argv) {
     if (app.got_subcommand(wizard))
         return cli::wizard(bringup);
     options.precision = precision_of(precision);
+    options.bands.record = bands == "record";
     return run_command(options, size, dither);
 }
 

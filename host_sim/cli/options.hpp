@@ -28,6 +28,13 @@ struct PresentOptions {
     }
 };
 
+/// How a board that holds no whole frame draws.
+struct BandOptions {
+    int height = 0;      ///< rows; 0: whole frames
+    bool record = false; ///< drawn once, from a record; else by callback
+    int record_bytes = 1 << 20;
+};
+
 struct RunOptions {
     std::string scene; ///< id of a scene; empty when a model is drawn
     std::string model; ///< file of a model; empty when a scene is drawn
@@ -37,6 +44,7 @@ struct RunOptions {
     Precision precision = Precision::exact;
     bool dither = true;
     PresentOptions present;
+    BandOptions bands;
     std::string shot;     ///< PNG file of the last frame
     std::string vcd;      ///< trace of the wires
     std::string log;      ///< text log of the bus

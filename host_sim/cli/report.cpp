@@ -41,6 +41,9 @@ std::string to_json(const Report& r) {
                          {"surface", r.memory->surface},
                          {"peak", r.memory->peak},
                          {"process", r.memory->process}};
+    if (r.bands)
+        out["bands"] = {
+            {"buffers", r.bands->buffers}, {"planes", r.bands->planes}, {"record", r.bands->record}};
     for (const StageError& s : r.stages)
         out["stages"].push_back({{"stage", s.stage},
                                  {"unit", s.unit},
@@ -85,6 +88,9 @@ std::string to_table(const Report& r) {
             "  memory      {:>10} bytes of context, {} of surface, {} at most in all{}; process {:.1f} MB\n",
             r.memory->context, r.memory->surface, r.memory->peak, r.compared ? " (the reference's, too)" : "",
             static_cast<double>(r.memory->process) * 1e-6);
+    if (r.bands)
+        out += fmt::format("  bands       {:>10} bytes of display buffers, {} of depth, {} of record\n",
+                           r.bands->buffers, r.bands->planes, r.bands->record);
     if (!r.stages.empty())
         out += fmt::format("  {:<13} {:>10} {:>11} {:>11}  {:<12} {:>10}   {}\n", "integers", "values",
                            "max error", "rms error", "unit", "saturated", "range");

@@ -29,6 +29,13 @@ struct Memory {
     std::size_t process; ///< of the program with its simulator; 0 where it is not known
 };
 
+/// Bytes that a window in bands takes.
+struct BandMemory {
+    std::size_t buffers; ///< of the display: pixels as they lie, and as they travel
+    std::size_t planes;  ///< depth, without the record
+    std::size_t record;  ///< of the longest frame
+};
+
 struct Report {
     std::string scene, board, precision;
     int frames = 0;
@@ -49,6 +56,7 @@ struct Report {
     std::optional<hal::PresentCounters> presents; ///< when the command line said how to present
     std::string picture_hash;                     ///< of the last frame
     std::optional<Memory> memory;                 ///< with --stats
+    std::optional<BandMemory> bands;              ///< with --band-height
     std::vector<StageError> stages; ///< of a run in shadow precision, in the order of the pipeline
 };
 

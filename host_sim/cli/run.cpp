@@ -198,13 +198,14 @@ RunResult run(const RunOptions& options) {
     if (options.precision == Precision::reference || is_shadow(options.precision))
         egl::use_reference_engines();
     hal::Board built = on_board ? *description : hal::Board{};
+    built.display.band = options.bands.height;
     if (on_board)
         result.error = present_as(options.present, built);
     if (!result.error.empty())
         return result;
     std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(built) : nullptr;
     Session session;
-    result.error = on_board ? session.open_board(*board, options.precision)
+    result.error = on_board ? session.open_board(*board, options.precision, options.bands)
                             : session.open_picture(options.width, options.height, options.precision);
     if (!result.error.empty())
         return result;
@@ -238,19 +239,24 @@ RunResult run(const RunOptions& options) {
     std::string last_hash;
     for (int f = 0; f < options.frames && !window.closed(); ++f) {
         counters.triangles = counters.fragments = 0;
-        program.draw(f);
-        const FrameCoverage covered = coverage.end_frame();
-        report.triangles += counters.triangles;
-        report.fragments += counters.fragments;
-        const bool last = f + 1 == options.frames;
-        if (last || options.compare)
-            result.picture = session.read();
-        if (on_board)
-            board->pass(static_cast<sim::Time>(options.present.draw_ms) * 1'000'000);
-        if (on_board && !session.swap()) {
+        const bool read = f + 1 == options.frames || options.compare;
+        int calls = 0;
+        const auto draw = [&] {
+            program.draw(f);
+            if (read)
+                session.read(result.picture);
+            if (on_board && calls++ == 0)
+                board->pass(static_cast<sim::Time>(options.present.draw_ms) * 1'000'000);
+        };
+        if (!on_board)
+            draw();
+        else if (!session.frame(draw)) {
             result.error = session.error();
             return result;
         }
+        const FrameCoverage covered = coverage.end_frame();
+        report.triangles += counters.triangles;
+        report.fragments += counters.fragments;
         if (options.compare) {
             comparison.frame(program, f, result.picture, covered);
             session.make_current();
@@ -290,6 +296,12 @@ RunResult run(const RunOptions& options) {
     shadow.finish(report);
     if (options.stats)
         report.memory = {session.context_bytes(), session.surface_bytes(), memory_use().peak, process_peak()};
+    if (options.bands.height != 0) {
+        const std::size_t record =
+            options.bands.record ? static_cast<std::size_t>(options.bands.record_bytes) : 0;
+        report.bands =
+            BandMemory{hal::bus_memory(built), session.surface_bytes() - record, session.record_peak()};
+    }
     if (options.compare) {
         comparison.finish(report, coverage);
         result.difference = comparison.picture();

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <spangle/GL/gl.h>
+#include <spangle/frame.hpp>
 #include <spangle/message.hpp>
 #include <spangle/native.hpp>
 
@@ -62,11 +63,11 @@ EGLConfig Session::choose(Precision precision, bool window) const {
     return count > 0 ? config : nullptr;
 }
 
-std::string Session::open(EGLConfig config, const EGLint* picture) {
+std::string Session::open(EGLConfig config, const EGLint* window, const EGLint* picture) {
     if (config == nullptr)
         return "this build has no such precision";
     const std::size_t before = memory_use().used;
-    surface_ = picture == nullptr ? eglCreateWindowSurface(display_, config, 0, nullptr)
+    surface_ = picture == nullptr ? eglCreateWindowSurface(display_, config, 0, window)
                                   : eglCreatePbufferSurface(display_, config, picture);
     if (surface_ == EGL_NO_SURFACE)
         return egl_problem(picture == nullptr ? "eglCreateWindowSurface" : "eglCreatePbufferSurface");
@@ -82,12 +83,14 @@ std::string Session::open(EGLConfig config, const EGLint* picture) {
     return "";
 }
 
-std::string Session::open_board(sim::SimBoard& board, Precision precision) {
+std::string Session::open_board(sim::SimBoard& board, Precision precision, const BandOptions& bands) {
     on_message([](unsigned, const char* text) { last_message() = text; });
     display_ = eglGetDisplay(native(board.display()));
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
-    return open(choose(precision, true), nullptr);
+    const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, bands.height, EGL_BAND_RECORD_SPANGLE,
+                             bands.record ? bands.record_bytes : 0, EGL_NONE};
+    return open(choose(precision, true), bands.height != 0 ? window : nullptr, nullptr);
 }
 
 std::string Session::open_picture(int width, int height, Precision precision) {
@@ -96,28 +99,39 @@ std::string Session::open_picture(int width, int height, Precision precision) {
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-    return open(choose(precision, false), size);
+    return open(choose(precision, false), nullptr, size);
 }
 
 bool Session::make_current() const {
     return eglMakeCurrent(display_, surface_, surface_, context_) != EGL_FALSE;
 }
 
-bool Session::swap() {
-    if (eglSwapBuffers(display_, surface_) != EGL_FALSE)
+bool Session::frame(const std::function<void()>& draw) {
+    if (spangle::frame(display_, draw))
         return true;
-    error_ = egl_problem("eglSwapBuffers");
+    error_ = egl_problem("spangle::frame");
     return false;
+}
+
+void Session::read(sim::Image& image) const {
+    if (image.width != width_ || image.height != height_)
+        image = sim::Image(width_, height_);
+    const std::size_t row = static_cast<std::size_t>(width_) * 4;
+    for (int y = 0; y < height_; ++y)
+        glReadPixels(0, height_ - 1 - y, width_, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                     image.rgba.data() + row * static_cast<std::size_t>(y));
 }
 
 sim::Image Session::read() const {
     sim::Image image(width_, height_);
-    std::vector<std::uint8_t> rows(image.rgba.size());
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
-    const std::size_t row = static_cast<std::size_t>(width_) * 4;
-    for (int y = 0; y < height_; ++y)
-        std::copy_n(&rows[static_cast<std::size_t>(height_ - 1 - y) * row], row, image.at(0, y));
+    read(image);
     return image;
+}
+
+std::size_t Session::record_peak() const {
+    EGLint bytes = 0;
+    eglQuerySurface(display_, surface_, EGL_BAND_RECORD_PEAK_SPANGLE, &bytes);
+    return static_cast<std::size_t>(bytes);
 }
 
 void Session::observe(raster::Counters* counters) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include <spangle/EGL/egl.h>
@@ -21,12 +22,12 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     /// Empty, or why it could not be opened.
-    std::string open_board(sim::SimBoard& board, Precision precision);
+    std::string open_board(sim::SimBoard& board, Precision precision, const BandOptions& bands = {});
     std::string open_picture(int width, int height, Precision precision);
 
     bool make_current() const;
-    /// Presents; false with `error()` when the transfer failed.
-    bool swap();
+    /// Draws a frame and presents it, in bands by a call for each; false with `error()` when that failed.
+    bool frame(const std::function<void()>& draw);
     const std::string& error() const { return error_; }
     int width() const { return width_; }
     int height() const { return height_; }
@@ -34,8 +35,11 @@ class Session {
     std::size_t surface_bytes() const { return surface_bytes_; }
     std::size_t context_bytes() const { return context_bytes_; }
 
-    /// What is in the drawing buffer now.
+    /// What is in the drawing buffer now; rows of other bands stay as they are in `image`.
+    void read(sim::Image& image) const;
     sim::Image read() const;
+    /// Bytes that the longest frame took of the record.
+    std::size_t record_peak() const;
     /// Counts what is drawn from here on.
     void observe(raster::Counters* counters);
 
@@ -47,7 +51,7 @@ class Session {
     std::size_t surface_bytes_ = 0, context_bytes_ = 0;
     std::string error_;
 
-    std::string open(EGLConfig config, const EGLint* picture);
+    std::string open(EGLConfig config, const EGLint* window, const EGLint* picture);
     EGLConfig choose(Precision precision, bool window) const;
 };
 

@@ -122,6 +122,23 @@ def presents():
         check(advice in run("run", "S5", *words).stderr, f"{words}: {run('run', 'S5', *words).stderr!r} says {advice!r}")
 
 
+def bands():
+    """A board that holds some rows draws the same, from a record or by callback, also where the record is too small."""
+    whole = report("S5", "--frames", "3")
+    check("bands" not in whole, "only when it is asked for")
+    for words, record in ((["--band-height", "8"], 0), (["--band-height", "8", "--bands", "record"], 1000), (["--band-height", "60", "--bands", "record", "--record-bytes", "5000"], 0)):
+        r = report("S5", "--frames", "3", *words)
+        check(r["picture_hash"] == whole["picture_hash"] and r["bus_bytes"] > 0, f"{words}: another picture")
+        rows = int(words[1])
+        check(r["bands"]["planes"] >= rows * 320 * 2 and r["bands"]["planes"] < rows * 320 * 2 + 1000, f"{words}: {r['bands']}")
+        check(r["bands"]["buffers"] == rows * 320 * 2, f"{words}: {r['bands']}")
+        check(r["bands"]["record"] > record, f"{words}: {r['bands']}") if record else None
+    check("bytes of record" in run("run", "S5", "--band-height", "8", "--bands", "record").stdout, "bands in the table")
+    for words, advice in ((["--size", "9x9", "--band-height", "8"], "--size excludes --band-height"), (["--bands", "record"], "--bands requires --band-height"),
+                          (["--board", "ssd1306-i2c", "--band-height", "3"], "multiple of 8"), (["--band-height", "8", "--row-hash"], "no row hash")):
+        check(advice in run("run", "S5", *words).stderr, f"{words}: {run('run', 'S5', *words).stderr!r} says {advice!r}")
+
+
 def errors():
     """One line that says what to do, exit status 2, nothing written."""
     with tempfile.TemporaryDirectory() as folder:
@@ -274,7 +291,7 @@ def bringup():
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "window", "bringup"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "bands", "window", "bringup"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()
