@@ -43,9 +43,9 @@ struct LevelShape {
 /// program's constant memory.
 struct LevelImage {
     LevelShape shape;
-    std::uint32_t stride = 0;              ///< bytes from row to row; 0 for formats without rows
-    std::uint32_t bytes = 0;               ///< of the texels
-    const std::uint8_t* texels = nullptr;  ///< the border's first, or the first block of a compressed image
+    std::uint32_t stride = 0;             ///< bytes from row to row; 0 for formats without rows
+    std::uint32_t bytes = 0;              ///< of the texels
+    const std::uint8_t* texels = nullptr; ///< the border's first, or the first block of a compressed image
     union {
         const std::uint8_t* palette = nullptr; ///< of formats that have one
         LevelImage* next_kept;                 ///< of images that no texture has any more (ShareGroup)
