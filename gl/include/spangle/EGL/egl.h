@@ -170,9 +170,9 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 /* Of such a window on a display that holds no whole frame: bytes of memory for the record of a frame, which
  * eglSwapBuffers draws band by band; 0: there is none. Configs with samples have none. A frame that does not fit is GL_OUT_OF_MEMORY and is
  * not shown; spangle::frame draws it by callback instead. */
-#define EGL_BAND_RECORD_SPANGLE 0x3F0A
+#define EGL_BAND_RECORD_SPANGLE 0x3F0C
 /* Of eglQuerySurface: bytes that the longest frame so far took of it. */
-#define EGL_BAND_RECORD_PEAK_SPANGLE 0x3F0B
+#define EGL_BAND_RECORD_PEAK_SPANGLE 0x3F0D
 
 /* EGL_SPANGLE_color_index: configs whose EGL_COLOR_BUFFER_TYPE is INDEX_BUFFER hold indices of INDEX_SIZE
  * bits and no colours; contexts made with them are in GL's color index mode (INDEX_MODE is TRUE). A wish must
