@@ -153,7 +153,7 @@ TEST_F(SecondaryColor, Arrays) {
     glEnableClientState(GL_SECONDARY_COLOR_ARRAY);
     EXPECT_TRUE(glIsEnabled(GL_SECONDARY_COLOR_ARRAY));
     glVertexPointer(2, GL_FLOAT, 0, corners);
-    const auto drawn = [this] {
+    const auto drawn = [] {
         glClear(GL_COLOR_BUFFER_BIT);
         glDrawArrays(GL_QUADS, 0, 4);
         const auto by_arrays = middle();

@@ -42,7 +42,8 @@ def compiled(compiler, folder, board, program):
 
 
 def main():
-    glass, setup, mapped, board, use = re.findall(r"```cpp\n(.*?)```", (ROOT / "docs/new-board.md").read_text(), re.S)
+    page = (ROOT / "docs/new-board.md").read_text().split("## 4. Firmware")[0]  # which tests/boards follows
+    glass, setup, mapped, board, use = re.findall(r"```cpp\n(.*?)```", page, re.S)
     use = "\n".join(line for line in use.splitlines() if not line.startswith("#include"))
     program = PROGRAM.format(glass=glass, setup=setup, mapped=mapped, use=use)
     failed = 0
