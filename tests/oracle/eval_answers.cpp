@@ -38,7 +38,7 @@ Answers evaluators() {
         const auto points = sheet(k);
         glMap1f(map1[t], 0.25f, 2, 4 * k, 4, points.data());
         glMap2f(map1[t] + to_map2, -1, 1, 4 * k, 4, 0.5f, 2.5f, k, 4, points.data());
-        for (const GLenum target : {map1[t], map1[t] + to_map2})
+        for (const GLenum target : std::initializer_list<GLenum>{map1[t], map1[t] + to_map2})
             for (const GLenum query : std::initializer_list<GLenum>{GL_COEFF, GL_ORDER, GL_DOMAIN}) {
                 GLdouble v[64] = {};
                 GLint n[64] = {};

@@ -25,8 +25,9 @@ void stores(Asker& ask) {
 }
 
 void transfers(Asker& ask) {
-    for (const GLenum name : {GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET, GL_RED_SCALE,
-                              GL_BLUE_BIAS, GL_DEPTH_SCALE, GL_DEPTH_BIAS, GL_RGB}) {
+    for (const GLenum name :
+         std::initializer_list<GLenum>{GL_MAP_COLOR, GL_MAP_STENCIL, GL_INDEX_SHIFT, GL_INDEX_OFFSET,
+                                       GL_RED_SCALE, GL_BLUE_BIAS, GL_DEPTH_SCALE, GL_DEPTH_BIAS, GL_RGB}) {
         glPixelTransferf(name, -2); // Mesa cuts integers off
         ask.error("transfer " + std::to_string(name));
         if (name != GL_RGB)
