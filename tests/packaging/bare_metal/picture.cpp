@@ -11,16 +11,19 @@ constexpr int width = 64, height = 48;
 alignas(8) unsigned char memory[96 * 1024];
 
 bool open() {
-    static const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 16, EGL_NONE};
+    static const EGLint wish[] = {
+        EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_DEPTH_SIZE, 16, EGL_NONE};
     static const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     spangle::memory(memory, sizeof memory);
     const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count) || count == 0)
+    if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count) ||
+        count == 0)
         return false;
     const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    return eglMakeCurrent(display, surface, surface, eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr)) == EGL_TRUE;
+    return eglMakeCurrent(display, surface, surface,
+                          eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr)) == EGL_TRUE;
 }
 
 void draw() {

@@ -1,4 +1,5 @@
-// From reset to the picture's hash, said by semihosting; and the functions that compilers call without being asked.
+// From reset to the picture's hash, said by semihosting; and the functions that compilers call without being
+// asked.
 #include <cstddef>
 
 #include <spangle/mcu/semihosting.hpp>

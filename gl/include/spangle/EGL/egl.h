@@ -168,8 +168,8 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
  * band, by spangle::frame (spangle/frame.hpp). A wish is rounded up to where bytes end. */
 #define EGL_BAND_HEIGHT_SPANGLE 0x3F09
 /* Of such a window on a display that holds no whole frame: bytes of memory for the record of a frame, which
- * eglSwapBuffers draws band by band; 0: there is none. Configs with samples have none. A frame that does not fit is GL_OUT_OF_MEMORY and is
- * not shown; spangle::frame draws it by callback instead. */
+ * eglSwapBuffers draws band by band; 0: there is none. Configs with samples have none. A frame that does not
+ * fit is GL_OUT_OF_MEMORY and is not shown; spangle::frame draws it by callback instead. */
 #define EGL_BAND_RECORD_SPANGLE 0x3F0C
 /* Of eglQuerySurface: bytes that the longest frame so far took of it. */
 #define EGL_BAND_RECORD_PEAK_SPANGLE 0x3F0D
