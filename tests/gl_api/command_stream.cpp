@@ -19,8 +19,9 @@ namespace spangle::test {
 namespace {
 
 constexpr std::int32_t width = 64, height = 48;
-constexpr std::int64_t most_items = 64;          ///< of an array or a side of an image
-constexpr std::size_t client_bytes = 256 * 1024; ///< holds the largest image: (64 + 8)^2 groups of 16 bytes
+constexpr std::int64_t most_items = 64; ///< of an array or a side of an image
+/// Holds the largest image: (64 + 8)^3 groups of 16 bytes, its rows aligned.
+constexpr std::size_t client_bytes = std::size_t{72} * 72 * (72 * 16 + 8) + 64;
 
 /// What parameters are set to that take one token of several.
 constexpr GLenum settings[] = {GL_NEAREST,
@@ -80,14 +81,29 @@ class Bytes {
     const std::uint8_t *at, *end;
 };
 
+/// What images, arrays and parameters are read from: the same for all streams.
+const std::vector<std::uint8_t>& numbers() {
+    static const auto all = [] {
+        std::vector<std::uint8_t> bytes(client_bytes);
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = static_cast<std::uint8_t>(i * i * 17 + i * 3);
+        return bytes;
+    }();
+    return all;
+}
+
+/// What answers are written to.
+std::uint8_t* result() {
+    static std::vector<std::uint8_t> bytes(client_bytes);
+    return bytes.data();
+}
+
 class Run {
   public:
     Run(const std::uint8_t* data, std::size_t bytes) : in(data, bytes) {
         for (std::size_t i = 0; i < client.size(); ++i) // indices of every type stay below 128
             client[i] = i % 4 == 0 ? static_cast<std::uint8_t>(i * 37 / 4 % 128) : std::uint8_t{0};
         std::fill(std::begin(elements), std::end(elements), client.data());
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            numbers[i] = static_cast<std::uint8_t>(i * i * 17 + i * 3);
         arena.give(memory.get(), memory_bytes);
         context = gl::create_context(
             arena, {.tier = raster::Tier(in.byte() % 3), .engine = &gl::fixed_engine}, nullptr);
@@ -109,7 +125,7 @@ class Run {
         s.depth_format = deep ? DepthFormat::z24s8 : DepthFormat::z16;
         s.accum = accum.get();
         surface_ = s;
-        if ((how_ & 4) != 0) { // what is left must stay less than client memory holds
+        if ((how_ & 4) != 0) {
             other_memory.resize((gl::fixed_engine.pipeline_bytes * 9 / 8 + 64) / 8); // sizes come in eighths
             arena.give(other_memory.data(), 8 * other_memory.size());
             other = gl::create_context(arena, {.tier = raster::Tier::balanced, .engine = &gl::fixed_engine},
@@ -185,9 +201,9 @@ class Run {
                                     family.starts_with("MultiDraw") ||
                                     family.starts_with("Buffer") // may hold indices, too
                                 ? client.data()
-                                : arg.kind == Kind::out
-                                      ? result.data()
-                                      : numbers.data() + how % 8 * 8; // aligned for every type
+                                : arg.kind == Kind::out ? result()
+                                                        : const_cast<std::uint8_t*>(numbers().data()) +
+                                                              how % 8 * 8; // aligned for every type
             break;
         case Kind::enum_:
             if (!arg.accepted.empty() && how % 8 != 0)
@@ -276,9 +292,7 @@ class Run {
     std::vector<std::uint8_t> color;
     std::unique_ptr<std::uint32_t[]> depth;
     std::unique_ptr<std::int16_t[]> accum{new std::int16_t[4 * width * height]()};
-    std::vector<std::uint8_t> client = std::vector<std::uint8_t>(4096),
-                              numbers = std::vector<std::uint8_t>(client_bytes),
-                              result = std::vector<std::uint8_t>(client_bytes);
+    std::vector<std::uint8_t> client = std::vector<std::uint8_t>(4096);
 };
 
 } // namespace
