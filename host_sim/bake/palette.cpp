@@ -18,6 +18,7 @@ std::vector<Weighted> histogram(const std::vector<std::uint8_t>& rgba) {
     for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
         ++count[{rgba[i], rgba[i + 1], rgba[i + 2], rgba[i + 3]}];
     std::vector<Weighted> colors;
+    colors.reserve(count.size());
     for (const auto& [color, pixels] : count)
         colors.push_back({color, pixels});
     return colors;
@@ -145,6 +146,7 @@ std::vector<Rgba> choose_palette(const std::vector<std::uint8_t>& rgba, std::siz
                                  const std::uint8_t (&bits)[4]) {
     std::vector<Weighted> colors = histogram(rgba);
     std::vector<Rgba> exact;
+    exact.reserve(colors.size());
     for (const Weighted& w : colors)
         exact.push_back(w.color);
     round_all(exact, bits);

@@ -1,6 +1,7 @@
 #include "host_sim/bake/vertex_cache.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace spangle::bake {
 
@@ -129,7 +130,9 @@ class StripBuilder {
     struct Edge {
         std::uint32_t from, to;
         std::size_t triangle;
-        auto operator<=>(const Edge&) const = default;
+        bool operator<(const Edge& other) const {
+            return std::tie(from, to, triangle) < std::tie(other.from, other.to, other.triangle);
+        }
     };
 
     std::uint32_t corner(std::size_t t, std::size_t c) const { return triangles_[3 * t + c % 3]; }

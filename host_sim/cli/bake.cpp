@@ -84,7 +84,7 @@ std::string read_input(const BakeOptions& o, Baked& out) {
 }
 
 std::string bake_all(const BakeOptions& o, Baked& out) {
-    if (const std::string problem = read_input(o, out); !problem.empty())
+    if (std::string problem = read_input(o, out); !problem.empty())
         return problem;
     bake::TextureOptions texture;
     texture.format = bake::find_format(o.texture_format);
@@ -205,11 +205,11 @@ std::string bake(const BakeOptions& options) {
     if (o.name.empty())
         return fmt::format("'{}' gives no name for a namespace; use --name", options.output);
     Baked baked;
-    if (const std::string problem = bake_all(o, baked); !problem.empty())
+    if (std::string problem = bake_all(o, baked); !problem.empty())
         return problem;
     const std::string text = bake::write_header(
         {o.name, command_of(o), baked.is_model ? &baked.mesh : nullptr, &baked.textures, &baked.translucent});
-    if (const std::string problem = write(o.output, text); !problem.empty())
+    if (std::string problem = write(o.output, text); !problem.empty())
         return problem;
     for (const std::string& note : baked.model.notes)
         fmt::print(stderr, "{}\n", note);

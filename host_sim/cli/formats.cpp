@@ -83,7 +83,7 @@ void draw_torus() {
     const GLfloat light[4] = {0.4f, 0.7f, 1, 0}, white[4] = {1, 1, 1, 1}, dark[4] = {0, 0, 0, 1};
     const GLfloat ambient[4] = {shade.c[0], shade.c[1], shade.c[2], 1},
                   diffuse[4] = {lit.c[0], lit.c[1], lit.c[2], 1};
-    const GLfloat indexes[3] = {body, (body + hues) / 2, hues - 1};
+    const GLfloat indexes[3] = {body, 0.5f * (body + hues), hues - 1};
     glLightfv(GL_LIGHT0, GL_POSITION, light);
     glLightfv(GL_LIGHT0, GL_SPECULAR, white);
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, white);

@@ -76,7 +76,8 @@ void Record::add(const DrawState& live, const Primitive& p) {
     item.end = static_cast<std::int16_t>(end);
     item.line_stippled = p.stipple != nullptr;
     item.polygon_stippled = live.primitive != nullptr && live.primitive->stippled;
-    item.has_offset = live.fragment.depth_offset && live.primitive->depth_offset != 0;
+    const bool offsets = live.primitive != nullptr && live.fragment.depth_offset;
+    item.has_offset = offsets && live.primitive->depth_offset != 0;
     const std::size_t most = sizeof(Block) + (item.words() + (p.corners + 1u) * words) * 4 + 8;
     if (!room(most))
         return;
