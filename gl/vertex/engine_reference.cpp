@@ -1,13 +1,18 @@
 // The reference engines: the same pipeline over double, and over integers with a double twin beside them.
 #include <new>
 
-#include "gl/vertex/double_lighting.hpp"
+#include "gl/context/features.hpp"
 #include "gl/vertex/double_math.hpp"
 #include "gl/vertex/engine.hpp"
 #include "gl/vertex/pipeline.hpp"
 #include "gl/vertex/reference.hpp"
-#include "gl/vertex/shadow_lighting.hpp"
 #include "gl/vertex/shadow_math.hpp"
+#if SPANGLE_FEATURE_LIGHTING
+#include "gl/vertex/double_lighting.hpp"
+#include "gl/vertex/shadow_lighting.hpp"
+#else
+#include "gl/vertex/no_lighting.hpp"
+#endif
 
 namespace spangle::gl {
 
@@ -47,7 +52,12 @@ template <class M, class L> constexpr Engine engine_of() {
 
 } // namespace
 
+#if SPANGLE_FEATURE_LIGHTING
 const Engine double_engine = engine_of<DoubleMath, DoubleLighting>();
 const Engine shadow_engine = engine_of<ShadowMath, ShadowLighting>();
+#else
+const Engine double_engine = engine_of<DoubleMath, NoLighting<DoubleMath>>();
+const Engine shadow_engine = engine_of<ShadowMath, NoLighting<ShadowMath>>();
+#endif
 
 } // namespace spangle::gl

@@ -99,6 +99,7 @@ template <class M, class L> class Pipeline {
         back_known = 1 << 20; ///< the colour of its back was settled when its front's was
 
     /// Nobody asks for normals where neither lights nor generated coordinates are.
+    static constexpr bool has_normals = SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN;
     struct Given {
         Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one};
 #if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN

@@ -77,8 +77,7 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
     layout_ = layout;
     given_.position[2] = numeric::zero; // what the array leaves out
     given_.position[3] = numeric::one;
-    for (int c = 0; c < 3; ++c)
-        given_.normal[c] = current.normal[c];
+    set_normal(given_, current.normal);
     for (int c = 0; c < 4; ++c)
         given_color_[c] = current.color[c];
 }
@@ -113,8 +112,9 @@ inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementRea
                                                                 std::uint32_t index) {
     Vertex& v = cached(index);
     reader.vertex.read(index, given_.position);
-    if (reader.normal.on())
-        reader.normal.read(index, given_.normal);
+    if constexpr (has_normals)
+        if (reader.normal.on())
+            reader.normal.read(index, given_.normal);
     if (v.time == now_ && same<4>(v.position, given_.position) && same<3>(v.normal, given_.normal))
         return v;
     Vertex& fresh = place_of(v);
@@ -150,11 +150,12 @@ Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, 
     fresh.time = now_;
     reader.vertex.read3(index, fresh.position);
     fresh.position[3] = numeric::one;
-    if (normals)
-        reader.normal.read3(index, fresh.normal);
-    else if (lit_)
-        for (int c = 0; c < 3; ++c)
-            fresh.normal[c] = given_.normal[c];
+    if constexpr (has_normals) {
+        if (normals)
+            reader.normal.read3(index, fresh.normal);
+        else if (lit_)
+            set_normal(fresh, given_.normal);
+    }
     finish(fresh);
     if (!lit_ && !(of_now && &fresh == &v))
         M::copy_color(unlit_, fresh.window);

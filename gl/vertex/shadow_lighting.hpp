@@ -1,24 +1,15 @@
 // Both lightings at once. Hosts only.
 #pragma once
 
-#include "gl/context/features.hpp"
 #include "gl/vertex/double_lighting.hpp"
-#include "gl/vertex/shadow_math.hpp"
-#if SPANGLE_FEATURE_LIGHTING
 #include "gl/vertex/fixed_lighting.hpp"
-#else
-#include "gl/vertex/no_lighting.hpp"
-#endif
+#include "gl/vertex/shadow_math.hpp"
 
 namespace spangle::gl {
 
 class ShadowLighting {
   public:
-#if SPANGLE_FEATURE_LIGHTING
     using Product = FixedLighting;
-#else
-    using Product = NoLighting<FixedMath>;
-#endif
     using Input = Both<Product::Input, DoubleLighting::Input>;
 
     void derive(const Context& context) {
@@ -30,15 +21,9 @@ class ShadowLighting {
         twin_.materials_changed();
     }
     /// The twin looks at the position also where the integers need not.
-    bool needs_eye() const {
-        return fixed_.needs_eye() || twin_.needs_eye();
-    }
-    bool two_sided() const {
-        return fixed_.two_sided();
-    }
-    bool tracks_color() const {
-        return fixed_.tracks_color();
-    }
+    bool needs_eye() const { return fixed_.needs_eye() || twin_.needs_eye(); }
+    bool two_sided() const { return fixed_.two_sided(); }
+    bool tracks_color() const { return fixed_.tracks_color(); }
 
     static Input input(const Real (&normal)[3]) {
         return {Product::input(normal), DoubleLighting::input(normal)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "raster/span/draw_state.hpp"
 
@@ -81,7 +82,8 @@ class VertexCode {
         to += sizeof(T) / 4;
     }
     template <class T> static void get(const std::uint32_t*& from, T& value) {
-        __builtin_memcpy(&value, from, sizeof(T));
+        if constexpr (!std::is_const_v<T>) // else no state of this build looks at it
+            __builtin_memcpy(&value, from, sizeof(T));
         from += sizeof(T) / 4;
     }
 
