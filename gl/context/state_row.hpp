@@ -75,9 +75,11 @@ constexpr StateRow in(Group group) {
 
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.
 constexpr StateRow of_feature(bool present, [[maybe_unused]] const char* text, StateRow row) {
-    row.left_out = !present;
+    if (present)
+        return row; // which may be of another one, too
+    row.left_out = true;
 #if SPANGLE_MESSAGES
-    row.missing = present ? nullptr : text;
+    row.missing = text;
 #endif
     return row;
 }

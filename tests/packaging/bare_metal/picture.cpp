@@ -8,7 +8,8 @@
 namespace {
 
 constexpr int width = 64, height = 48;
-alignas(8) unsigned char memory[96 * 1024];
+/// A PC's context keeps the vertices of whole meshes.
+alignas(8) unsigned char memory[sizeof(void*) > 4 ? 2 * 1024 * 1024 : 96 * 1024];
 
 bool open() {
     static const EGLint wish[] = {
