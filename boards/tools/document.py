@@ -20,6 +20,8 @@ def keep_pictures(boards, drawn):
         old.unlink()
     known, groups = {}, {}
     for board in boards:
+        if not board.trace and not board.screen:
+            continue  # nobody sees its display: hashes alone
         files = []
         for scene in board.scenes:
             source = drawn / f"{board.name}-{scene}.png"
