@@ -38,17 +38,22 @@ def arduino():
     return "".join(f"{key}={value}\n" for key, value in fields.items())
 
 
-def esp_idf():
-    return f"""# {WRITTEN}
-# The library is a CMake project of its own; the component hands it on.
-idf_component_register(REQUIRES esp_lcd)
-set(SPANGLE_HOST OFF)
+def as_subdirectory():
+    """The library as part of another CMake project."""
+    return f"""set(SPANGLE_HOST OFF)
 set(SPANGLE_TESTS OFF)
 set(SPANGLE_LINUX OFF)
 add_subdirectory(${{CMAKE_CURRENT_LIST_DIR}}/../../.. ${{CMAKE_CURRENT_BINARY_DIR}}/spangle)
 foreach(part spangle_raster spangle_hal spangle_gl)
     target_compile_definitions(${{part}} PUBLIC {' '.join(ABOUT["definitions"])})
-endforeach()
+endforeach()"""
+
+
+def esp_idf():
+    return f"""# {WRITTEN}
+# The library is a CMake project of its own; the component hands it on.
+idf_component_register(REQUIRES esp_lcd)
+{as_subdirectory()}
 target_link_libraries(${{COMPONENT_LIB}} INTERFACE Spangle::gl Spangle::hal)
 target_include_directories(${{COMPONENT_LIB}} INTERFACE ${{CMAKE_CURRENT_LIST_DIR}}/../../include)
 """
@@ -111,13 +116,7 @@ config SPANGLE
 def pico_sdk():
     return f"""# {WRITTEN}
 # In a project of the Pico SDK, behind pico_sdk_init(): include(boards/packages/pico-sdk/spangle.cmake), then link Spangle::gl.
-set(SPANGLE_HOST OFF)
-set(SPANGLE_TESTS OFF)
-set(SPANGLE_LINUX OFF)
-add_subdirectory(${{CMAKE_CURRENT_LIST_DIR}}/../../.. ${{CMAKE_CURRENT_BINARY_DIR}}/spangle)
-foreach(part spangle_raster spangle_hal spangle_gl)
-    target_compile_definitions(${{part}} PUBLIC {' '.join(ABOUT["definitions"])})
-endforeach()
+{as_subdirectory()}
 target_include_directories(spangle_hal PUBLIC ${{CMAKE_CURRENT_LIST_DIR}}/../../include)
 """
 

@@ -28,9 +28,15 @@ constexpr bool every_limit = max_lights >= 8 && max_clip_planes >= 6 && modelvie
                              max_list_nesting >= 64 && texture_units >= 2 && max_texture_size >= 64 &&
                              max_3d_texture_size >= 16;
 
-constexpr const char* version = every_system && every_limit ? "1.3 Spangle " SPANGLE_VERSION
-                                                            : "1.0 Spangle " SPANGLE_VERSION
-                                                              " (a subset of 1.3)";
+/// Whatever textures are made of, and whatever state they are drawn with, is there; so is a stencil.
+constexpr unsigned all_textures = (2u << static_cast<unsigned>(raster::TexelFormat::z24)) - 1,
+                   all_depths = (2u << static_cast<unsigned>(DepthFormat::z24s8)) - 1;
+constexpr bool every_format = (raster::texture_formats & all_textures) == all_textures &&
+                              (raster::depth_formats & all_depths) == all_depths && raster::has_chain;
+
+constexpr bool whole = every_system && every_limit && every_format;
+constexpr const char* version =
+    whole ? "1.3 Spangle " SPANGLE_VERSION : "1.0 Spangle " SPANGLE_VERSION " (a subset of 1.3)";
 
 /// Those that are nothing but tokens, with all that they say: this library has no commands with suffixes.
 constexpr const char* extensions =

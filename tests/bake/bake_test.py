@@ -12,17 +12,13 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from checks import check, failures  # noqa: E402
+
 MODELS = ROOT / "boards/scenes/models"
 SPANGLE, COMPILER, LIBRARIES = sys.argv[1], sys.argv[3], sys.argv[4:]
 INCLUDES = [f"-I{ROOT / room}" for room in ("gl/include", "hal/include", "raster/include", "raster/format/include")]
 DUCK = pathlib.Path("/usr/share/assimp/models/Collada/duck.dae")
-failures = []
-
-
-def check(condition, text):
-    if not condition:
-        failures.append(text)
-        print("FAILED: " + text)
 
 
 def run(*words, cwd=None):

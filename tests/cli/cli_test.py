@@ -14,21 +14,16 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "host_sim/tools"))
-import png
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "host_sim/tools"), str(ROOT / "tests")]
+import png  # noqa: E402
+from checks import check, failures  # noqa: E402
 
 SPANGLE = sys.argv[1] if len(sys.argv) == 3 else ""
 KEYS = ["scene", "board", "precision", "frames", "fragments", "triangles", "identical_565_percent", "max_lsb", "psnr_565_db",
         "coverage_mismatches", "coverage_unsnapped", "bus_bytes", "bus_commands", "full_frame_bytes", "fps_at_bus_clock", "picture_hash"]
 # What SDL's video drivers keep is not ours to report.
 WINDOWED = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
-failures = []
-
-
-def check(condition, text):
-    if not condition:
-        failures.append(text)
-        print("FAILED: " + text)
 
 
 def run(*words, cwd=None):
@@ -265,7 +260,6 @@ def window():
 
 def bringup():
     """probe, card, wizard and the gallery: a panel is found, seen, described."""
-    root = pathlib.Path(__file__).resolve().parents[2]
     probe = run("probe", "--board", "ili9341-spi")
     check(probe.returncode == 0 and "fits: ILI9341 240x320  (board ili9341-spi)" in probe.stdout, f"probe: {probe.stdout}{probe.stderr}")
     for words, says in ((["probe", "--board", "st7789-240"], "cannot read"), (["probe", "--board", "none"], "no board 'none'"),
@@ -283,10 +277,10 @@ def bringup():
         check(run("card", "--board", "st7789-240x280", "--shot", str(card)).returncode == 0, "card")
         check(shot.read_bytes() == card.read_bytes(), "the wizard's last card is the right one")
         header.write_text(done.stdout)
-        rooms = [f"-I{root / room / 'include'}" for room in ("hal", "raster/format", "boards")]
+        rooms = [f"-I{ROOT / room / 'include'}" for room in ("hal", "raster/format", "boards")]
         compiled = subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-x", "c++", *rooms, str(header)], capture_output=True, text=True)
         check(compiled.returncode == 0, f"the definition compiles: {compiled.stderr}")
-    gallery = subprocess.run([sys.executable, str(root / "host_sim/tools/gallery.py"), SPANGLE, "--check"], capture_output=True, text=True)
+    gallery = subprocess.run([sys.executable, str(ROOT / "host_sim/tools/gallery.py"), SPANGLE, "--check"], capture_output=True, text=True)
     check(gallery.returncode == 0, gallery.stdout)
 
 

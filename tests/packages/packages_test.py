@@ -12,16 +12,9 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGES = ROOT / "boards/packages"
-sys.path.insert(0, str(PACKAGES))
+sys.path[:0] = [str(PACKAGES), str(ROOT / "tests")]
 import generate  # noqa: E402
-
-failures = []
-
-
-def check(condition, text):
-    if not condition:
-        failures.append(text)
-        print("FAILED: " + text)
+from checks import check, failures  # noqa: E402
 
 
 def fresh():

@@ -145,5 +145,9 @@ int main() {
     // A hint for a tier that is not there is one for the config's.
     glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
     check(glGetError() == GL_NO_ERROR, "hints are taken");
+    // The profiles that leave out states or texture formats, and they alone, are no GL 1.3.
+    const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    const bool whole = raster::has_chain && raster::texture_formats == 32767;
+    check(version.starts_with(whole ? "1.3 " : "1.0 "), version.c_str());
     return wrong;
 }
