@@ -20,13 +20,21 @@ void give_rows(Surface& surface) {
     gl::move_drawable(*t.context->gl, pixels_of(surface), t.read == t.draw);
 }
 
-/// Depth, stencil and accumulation begin the same in every band.
+/// Depth, stencil, accumulation and samples begin the same in every band, as colours do.
 void clear_planes(const Surface& surface, std::int32_t rows) {
-    const std::size_t pixels = static_cast<std::size_t>(surface.width) * static_cast<std::size_t>(rows);
-    if (surface.depth != nullptr)
-        std::memset(surface.depth, 0, pixels * (surface.config.depth == DepthFormat::z16 ? 2 : 4));
+    const std::size_t pixels = static_cast<std::size_t>(surface.width) * static_cast<std::size_t>(rows),
+                      depth = surface.config.depth == DepthFormat::z16 ? 2 : 4;
+    const unsigned samples = surface.config.multisampled ? raster::sample_count : 1;
+    for (unsigned i = 0; i < samples && surface.depth != nullptr; ++i)
+        std::memset(surface.depth + i * surface.samples.next_depth, 0, pixels * depth);
     if (surface.accum != nullptr)
         std::memset(surface.accum, 0, pixels * 4 * sizeof *surface.accum);
+    if (!surface.config.multisampled)
+        return;
+    std::memset(surface.sample_colors, 0,
+                raster::sample_count * static_cast<std::size_t>(surface.samples.next_color));
+    for (std::int32_t y = 0; y < rows; ++y)
+        surface.unresolved[y] = RowSpan{};
 }
 
 /// Touches all columns of rows of the picture.

@@ -57,7 +57,7 @@ raster::Surface rows_of(std::int32_t y) {
     if (frame.shown != first || frame.used != frame.record.used()) {
         if (!open_band(*thread().display, surface, first, step < left ? step : left))
             return none;
-        (void)replayed(surface, false);
+        raster::resolve(replayed(surface, false));
         frame.shown = first;
         frame.used = frame.record.used();
     }

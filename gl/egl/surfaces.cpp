@@ -282,16 +282,14 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
     if (problem == EGL_SUCCESS)
         problem = choose_band(*display, wish.band_height, band);
     if (problem == EGL_SUCCESS && wish.record != 0)
-        problem = wish.record < 0                      ? EGL_BAD_PARAMETER
-                  : band.colors && !found.multisampled ? EGL_SUCCESS
-                                                       : EGL_BAD_MATCH;
+        problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
         if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
     if (problem != EGL_SUCCESS) {
         fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
                                    "no other window, and bands no higher than the display's, and a record "
-                                   "only where the display has bands, and without samples"));
+                                   "only where the display has bands"));
         return EGL_NO_SURFACE;
     }
     const spangle::hal::DisplayInfo info = display->native->info();

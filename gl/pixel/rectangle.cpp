@@ -125,7 +125,8 @@ void store_stencil(const Context& context, const raster::Surface& surface, Recta
     rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
 #if SPANGLE_HAS_RECORDS
         if (context.drawable.recording != nullptr)
-            return context.drawable.recording->record->stencil(y, x, count, row.stencil, mask);
+            return context.drawable.recording->record->stencil(y, x, count, row.stencil, mask,
+                                                               context.fragments.primitive.sample);
 #endif
         for (std::int32_t i = 0; i < count; ++i) {
             const unsigned stored = raster::read_stencil(surface, x + i, y);

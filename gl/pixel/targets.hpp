@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/context.hpp"
+#include "raster/primitive/sample_shift.hpp"
 #include "raster/surface/samples.hpp"
 
 namespace spangle::gl {
@@ -20,24 +21,32 @@ inline bool multisampling(const Context& context) {
 template <class Draw> void each_target(Context& context, Draw draw) {
     const bool moves = multisampling(context);
     raster::each_sample(context.drawable.surface, [&](const raster::Surface& target, unsigned sample) {
-        const raster::SamplePosition& at = raster::sample_position[sample];
-        constexpr std::int32_t center = raster::subpixel_one / 2;
         context.fragments.primitive.sample = static_cast<std::uint8_t>(sample);
-        draw(target, moves ? raster::Position{center - at.x, center - at.y} : raster::Position{});
+        draw(target, moves ? raster::to_center(sample) : raster::Position{});
     });
+}
+
+/// The same of primitives, which a record keeps once and moves when it draws them.
+template <class Draw> void each_primitive_target(Context& context, Draw draw) {
+    if (context.drawable.recording == nullptr)
+        return each_target(context, draw);
+    raster::PrimitiveState& primitive = context.fragments.primitive;
+    primitive.sample = raster::every_sample;
+    primitive.moved = multisampling(context);
+    draw(context.drawable.surface, raster::Position{});
 }
 
 /// A vertex of the rasterizer, moved.
 template <class Window> Window shifted(const Window& window, raster::Position by) {
     Window moved = window;
-    const raster::Position at = raster::position(window);
-    raster::place(moved, {at.x + by.x, at.y + by.y});
+    raster::shift(moved, by);
     return moved;
 }
 
-/// The surface that is read, with all that was drawn to its samples.
+/// The surface that is read, with all that was drawn to its samples; of a recorded one nothing is there yet.
 inline const raster::Surface& read_surface(const Context& context) {
-    raster::resolve(context.drawable.read);
+    if (context.drawable.recording == nullptr)
+        raster::resolve(context.drawable.read);
     return context.drawable.read;
 }
 

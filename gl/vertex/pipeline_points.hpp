@@ -17,7 +17,7 @@ void Pipeline<M, L>::draw_modal_point([[maybe_unused]] const Vertex& v, const Wi
     if (multisampling_)
         size = faded(size, point);
 #endif
-    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+    each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
         const Window moved = shifted(point, shift);
 #if SPANGLE_FEATURE_POINT_PARAMETERS
         if (polygon.point_sprite)

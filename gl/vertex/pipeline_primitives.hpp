@@ -43,7 +43,7 @@ void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Win
     stipple_starts_ = mode_ == GL_LINES;
     const PolygonState& polygon = context_->polygon;
     const raster::LineStipple start = stipple_;
-    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+    each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
         const Window from = shifted(a, shift), to = shifted(b, shift);
         [[maybe_unused]] raster::LineStipple* const stipple = polygon.line_stipple ? &stipple_ : nullptr;
         stipple_ = start;
@@ -288,7 +288,7 @@ template <class M, class L>
 void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Window& provoking,
                                   const std::int64_t* part) {
     Window moved[clip_vertices];
-    each_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
+    each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
         for (int i = 0; i < n; ++i)
             moved[i] = shifted(*corner[i], shift);
 #if SPANGLE_FEATURE_ANTIALIASING

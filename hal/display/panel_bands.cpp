@@ -43,7 +43,7 @@ Result<void> PanelDisplay::present_band() {
         return r;
     if (band_.first == 0 && !band_.complete)
         forget_content(); // which clear value is outside of it differs from band to band
-    band_.acquired = band_.complete = false;
+    band_.acquired = false;
     collect_band_damage();
     if (const auto r = send(); !r) {
         forget_content();

@@ -31,11 +31,11 @@ Reach reach(const Primitive& p) {
 
 } // namespace
 
-/// A vertex of the state at hand that is there already, or nowhere.
+/// A vertex that is there already, whoever drew it, or nowhere.
 std::uint32_t Record::find_vertex(const std::uint32_t* words, int count) const {
     const std::uint32_t hash = (words[0] * 0x9E3779B1u ^ words[1] * 0x85EBCA6Bu) >> (32 - log2_vertices);
     const std::uint32_t place = vertex_[hash];
-    if (place == nowhere || place < vertices_begin_ ||
+    if (place == nowhere ||
         __builtin_memcmp(at<std::uint32_t>(place), words, static_cast<std::size_t>(count) * 4) != 0)
         return nowhere;
     return place;
@@ -61,10 +61,6 @@ void Record::add(const DrawState& live, const Primitive& p) {
     if (state == nullptr)
         return;
     const auto of_state = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(state) - memory_);
-    if (vertices_of_ != of_state) {
-        vertices_of_ = of_state;
-        vertices_begin_ = static_cast<std::uint32_t>(used_);
-    }
     const VertexCode code(state->draw.needs);
     const auto words = static_cast<std::uint32_t>(code.words());
 
@@ -76,6 +72,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     item.end = static_cast<std::int16_t>(end);
     item.line_stippled = p.stipple != nullptr;
     item.polygon_stippled = live.primitive != nullptr && live.primitive->stippled;
+    item.moved = has_samples && live.primitive != nullptr && live.primitive->moved;
     const bool offsets = live.primitive != nullptr && live.fragment.depth_offset;
     item.has_offset = offsets && live.primitive->depth_offset != 0;
     const std::size_t most = sizeof(Block) + (item.words() + (p.corners + 1u) * words) * 4 + 8;
@@ -142,6 +139,8 @@ class Record::PixelKeeper : public PixelSink {
         if (block == nullptr)
             return;
         block_ = record.block_;
+        if (has_samples && live.primitive != nullptr)
+            block->sample = live.primitive->sample;
         __builtin_memcpy(record.at<FixedVertex>(block_ + sizeof(Block)), &at, sizeof at);
     }
 

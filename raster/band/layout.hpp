@@ -22,7 +22,8 @@ struct Record::Block {
     std::int16_t first = 0, end = 0; ///< rows of the window
     Content content{};
     std::uint8_t items = 0;
-    std::uint16_t unused = 0;
+    std::uint8_t sample = every_sample; ///< of pixels and stencil
+    std::uint8_t unused = 0;
 };
 
 /// A compiled state, its pointers into the record.
@@ -42,6 +43,7 @@ struct Record::Item {
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
     bool line_stippled : 1 = false, polygon_stippled : 1 = false, has_offset : 1 = false;
+    bool moved : 1 = false;          ///< so that each sample of the surface comes to lie in the centre
     std::int16_t first = 0, end = 0; ///< rows of the window
 
     bool has_size() const {

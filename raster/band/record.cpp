@@ -36,7 +36,7 @@ void Record::give(void* memory, std::size_t bytes) {
 
 void Record::clear() {
     used_ = counted_ = 0;
-    block_ = states_ = texture_ = vertices_of_ = nowhere;
+    block_ = states_ = texture_ = nowhere;
     full_ = counts_ = false;
     for (Live& live : live_)
         live = {};
@@ -71,13 +71,9 @@ Record::Block* Record::open(Content content, std::uint32_t state, Rows rows, std
     if (!room(all))
         return nullptr;
     block_ = append(all);
-    return new (at<Block>(block_)) Block{static_cast<std::uint32_t>(all),
-                                         state,
-                                         static_cast<std::int16_t>(rows.first),
-                                         static_cast<std::int16_t>(rows.end),
-                                         content,
-                                         0,
-                                         0};
+    return new (at<Block>(block_))
+        Block{static_cast<std::uint32_t>(all), state, static_cast<std::int16_t>(rows.first),
+              static_cast<std::int16_t>(rows.end), content};
 }
 
 /// A copy, behind the header of a block of its own.
@@ -247,10 +243,11 @@ void Record::accum(const AccumRequest& request) {
 }
 
 void Record::stencil(std::int32_t y, std::int32_t x, std::int32_t count, const std::uint8_t* values,
-                     std::uint8_t mask) {
+                     std::uint8_t mask, std::uint8_t sample) {
     const std::size_t bytes = sizeof(Run) + static_cast<std::size_t>(count);
     if (open(Content::stencil, 0, {y, y + 1}, bytes) == nullptr)
         return;
+    at<Block>(block_)->sample = sample;
     auto* const run = new (at<Run>(block_ + sizeof(Block))) Run{static_cast<std::int16_t>(y),
                                                                 static_cast<std::int16_t>(x),
                                                                 static_cast<std::uint16_t>(count),

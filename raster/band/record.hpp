@@ -38,9 +38,9 @@ class Record : public Recorder {
     void take(DrawState& live);
     void clear(const ClearRequest& request);
     void accum(const AccumRequest& request);
-    /// Stencil values of columns [x, x + count) of row y, under a mask.
+    /// Stencil values of columns [x, x + count) of row y, under a mask, of a sample.
     void stencil(std::int32_t y, std::int32_t x, std::int32_t count, const std::uint8_t* values,
-                 std::uint8_t mask);
+                 std::uint8_t mask, std::uint8_t sample);
 
     /// Draws all that lies in the surface's rows. With `count`, the counters of primitives that were never
     /// counted count; counted() says that they were.
@@ -86,6 +86,9 @@ class Record : public Recorder {
     void replay_block(Block& block, const Surface& band, bool count);
     void replay_primitives(Block& block, DrawState& draw, const Surface& band);
     void replay_pixels(Block& block, DrawState& draw, const Surface& band);
+    template <class Draw> void each_target(const Surface& band, std::uint8_t only, Draw draw);
+    void draw_item(const DrawState& draw, const Surface& target, const Item& item, const FixedVertex* corner,
+                   std::int32_t extent, LineStipple stipple);
     void prepare(const Surface& band);
 
     static constexpr int live_states = 2; ///< front and back faces
@@ -104,8 +107,6 @@ class Record : public Recorder {
         std::uint32_t stored = nowhere;
     } live_[live_states];
     unsigned next_live_ = 0;
-    std::uint32_t vertices_begin_ = 0; ///< vertices of the state at hand lie from there on
-    std::uint32_t vertices_of_ = nowhere;
     std::uint32_t vertex_[1u << log2_vertices];
     PrimitiveState primitive_; ///< of the one that is drawn
     Counters uncounted_;

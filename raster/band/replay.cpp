@@ -1,6 +1,7 @@
 // A record drawn: what of it lies in the rows of a band.
 #include "raster/band/layout.hpp"
 #include "raster/band/vertex_code.hpp"
+#include "raster/primitive/sample_shift.hpp"
 #include "raster/surface/pixel.hpp"
 
 #if SPANGLE_HAS_RECORDS
@@ -51,6 +52,16 @@ void Record::replay(const Surface& band, bool count) {
     }
 }
 
+/// Calls draw(surface, number) for one sample of the band, or for each that it has.
+template <class Draw> void Record::each_target(const Surface& band, std::uint8_t only, Draw draw) {
+    each_sample(band, [&](const Surface& target, unsigned sample) {
+        if (only != every_sample && only != sample)
+            return;
+        primitive_.sample = static_cast<std::uint8_t>(sample);
+        draw(target, sample);
+    });
+}
+
 void Record::replay_block(Block& block, const Surface& band, bool count) {
     std::uint8_t* const content = reinterpret_cast<std::uint8_t*>(&block + 1);
     switch (block.content) {
@@ -59,7 +70,7 @@ void Record::replay_block(Block& block, const Surface& band, bool count) {
     case Content::clear: {
         ClearRequest request = *reinterpret_cast<const ClearRequest*>(content);
         request.area = cut(request.area, band.area());
-        return raster::clear(band, request);
+        return clear_samples(band, request);
     }
     case Content::accum: {
         AccumRequest request = *reinterpret_cast<const AccumRequest*>(content);
@@ -69,11 +80,13 @@ void Record::replay_block(Block& block, const Surface& band, bool count) {
     case Content::stencil: {
         const Run& run = *reinterpret_cast<const Run*>(content);
         const std::uint8_t* const values = content + sizeof(Run);
-        for (std::int32_t i = 0; i < run.count; ++i)
-            write_stencil(band, run.x + i, run.y,
-                          static_cast<std::uint8_t>((values[i] & run.mask) |
-                                                    (read_stencil(band, run.x + i, run.y) & ~run.mask)));
-        return;
+        return each_target(band, block.sample, [&](const Surface& target, unsigned) {
+            for (std::int32_t i = 0; i < run.count; ++i)
+                write_stencil(
+                    target, run.x + i, run.y,
+                    static_cast<std::uint8_t>((values[i] & run.mask) |
+                                              (read_stencil(target, run.x + i, run.y) & ~run.mask)));
+        });
     }
     case Content::primitives:
     case Content::pixels:
@@ -104,39 +117,54 @@ void Record::replay_primitives(Block& block, DrawState& draw, const Surface& ban
         primitive_.stippled = item.polygon_stippled;
         const auto* const refs = reinterpret_cast<const std::uint16_t*>(from);
         FixedVertex corner[most_smooth_corners + 1];
-        const FixedVertex* fan[most_smooth_corners + 1];
         for (unsigned i = 0; i <= item.corners; ++i) {
             const std::uint32_t ref = refs[i];
             code.decode(ref < Item::fresh_corners ? vertices + ref * words
                                                   : begin - (ref - Item::fresh_corners),
                         corner[i]);
+        }
+        each_target(band, every_sample, [&](const Surface& target, unsigned sample) {
+            const bool moves = item.moved && band.samples != nullptr;
+            const Position by = moves ? to_center(sample) : Position{};
+            for (unsigned i = 0; moves && i <= item.corners; ++i)
+                shift(corner[i], by);
+            draw_item(draw, target, item, corner, extent, stipple);
+            for (unsigned i = 0; moves && i <= item.corners; ++i)
+                shift(corner[i], {-by.x, -by.y});
+        });
+    }
+}
+
+void Record::draw_item(const DrawState& draw, const Surface& target, const Item& item,
+                       const FixedVertex* corner, std::int32_t extent, LineStipple stipple) {
+    const FixedVertex &a = corner[0], &b = corner[1], &c = corner[2], &provoking = corner[item.corners];
+    LineStipple* const parts = item.line_stippled ? &stipple : nullptr;
+    switch (item.shape) {
+    case Primitive::Shape::triangle:
+        return draw_triangle(draw, target, a, b, c, provoking, signed_area(a.x, a.y, b.x, b.y, c.x, c.y));
+    case Primitive::Shape::line:
+        return parts != nullptr ? draw_stippled_line(draw, target, a, b, provoking, extent, stipple)
+                                : draw_line(draw, target, a, b, provoking, extent);
+    case Primitive::Shape::point:
+        return draw_point(draw, target, a, extent);
+    case Primitive::Shape::smooth_point:
+        return draw_smooth_point(draw, target, primitive_, a, extent);
+    case Primitive::Shape::smooth_line:
+        return draw_smooth_line(draw, target, primitive_, a, b, provoking, extent, parts);
+    case Primitive::Shape::smooth_polygon: {
+        const FixedVertex* fan[most_smooth_corners];
+        for (unsigned i = 0; i < item.corners; ++i)
             fan[i] = &corner[i];
-        }
-        const FixedVertex &a = corner[0], &b = corner[1], &c = corner[2], &provoking = corner[item.corners];
-        switch (item.shape) {
-        case Primitive::Shape::triangle:
-            draw_triangle(draw, band, a, b, c, provoking, signed_area(a.x, a.y, b.x, b.y, c.x, c.y));
-            break;
-        case Primitive::Shape::line:
-            if (item.line_stippled)
-                draw_stippled_line(draw, band, a, b, provoking, extent, stipple);
-            else
-                draw_line(draw, band, a, b, provoking, extent);
-            break;
-        case Primitive::Shape::point:
-            draw_point(draw, band, a, extent);
-            break;
-        case Primitive::Shape::smooth_point:
-            draw_smooth_point(draw, band, primitive_, a, extent);
-            break;
-        case Primitive::Shape::smooth_line:
-            draw_smooth_line(draw, band, primitive_, a, b, provoking, extent,
-                             item.line_stippled ? &stipple : nullptr);
-            break;
-        case Primitive::Shape::smooth_polygon:
-            draw_smooth_polygon(draw, band, primitive_, fan, item.corners, provoking);
-            break;
-        }
+        return draw_smooth_polygon(draw, target, primitive_, fan, item.corners, provoking);
+    }
+    case Primitive::Shape::disc:
+    case Primitive::Shape::line_rectangle:
+#if SPANGLE_FEATURE_MULTISAMPLE
+        if (item.shape == Primitive::Shape::disc)
+            return draw_disc(draw, target, a, extent);
+        return draw_line_rectangle(draw, target, a, b, provoking, extent, parts);
+#endif
+        break;
     }
 }
 
@@ -187,7 +215,8 @@ void Record::replay_pixels(Block& block, DrawState& draw, const Surface& band) {
             sink.run(sink, run.y, run.x, run.x + run.count, run.form == Run::Form::plain ? nullptr : &row);
         }
     };
-    draw_pixels(draw, band, vertex, pixels);
+    each_target(band, block.sample,
+                [&](const Surface& target, unsigned) { draw_pixels(draw, target, vertex, pixels); });
 }
 
 } // namespace spangle::raster

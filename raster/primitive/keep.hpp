@@ -14,10 +14,19 @@ struct PixelSource;
 
 /// A primitive as the functions of draw.hpp take it.
 struct Primitive {
-    enum class Shape : std::uint8_t { triangle, line, point, smooth_point, smooth_line, smooth_polygon };
+    enum class Shape : std::uint8_t {
+        triangle,
+        line,
+        point,
+        smooth_point,
+        smooth_line,
+        smooth_polygon,
+        disc,
+        line_rectangle,
+    };
     Shape shape;
     std::uint8_t corners;  ///< of `corner`
-    std::int32_t size = 0; ///< of points and lines: pixels, or of smooth ones 1/8 of a pixel
+    std::int32_t size = 0; ///< of points and lines: pixels; 1/8 of a pixel of smooth_point and what follows
     const FixedVertex* const* corner;
     const FixedVertex* provoking;
     const LineStipple* stipple = nullptr; ///< where the line begins; null: all of its fragments

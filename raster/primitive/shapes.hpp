@@ -2,6 +2,7 @@
 // disc or in a rectangle.
 #pragma once
 
+#include "raster/primitive/keep.hpp"
 #include "raster/primitive/smooth.hpp"
 
 namespace spangle::raster {
@@ -10,6 +11,8 @@ template <class P>
 void draw_disc_of(const DrawState& state, const Surface& target, const typename P::Vertex& v,
                   std::int32_t eighths) {
     observe_other(state);
+    if (state.nothing)
+        return keep(state, Primitive::Shape::disc, eighths, nullptr, v, v);
     const Position at = position(v);
     const std::int64_t radius = eighths * (subpixel_one / 16);
     const auto low = static_cast<std::int32_t>(at.y - radius),
@@ -17,9 +20,8 @@ void draw_disc_of(const DrawState& state, const Surface& target, const typename 
     Pen<P> pen(state, target);
     std::int32_t y = first_center(low) < pen.row_begin() ? pen.row_begin() : first_center(low);
     const std::int32_t top = first_center(high + 1) < pen.row_end() ? first_center(high + 1) : pen.row_end();
-    if (state.nothing || y >= top ||
-        !pen.sees(first_center(static_cast<std::int32_t>(at.x - radius)),
-                  first_center(static_cast<std::int32_t>(at.x + radius + 1))))
+    if (y >= top || !pen.sees(first_center(static_cast<std::int32_t>(at.x - radius)),
+                              first_center(static_cast<std::int32_t>(at.x + radius + 1))))
         return;
     Setup<P>(pen.span, v);
     pen.begin();
@@ -86,6 +88,8 @@ void draw_line_rectangle_of(const DrawState& state, const Surface& target, const
     const LineOutline line(position(a), position(b), eighths);
     if (line.empty())
         return;
+    if (state.nothing)
+        keep(state, Primitive::Shape::line_rectangle, eighths, stipple, provoking, a, b);
     const LineCorners<typename P::Vertex> corners(line, a, b);
     for (int i = 1; i < 3 && !state.nothing; ++i) {
         const auto t = detail::sorted(corners.at[0], corners.at[i], corners.at[i + 1]);

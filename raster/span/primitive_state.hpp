@@ -10,6 +10,9 @@ namespace spangle::raster {
 inline constexpr int coverage_bits = 29;
 inline constexpr std::uint32_t full_coverage = 1u << coverage_bits;
 
+/// Of what is recorded: it is drawn to all samples.
+inline constexpr std::uint8_t every_sample = 0xFF;
+
 struct PrimitiveState {
     /// Of the pixels of the row that is drawn, from the first drawn one on; null: all of them are covered.
     const std::uint32_t* coverage = nullptr;
@@ -22,6 +25,7 @@ struct PrimitiveState {
     bool stippled = false;    ///< FragmentState::polygon_stipple applies
     bool antialiased = false; ///< it has a coverage, null or not; others of the same state have none
     std::uint8_t sample = 0;  ///< which one is drawn
+    bool moved = false;       ///< of what is recorded: each sample gets what lies where it is
 };
 
 } // namespace spangle::raster

@@ -2,6 +2,7 @@
 
 #include "raster/surface/pixel.hpp"
 #include "raster/surface/quantize.hpp"
+#include "raster/surface/samples.hpp"
 
 namespace spangle::raster {
 
@@ -90,6 +91,18 @@ void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t 
     });
 }
 
+namespace {
+
+/// What two areas have in common; empty where it is nothing.
+Rect common(const Rect& a, const Rect& b) {
+    const auto later = [](std::int32_t v, std::int32_t w) { return v > w ? v : w; };
+    const auto sooner = [](std::int32_t v, std::int32_t w) { return v < w ? v : w; };
+    const std::int32_t x = later(a.x, b.x), y = later(a.y, b.y);
+    return {x, y, sooner(a.x + a.w, b.x + b.w) - x, sooner(a.y + a.h, b.y + b.h) - y};
+}
+
+} // namespace
+
 void accum(const Surface& s, const AccumRequest& r, const Surface& source) {
     using Op = AccumRequest::Op;
     switch (r.op) {
@@ -97,13 +110,16 @@ void accum(const Surface& s, const AccumRequest& r, const Surface& source) {
         return clear_accum(s, r.area, r.clear);
     case Op::accumulate:
     case Op::load:
-        return accumulate(s, r.area, source, r.value, r.op == Op::load);
+        resolve(source);
+        return accumulate(s, common(r.area, source.area()), source, r.value, r.op == Op::load);
     case Op::multiply:
         return multiply_accum(s, r.area, r.value);
     case Op::add:
         return add_accum(s, r.area, r.value);
     case Op::give_back:
-        return return_accum(s, r.area, r.value, r.channels, r.dither);
+        return each_sample(s, [&r](const Surface& sample, unsigned) {
+            return_accum(sample, r.area, r.value, r.channels, r.dither);
+        });
     }
 }
 

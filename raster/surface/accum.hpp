@@ -13,13 +13,14 @@ inline constexpr std::int32_t accum_one = 32767;
 /// still show of it.
 inline constexpr int accum_value_bits = 20, accum_return_bits = 16;
 
-/// What of the functions below is to be done with a surface.
+/// What of the functions below is to be done with a surface, and with the samples of those that have some:
+/// sums are of what is shown of them, and given back to each.
 struct AccumRequest {
     enum class Op : std::uint8_t { clear, accumulate, load, multiply, add, give_back };
     Op op = Op::clear;
     std::uint8_t channels = 0; ///< of give_back
     bool dither = false;       ///< of give_back
-    Rect area;                 ///< inside the surface; may be empty
+    Rect area;                 ///< inside the surface, of which the source has a part; may be empty
     std::int32_t value = 0;    ///< of all but clear
     std::int16_t clear[4] = {};
 };

@@ -178,6 +178,12 @@ Program pixels() {
                 glDrawPixels(8, 8, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, image().data());
                 triangles(f);
                 glDisable(GL_DEPTH_TEST);
+                // Between whole 255ths, where a record must not cut: 247.6 is 31 of 31, 247 is 30.
+                std::array<GLfloat, 192> parts;
+                for (std::size_t i = 0; i < parts.size(); ++i)
+                    parts[i] = (static_cast<float>(i / 6) * 8.F + 7.6F) / 255.F;
+                glRasterPos2f(140.F, 60.F);
+                glDrawPixels(8, 8, GL_RGB, GL_FLOAT, parts.data());
                 glColor3f(1.F, 1.F, 0.F);
                 glRasterPos2f(30.F, 40.F);
                 glBitmap(32, 30, 0, 0, 0, 0, image().data());
@@ -263,12 +269,49 @@ Program outlined() {
             }};
 }
 
+/// What samples have of their own; without them nothing of it is seen.
+Program sampled() {
+    return {"samples", start_program, [](int f) {
+                clear(0.1F, 0.3F, 0.2F);
+                glEnable(GL_DEPTH_TEST);
+                triangles(f);
+                glDisable(GL_DEPTH_TEST);
+                glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+                glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+                triangles(f + 2);
+                glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+                glDisable(GL_SAMPLE_ALPHA_TO_ONE);
+                glEnable(GL_SAMPLE_COVERAGE);
+                glSampleCoverage(0.4F, GL_TRUE);
+                glPixelZoom(3.3F, 2.7F);
+                glRasterPos2f(90.4F, 20.7F);
+                glDrawPixels(16, 16, GL_RGBA, GL_UNSIGNED_BYTE, image().data());
+                glPixelZoom(1.F, 1.F);
+                glDisable(GL_SAMPLE_COVERAGE);
+                glPointSize(6.5F);
+                points();
+                glEnable(GL_LINE_STIPPLE);
+                glLineStipple(2, 0x35A3);
+                glLineWidth(3.5F);
+                lines(f);
+                glDisable(GL_LINE_STIPPLE);
+                glDisable(GL_MULTISAMPLE);
+                lines(f + 1);
+                points();
+                glRasterPos2f(20.F, 50.F);
+                glDrawPixels(16, 16, GL_RGBA, GL_UNSIGNED_BYTE, image().data());
+                glEnable(GL_MULTISAMPLE);
+                glLineWidth(1.F);
+                glPointSize(1.F);
+            }};
+}
+
 } // namespace
 
 const std::vector<Program>& programs() {
     static const std::vector<Program> all = {dithered(true), dithered(false), stippled(),   wide(),
                                              smooth(),       pixels(),        stencilled(), blended(),
-                                             accumulated(),  outlined()};
+                                             accumulated(),  outlined(),      sampled()};
     return all;
 }
 

@@ -8,7 +8,7 @@ namespace spangle::test {
 /// One unit a pixel.
 void start_program(int width, int height);
 
-/// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline.
+/// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples.
 const std::vector<Program>& programs();
 
 } // namespace spangle::test

@@ -16,27 +16,33 @@ constexpr EGLint ample = 1 << 20;
 constexpr EGLBoolean yes = EGL_TRUE, no = EGL_FALSE;
 
 /// The whole frame, and records of it in bands of some heights.
-std::vector<Setting> settings() {
-    std::vector<Setting> all = {{}};
+std::vector<Setting> settings(EGLint samples) {
+    std::vector<Setting> all = {{.samples = samples}};
     for (const std::int32_t height : {1, 8, 24, 80})
-        all.push_back({.display_band = height, .record = ample});
+        all.push_back({.display_band = height, .record = ample, .samples = samples});
     return all;
 }
 
 using Bytes = std::vector<GLubyte>;
 
+#if SPANGLE_FEATURE_MULTISAMPLE
+constexpr EGLint sample_counts[] = {0, 4};
+#else
+constexpr EGLint sample_counts[] = {0};
+#endif
+
 /// `program` draws frame f and adds to the bytes what it has read: the same in all settings.
 void expect_same_reads(const hal::Board& board, const std::function<void(int, Bytes&)>& draw,
-                       const std::function<void(int, int)>& setup = start_program) {
+                       EGLint samples = 0) {
     Bytes expected;
     std::vector<std::string> shown;
-    for (Setting setting : settings()) {
+    for (Setting setting : settings(samples)) {
         setting.display_band = setting.display_band == 0
                                    ? 0
                                    : (setting.display_band + hal::band_unit(board.display) - 1) /
                                          hal::band_unit(board.display) * hal::band_unit(board.display);
         Bytes bytes;
-        const Program program = {"reads", setup, [&](int f) { draw(f, bytes); }};
+        const Program program = {"reads", start_program, [&](int f) { draw(f, bytes); }};
         std::vector<std::string> hashes;
         for (const sim::Image& image : play(board, setting, program, 2))
             hashes.push_back(sim::hash(image));
@@ -61,44 +67,52 @@ TEST(Records, ReadsInTheMidstOfAFrame) {
     hal::Board pages = boards::ssd1306_128x32;
     pages.display.wire = {};
     pages.display.format = PixelFormat::mono;
-    for (const hal::Board& board : {boards::st7735_80x160, pages})
-        expect_same_reads(board, [](int f, Bytes& bytes) {
-            programs()[6].draw(f); // stencil
-            read(bytes, 0, 0, 120, 30, GL_RGB, GL_UNSIGNED_BYTE, 3);
-            read(bytes, 13, 7, 50, 20, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4);
-            read(bytes, -3, -5, 60, 31, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
-            programs()[7].draw(f); // blending
-            read(bytes, 5, 3, 100, 28, GL_RGBA, GL_UNSIGNED_BYTE, 4);
-            glClear(GL_DEPTH_BUFFER_BIT);
-            read(bytes, 5, 3, 10, 10, GL_DEPTH_COMPONENT, GL_FLOAT, 4);
-            programs()[1].draw(f + 1);
-        });
+    for (const EGLint samples : sample_counts)
+        for (const hal::Board& board : {boards::st7735_80x160, pages})
+            expect_same_reads(
+                board,
+                [](int f, Bytes& bytes) {
+                    programs()[6].draw(f); // stencil
+                    read(bytes, 0, 0, 120, 30, GL_RGB, GL_UNSIGNED_BYTE, 3);
+                    read(bytes, 13, 7, 50, 20, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4);
+                    read(bytes, -3, -5, 60, 31, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
+                    programs()[7].draw(f); // blending
+                    read(bytes, 5, 3, 100, 28, GL_RGBA, GL_UNSIGNED_BYTE, 4);
+                    glClear(GL_DEPTH_BUFFER_BIT);
+                    read(bytes, 5, 3, 10, 10, GL_DEPTH_COMPONENT, GL_FLOAT, 4);
+                    programs()[1].draw(f + 1);
+                },
+                samples);
 }
 
 TEST(Records, CopiesInTheMidstOfAFrame) {
     hal::Board pages = boards::ssd1306_128x32;
     pages.display.wire = {};
     pages.display.format = PixelFormat::mono;
-    for (const hal::Board& board : {boards::st7735_80x160, pages})
-        expect_same_reads(board, [](int f, Bytes& bytes) {
-            programs()[6].draw(f);
-            glRasterPos2f(7.F, 5.F);
-            glCopyPixels(0, 0, 60, 20, GL_COLOR); // over itself
-            glPixelZoom(1.5F, -1.F);
-            glRasterPos2f(40.F, 29.F);
-            glCopyPixels(10, 2, 30, 25, GL_COLOR);
-            glPixelZoom(1.F, 1.F);
-            glRasterPos2f(3.F, 9.F);
-            glCopyPixels(20, 0, 40, 18, GL_STENCIL);
-            glEnable(GL_DEPTH_TEST);
-            glDepthFunc(GL_ALWAYS);
-            glCopyPixels(20, 0, 40, 18, GL_DEPTH);
-            glDepthFunc(GL_LESS);
-            glDisable(GL_DEPTH_TEST);
-            read(bytes, 0, 0, 120, 31, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
-            read(bytes, 0, 0, 120, 31, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2);
-            EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        });
+    for (const EGLint samples : sample_counts)
+        for (const hal::Board& board : {boards::st7735_80x160, pages})
+            expect_same_reads(
+                board,
+                [](int f, Bytes& bytes) {
+                    programs()[6].draw(f);
+                    glRasterPos2f(7.F, 5.F);
+                    glCopyPixels(0, 0, 60, 20, GL_COLOR); // over itself
+                    glPixelZoom(1.5F, -1.F);
+                    glRasterPos2f(40.F, 29.F);
+                    glCopyPixels(10, 2, 30, 25, GL_COLOR);
+                    glPixelZoom(1.F, 1.F);
+                    glRasterPos2f(3.F, 9.F);
+                    glCopyPixels(20, 0, 40, 18, GL_STENCIL);
+                    glEnable(GL_DEPTH_TEST);
+                    glDepthFunc(GL_ALWAYS);
+                    glCopyPixels(20, 0, 40, 18, GL_DEPTH);
+                    glDepthFunc(GL_LESS);
+                    glDisable(GL_DEPTH_TEST);
+                    read(bytes, 0, 0, 120, 31, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1);
+                    read(bytes, 0, 0, 120, 31, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 2);
+                    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+                },
+                samples);
 }
 
 void textured_square(float x, float y) {

@@ -1,0 +1,22 @@
+// How far things move so that a sample comes to lie where centres are.
+#pragma once
+
+#include "raster/numeric/bits.hpp"
+#include "raster/span/vertex.hpp"
+#include "raster/surface/samples.hpp"
+
+namespace spangle::raster {
+
+/// 1/256 pixel.
+constexpr Position to_center(unsigned sample) {
+    constexpr std::int32_t center = subpixel_one / 2;
+    return {center - sample_position[sample].x, center - sample_position[sample].y};
+}
+
+/// Of a vertex or a position; all else stays.
+template <class V> constexpr void shift(V& v, const Position& by) {
+    const Position at = position(v);
+    place(v, {at.x + by.x, at.y + by.y});
+}
+
+} // namespace spangle::raster
