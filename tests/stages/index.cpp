@@ -100,6 +100,22 @@ TEST(Indices, StayInsideOfMaskAndScissor) {
     }
 }
 
+/// Tests of alpha, blending and sums, which are of colours alone, change no byte (GL 1.3, 4.1.4, 4.1.7).
+TEST(Indices, AreNotTreatedAsColors) {
+    std::mt19937 random(6);
+    for (int round = 0; round < 100; ++round) {
+        Canvas with(PixelFormat::index8, side, side), without = with;
+        FragmentState f = state_of(random, with);
+        ASSERT_TRUE(f.blend && f.alpha_test && f.color_sum);
+        const Point p = corner(random, 0, 1);
+        cover<FixedVertex>(f, with, p);
+        f.blend = f.alpha_test = f.color_sum = false;
+        cover<FixedVertex>(f, without, p);
+        ASSERT_EQ(with.color, without.color) << round;
+        ASSERT_EQ(with.depth, without.depth) << round;
+    }
+}
+
 TEST(Indices, AreReadWhereThereAreAny) {
     Canvas c(PixelFormat::index8, 4, 4), colors(PixelFormat::rgb332, 4, 4);
     c.color[6] = colors.color[6] = 0xAB;
