@@ -6,8 +6,8 @@
 namespace spangle::hal {
 namespace {
 
-std::uint32_t deadline(std::uint32_t expected, std::uint32_t grace) {
-    return expected < (UINT32_MAX - grace) / 2 ? expected * 2 + grace : UINT32_MAX;
+std::uint32_t deadline(std::uint32_t expected, std::uint32_t late) {
+    return expected < (UINT32_MAX - late) / 2 ? expected * 2 + late : UINT32_MAX;
 }
 
 } // namespace
@@ -62,7 +62,7 @@ Result<void> PanelDisplay::start() {
 }
 
 Result<void> PanelDisplay::complete() {
-    const Result<void> done = bus_.wait(token_, deadline(token_time_, grace_us));
+    const Result<void> done = bus_.wait(token_, deadline(token_time_, caps_.late_us));
     in_flight_ = !done && !bus_.done(token_);
     late_ = in_flight_;
     if (!done) {

@@ -54,6 +54,7 @@ BusCaps GpioBus::caps() const {
     caps.kind = serial() ? BusKind::spi4 : BusKind::i8080;
     caps.bits_per_cycle = static_cast<std::uint8_t>(width());
     caps.has_te = has_te();
+    caps.late_us = late_us;
     return caps;
 }
 

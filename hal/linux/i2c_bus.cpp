@@ -31,6 +31,7 @@ I2cBus::~I2cBus() {
 BusCaps I2cBus::caps() const {
     BusCaps caps = i2c_caps(config_.clock_hz);
     caps.has_te = has_te();
+    caps.late_us = late_us;
     return caps;
 }
 

@@ -56,6 +56,7 @@ BusCaps SpidevBus::caps() const {
     caps.write_hz = three_wire() ? static_cast<std::uint32_t>(std::uint64_t{actual_hz_} * 8 / 9) : actual_hz_;
     caps.read_hz = packed_ || config_.start_bytes ? 0 : config_.read_hz;
     caps.has_te = has_te();
+    caps.late_us = late_us;
     caps.command_cost_ns = three_wire() ? 0 : config_.command_cost_ns;
     return caps;
 }

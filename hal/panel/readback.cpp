@@ -4,8 +4,6 @@
 namespace spangle::hal {
 namespace {
 
-constexpr std::uint32_t read_grace_us = 100000;
-
 /// A parallel bus always gives one dummy byte first; a serial one the clocks the datasheet asks for.
 std::uint8_t dummy_bits(const BusCaps& caps, std::uint8_t serial) {
     return caps.bits_per_cycle > 1 ? 8 : serial;
@@ -16,7 +14,7 @@ Result<void> run(Bus& bus, const BusCaps& caps, const OpList& ops) {
     if (!token)
         return token.error();
     const std::uint32_t time = ops.duration(caps);
-    return bus.wait(token.value(), time < UINT32_MAX - read_grace_us ? time + read_grace_us : UINT32_MAX);
+    return bus.wait(token.value(), time < UINT32_MAX - caps.late_us ? time + caps.late_us : UINT32_MAX);
 }
 
 Result<BusCaps> readable(const Bus& bus, const PanelDesc& panel) {

@@ -280,6 +280,7 @@ BusCaps FtdiBus::caps() const {
     caps.write_hz = clock_of(divisor_for(config_.write_hz));
     caps.read_hz = config_.read_hz != 0 ? clock_of(divisor_for(config_.read_hz)) : 0;
     caps.has_te = has_te();
+    caps.late_us = late_us;
     caps.command_cost_ns = command_cost_ns;
     return caps;
 }

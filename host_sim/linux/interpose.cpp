@@ -190,7 +190,7 @@ int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* le
 /// real one: a thread that waits for one is as patient.
 int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* deadline) {
-    constexpr std::int64_t second = 1000000000, patience = 8;
+    constexpr std::int64_t second = 1000000000, patience = 4;
     timespec now{};
     clock_gettime(clock, &now);
     const std::int64_t left = (deadline->tv_sec - now.tv_sec) * second + (deadline->tv_nsec - now.tv_nsec);

@@ -144,6 +144,28 @@ TEST_P(Faults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     expect_mended(rig);
 }
 
+TEST_P(Faults, ATransferThatABusyMachineDelaysIsNoFault) {
+    RigOptions options;
+    options.asynchronous = true;
+    Rig rig(GetParam(), options);
+    rig.start();
+    ASSERT_TRUE(rig.draw(2));
+    Verdict stall;
+    stall.stall = true;
+    inject(rig, stall, 0, 1);
+    std::thread processor([&rig] {
+        for (int i = 0; i < 2000 && !rig.machine.kernel.stalled(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        rig.machine.kernel.release();
+    });
+    const auto sent = rig.display->present();
+    const auto arrived = sent ? rig.display->finish() : sent;
+    processor.join();
+    EXPECT_TRUE(arrived.ok()) << arrived.error().rule;
+    EXPECT_EQ(rig.glass_difference(), "");
+}
+
 TEST_P(Faults, PulledInTheMiddleAndPluggedAgain) {
     for (const int after : {0, 1, 20}) {
         Rig rig(GetParam());

@@ -86,6 +86,7 @@ TEST(FtdiFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     RigOptions options;
     options.asynchronous = true;
     Rig rig(options);
+    rig.config.timeout_ms = 8000;
     ASSERT_TRUE(rig.start().ok());
     meet(rig, Fate::silent, 0, 1000);
     ASSERT_TRUE(rig.draw(2));
@@ -94,7 +95,7 @@ TEST(FtdiFaults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     EXPECT_EQ(rig.display->acquire().error().fault, Fault::busy) << "the frame is still being read";
     EXPECT_EQ(rig.bus->backlight(false).error().fault, Fault::busy);
     EXPECT_EQ(rig.bus->open().error().fault, Fault::busy);
-    for (int i = 0; i < 1000 && !rig.display->acquire().ok(); ++i)
+    for (int i = 0; i < 4000 && !rig.display->acquire().ok(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     expect_mended(rig);
 }

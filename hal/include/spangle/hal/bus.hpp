@@ -66,6 +66,9 @@ struct BusCaps {
     std::uint32_t max_transfer = 0; ///< bytes of one operation; 0 = no limit
     std::uint32_t command_cost_ns =
         0; ///< overhead of one command operation beyond its bytes (D/C, ioctl, CS)
+    /// A transfer that takes twice its time and this is given up. Long where other programs share the
+    /// processor: one that is only late must not look like one that hangs.
+    std::uint32_t late_us = 100000;
 };
 
 /// An I2C bus at this clock: nine clocks a byte, and start, address and control byte where data follow

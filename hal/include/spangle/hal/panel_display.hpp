@@ -210,7 +210,7 @@ class PanelDisplay : public Display {
     const Placement& placement() const { return placement_; }
 
   private:
-    /// A transfer is late when it takes twice its time and this.
+    /// Beyond two refreshes the scan-out is given this long to show itself.
     static constexpr std::uint32_t grace_us = 100000;
 
     Result<void> check_config() const;

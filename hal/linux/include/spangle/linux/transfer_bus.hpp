@@ -39,6 +39,9 @@ class TransferBus : public Bus {
     Result<void> backlight(bool on);
 
   protected:
+    /// BusCaps::late_us of these buses: a thread may wait for a processor, a kernel for its worker.
+    static constexpr std::uint32_t late_us = 1000000;
+
     enum class Byte { command, parameter, pixel };
 
     /// `asynchronous`: a thread carries the lists while the next frame is drawn; else submit() does.
