@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import goals  # noqa: E402
 import icount  # noqa: E402
 import mcu  # noqa: E402
 
@@ -110,7 +111,7 @@ def record(build, times, memory, scenes):
     print("\nwrote tests/bench/measured.json and the tables of README.md")
 
 
-def wall_table(times, scenes, goals):
+def wall_table(times, scenes):
     print("\nTimes as fast as llvmpipe, dithering off, beside the goal; what dithering costs in the balanced tier.")
     print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'dither':>10}")
     for scene in scenes:
@@ -118,19 +119,19 @@ def wall_table(times, scenes, goals):
             mesa = times[f"mesa/{scene}/{size}"]
             row = f"{scene:<6}{size:<9}{mesa:>12.1f}"
             for tier in TIERS:
-                goal = goals.get(scene, {}).get(tier, {}).get("x86") if size == SIZES[0] else None
+                goal = goals.speed(scene, tier) if size == SIZES[0] else None
                 row += f"{mesa / times[f'{scene}/{size}/{tier}']:>10.2f} {'-' if goal is None else goal:>6}"
             dither = times[f"{scene}/{size}/balanced/dither"] / times[f"{scene}/{size}/balanced"]
             print(row + f"{dither:>9.2f}x")
 
 
-def verdict(times, scenes, goals):
+def verdict(times, scenes):
     """How the balanced tier stands as a whole."""
     shares = {}
     slower = []
     for scene in scenes:
         ratio = times[f"mesa/{scene}/{SIZES[0]}"] / times[f"{scene}/{SIZES[0]}/balanced"]
-        goal = goals.get(scene, {}).get("balanced", {}).get("x86")
+        goal = goals.speed(scene, "balanced")
         if goal is not None:
             shares[scene] = ratio / goal
         if ratio < 1.0:
@@ -141,10 +142,10 @@ def verdict(times, scenes, goals):
           f"below 60 % of it: {', '.join(below) or 'none'}; slower than llvmpipe: {', '.join(slower) or 'none'}")
 
 
-def instruction_table(build, scenes, goals, boards, with_callgrind, hashes):
+def instruction_table(build, scenes, boards, with_callgrind, hashes):
     counts = {board: mcu.measure(board, scenes, TIERS) for board in boards}
     print("\nInstructions of a frame, 320x240, dithering off; text, memory and stack of the Cortex-M4 image."
-          " Goals: M3 1.15 times the M4's; M0+ has none per scene.")
+          " Goals: tests/bench/goals.json.")
     print(f"{'scene':<6}{'tier':<10}" + ("x86" if with_callgrind else "").rjust(12) + "".join(f"{board:>13}{'of goal':>9}" for board in boards)
           + ("".join(f"{kind:>10}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + "  picture" if boards else ""))
     bad = []
@@ -152,8 +153,7 @@ def instruction_table(build, scenes, goals, boards, with_callgrind, hashes):
         for tier in TIERS:
             row = f"{scene:<6}{tier:<10}" + (f"{callgrind(build, scene, tier):>12,}" if with_callgrind else " " * 12)
             for board in boards:
-                goal = goals.get(scene, {}).get(tier, {}).get("m4")
-                limit = None if goal is None or board == "m0+" else goal * 1e6 * (1.15 if board == "m3" else 1.0)
+                limit = goals.instructions(board, scene, tier)
                 n = counts[board][scene, tier].instructions
                 row += f"{n:>13,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}")
             if boards:
@@ -217,11 +217,9 @@ def main():
     arguments = parser.parse_args()
     if arguments.update_golden:
         icount.write(icount.measure()[0])
-        tables.write({"instructions": tables.instructions()})
         return 0
     if arguments.record and (arguments.quick or arguments.no_wall or arguments.scenes != ",".join(mcu.SCENES)):
         parser.error("--record keeps whole measurements: without --quick, --no-wall and --scenes")
-    goals = json.loads((HERE / "goals.json").read_text())
     scenes = arguments.scenes.split(",")
     unknown = [scene for scene in scenes if scene not in mcu.SCENES]
     if unknown:
@@ -231,15 +229,15 @@ def main():
     hashes = {}
     if not arguments.no_wall:
         times, hashes = wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2)
-        wall_table(times, scenes, goals)
-        verdict(times, scenes, goals)
+        wall_table(times, scenes)
+        verdict(times, scenes)
         check_pictures(build, hashes)
         memory = memory_table(build, scenes)
         if arguments.record:
             record(arguments.build, times, memory, scenes)
     boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
-        instruction_table(build, scenes, goals, boards, not arguments.no_callgrind, hashes)
+        instruction_table(build, scenes, boards, not arguments.no_callgrind, hashes)
     if not (arguments.no_chain or arguments.no_callgrind):
         chain_table(build)
     return 0
