@@ -89,8 +89,8 @@ void destroy_context(Context* context) {
 #if SPANGLE_FEATURE_LISTS
     list::free_chain(*context->arena, context->list.recorder.first); // a list that was never ended
 #endif
-#if SPANGLE_FEATURE_FEEDBACK
-    context->arena->free(context->render.feedback.polygon);
+#if SPANGLE_GATHERS_POLYGONS
+    context->arena->free(context->render.gathered);
 #endif
     release_attributes(*context);
     release_vertex_arrays(*context);

@@ -44,7 +44,7 @@ template <class M, class L> class Pipeline {
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &slot_[i];
         derive(context);
-        if (mode == GL_POLYGON && (outlined() || captures()))
+        if (mode == GL_POLYGON && (outlined() || gathers()))
             begin_polygon();
         const Drawn drawn = mode == GL_POINTS       ? Drawn::points
                             : mode <= GL_LINE_STRIP ? Drawn::lines
@@ -75,7 +75,7 @@ template <class M, class L> class Pipeline {
     void end() {
         if (mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
-        if (mode_ == GL_POLYGON && (outlined() || captures()))
+        if (mode_ == GL_POLYGON && (outlined() || gathers()))
             end_polygon();
     }
 
@@ -191,9 +191,12 @@ template <class M, class L> class Pipeline {
     std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
 #if SPANGLE_FEATURE_FEEDBACK
     typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
-    Cut* gathered_ = nullptr;             ///< corners of a polygon that is fed back, in the arena
+#endif
+#if SPANGLE_GATHERS_POLYGONS
+    Cut* gathered_ = nullptr; ///< corners of a polygon that is drawn when all are there, in the arena
     int gathered_count_ = 0, gathered_room_ = 0;
-    bool gathering_lost_ = false; ///< the arena had no room for all of them
+    const Window** gathered_windows_ = nullptr; ///< room for those of what is left of it
+    bool gathering_lost_ = false;               ///< the arena had no room for all of them
 #endif
 
     void derive(Context& context) {
@@ -228,13 +231,13 @@ template <class M, class L> class Pipeline {
         captures_ = !context.render.draws();
         outlines_ =
             (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
-        each_vertex_ =
-            lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed() || sums_;
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
         const bool sampled = has_sample_buffer(context);
         multisampling_ = multisampling(context);
         smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !multisampling_;
         fills_whole_ = smooth_polygons_ || sampled;
+        each_vertex_ = lighting_.tracks_color() || outlined() || captures() || fog_given_ || indexed() ||
+                       sums_ || (mode_ == GL_POLYGON && gathers());
         modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
                         ((mode_ == GL_POINTS || outlines_) && sizes_points(polygon));
         offsets_ = polygon.offset_fill || polygon.offset_line || polygon.offset_point;
@@ -429,8 +432,9 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c);
     void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
-    /// `whole` has the sign of the polygon before it was cut, or is 0.
-    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t whole = 0);
+    /// `part` has room for n; `whole` has the sign of the polygon before it was cut, or is 0.
+    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
+                 std::int64_t whole = 0);
     template <class At>
     SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
                              const std::int64_t* part);
@@ -454,10 +458,14 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void feed(const Corner& corner);
 #endif
     [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b);
+
+    // pipeline_gather.hpp
     bool gathers() const;
+    bool has_gathered() const;
     [[gnu::noinline]] void gather(Vertex& v);
-    [[gnu::noinline]] void feed_gathered();
-    void feed_polygon(Vertex* const* corners, int n);
+    [[gnu::noinline]] void draw_gathered();
+    void cut_gathered(Vertex** work, int room, std::int64_t* part);
+    void free_gathered();
 
     // pipeline_clip.hpp
     bool needs_eye() const;
@@ -481,6 +489,7 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_capture.hpp"
 #include "gl/vertex/pipeline_clip.hpp"
 #include "gl/vertex/pipeline_elements.hpp"
+#include "gl/vertex/pipeline_gather.hpp"
 #include "gl/vertex/pipeline_points.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"
 #include "gl/vertex/pipeline_vertex.hpp"

@@ -78,7 +78,7 @@ template <class M, class L> void Pipeline<M, L>::begin_polygon() {
 
 template <class M, class L> void Pipeline<M, L>::end_polygon() {
     if (gathers())
-        feed_gathered();
+        draw_gathered();
     else if (outlined() && held_ == 3)
         outlined_fan(true);
 }

@@ -205,8 +205,9 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             return;
         planes |= any_user << user_shift;
     }
+    std::int64_t part[clip_vertices];
     if (planes == 0)
-        return visible(corners, n, provoking);
+        return visible(corners, n, provoking, part);
     if ((any & back_known) != 0)
         for (int i = 0; i < n; ++i)
             color_back(*corners[i]);
@@ -219,12 +220,13 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     const std::int64_t whole = slivers ? area_of(corners, n) : 0;
     const int left = clip_polygon(work[0], work[1], clip_vertices, n, planes);
     if (left >= 3)
-        visible(work[0], left, provoking, whole);
+        visible(work[0], left, provoking, part, whole);
 }
 
 template <class M, class L>
-inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t whole) {
-    std::int64_t area = 0, part[clip_vertices]; // of triangle 0, i, i + 1
+inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
+                                    std::int64_t whole) {
+    std::int64_t area = 0; // and `part` of triangle 0, i, i + 1
     for (int i = 0; i < n; ++i)
         if (!project(*corners[i]))
             return;
@@ -277,7 +279,12 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, c
 template <class M, class L>
 template <class At>
 void Pipeline<M, L>::fill_whole(At at, int n, const Window& provoking, const std::int64_t* part) {
-    const Window* corner[clip_vertices];
+    const Window* some[clip_vertices];
+    const Window** corner = some;
+#if SPANGLE_GATHERS_POLYGONS
+    if (has_gathered())
+        corner = gathered_windows_;
+#endif
     for (int i = 0; i < n; ++i)
         corner[i] = &at(i);
     fill_corners(corner, n, provoking, part);
@@ -289,14 +296,13 @@ void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Wind
                                   const std::int64_t* part) {
     Window moved[clip_vertices];
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
-        for (int i = 0; i < n; ++i)
-            moved[i] = shifted(*corner[i], shift);
 #if SPANGLE_FEATURE_ANTIALIASING
-        static_assert(clip_vertices <= raster::most_smooth_corners);
         if (smooth_polygons_) // never moved
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif
+        for (int i = 0; i < n; ++i)
+            moved[i] = shifted(*corner[i], shift);
         for (int i = 1; i + 1 < n; ++i)
             if (part[i] != 0)
                 raster::draw_triangle(*state_, target, moved[0], moved[i], moved[i + 1], provoking, part[i]);
@@ -350,13 +356,18 @@ void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window&
 template <class M, class L>
 void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                const std::int64_t* part) {
+    Window flat = provoking.window;
+    back_of(provoking, flat);
+    if (has_gathered()) { // nobody else has these
+        for (int i = 0; i < n; ++i)
+            back_of(*corners[i], corners[i]->window);
+        return draw([corners](int i) -> Window& { return corners[i]->window; }, corners, n, flat, 1, part);
+    }
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {
         back[i] = corners[i]->window;
         back_of(*corners[i], back[i]);
     }
-    Window flat = provoking.window;
-    back_of(provoking, flat);
     draw([&back](int i) -> Window& { return back[i]; }, corners, n, flat, 1, part);
 }
 

@@ -4,6 +4,9 @@
 #include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 
+/// Some POLYGONs are drawn as wholes: those that are fed back, or antialiased.
+#define SPANGLE_GATHERS_POLYGONS (SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_ANTIALIASING)
+
 namespace spangle::gl {
 
 struct SelectState {
@@ -25,7 +28,6 @@ struct FeedbackState {
     GLenum type = GL_2D;
     bool given = false; ///< FeedbackBuffer was called
     bool overflow = false, fixed = false;
-    void* polygon = nullptr; ///< corners of one that has not ended: the pipeline's, in the arena
 };
 
 struct RenderState {
@@ -39,6 +41,9 @@ struct RenderState {
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
     FeedbackState feedback;
+#endif
+#if SPANGLE_GATHERS_POLYGONS
+    void* gathered = nullptr; ///< corners of a polygon that has not ended: the pipeline's, in the arena
 #endif
     bool draws() const {
         return mode == GL_RENDER;

@@ -61,13 +61,15 @@ void Record::add(const DrawState& live, const Primitive& p) {
     if (state == nullptr)
         return;
     const auto of_state = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(state) - memory_);
+    if (p.corners > Item::most_corners)
+        return add_polygon(live, p, of_state, {first, end});
     const VertexCode code(state->draw.needs);
     const auto words = static_cast<std::uint32_t>(code.words());
 
     // At most all of its vertices are new, and a block begins.
     Item item;
     item.shape = p.shape;
-    item.corners = p.corners;
+    item.corners = static_cast<std::uint8_t>(p.corners);
     item.first = static_cast<std::int16_t>(first);
     item.end = static_cast<std::int16_t>(end);
     item.line_stippled = p.stipple != nullptr;
@@ -75,7 +77,7 @@ void Record::add(const DrawState& live, const Primitive& p) {
     item.moved = has_samples && live.primitive != nullptr && live.primitive->moved;
     const bool offsets = live.primitive != nullptr && live.fragment.depth_offset;
     item.has_offset = offsets && live.primitive->depth_offset != 0;
-    const std::size_t most = sizeof(Block) + (item.words() + (p.corners + 1u) * words) * 4 + 8;
+    const std::size_t most = sizeof(Block) + (item.words() + (item.corners + 1u) * words) * 4 + 8;
     if (!room(most))
         return;
     Block* block = block_ == nowhere ? nullptr : at<Block>(block_);
@@ -98,13 +100,13 @@ void Record::add(const DrawState& live, const Primitive& p) {
     auto* const refs = reinterpret_cast<std::uint16_t*>(to);
     std::uint32_t* vertex = at<std::uint32_t>(start) + item.words();
     std::uint32_t coded[VertexCode::most_words];
-    for (unsigned i = 0; i <= p.corners; ++i) {
+    for (unsigned i = 0; i <= item.corners; ++i) {
         // The provoking vertex is looked at where shading is flat.
-        if (i == p.corners && !live.fragment.flat) {
+        if (i == item.corners && !live.fragment.flat) {
             refs[i] = refs[i - 1];
             break;
         }
-        code.encode(i < p.corners ? *p.corner[i] : *p.provoking, coded);
+        code.encode(i < item.corners ? *p.corner[i] : *p.provoking, coded);
         std::uint32_t place = find_vertex(coded, code.words());
         const auto here = static_cast<std::uint32_t>(reinterpret_cast<std::uint8_t*>(vertex) - memory_);
         if (place == nowhere || (place < start && (start - place) / 4 > Item::farthest)) {
@@ -128,6 +130,22 @@ void Record::add(const DrawState& live, const Primitive& p) {
     block->end = item.end > block->end ? item.end : block->end;
     ++block->items;
     counts_ = counts_ || state->counters != nullptr;
+}
+
+void Record::add_polygon(const DrawState& live, const Primitive& p, std::uint32_t state, Rows rows) {
+    static_assert(sizeof(Polygon) % 8 == 0 && sizeof(FixedVertex) % alignof(FixedVertex) == 0);
+    if (open(Content::polygon, state, rows, Polygon::bytes(p.corners)) == nullptr)
+        return;
+    auto* const polygon = new (at<Polygon>(block_ + sizeof(Block))) Polygon;
+    if (live.fragment.depth_offset)
+        polygon->depth_offset = live.primitive->depth_offset;
+    polygon->corners = p.corners;
+    polygon->stippled = live.primitive->stippled;
+    for (int i = 0; i <= p.corners; ++i)
+        polygon->pointers()[i] =
+            new (polygon->vertices() + i) FixedVertex(i < p.corners ? *p.corner[i] : *p.provoking);
+    const State& kept = *at<State>(state);
+    counts_ = counts_ || kept.counters != nullptr;
 }
 
 /// Keeps runs as they come.

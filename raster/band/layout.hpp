@@ -10,6 +10,7 @@ namespace spangle::raster {
 enum class Record::Content : std::uint8_t {
     data,       ///< states and what they point at
     primitives, ///< items
+    polygon,    ///< one of more corners than an item may have
     pixels,     ///< a vertex, then runs
     clear,
     accum,
@@ -38,7 +39,9 @@ struct Record::State {
 /// vertex, 16 bits each; then those vertices that were not there before. A corner below `fresh_corners` is
 /// one of these, one above lies as many words before the item.
 struct Record::Item {
+    static constexpr int most_corners = 20; ///< as many as clipping makes of a quad
     static constexpr std::uint32_t fresh_corners = 32, farthest = 0xFFFF - fresh_corners;
+    static_assert(most_corners < fresh_corners);
 
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
@@ -53,6 +56,21 @@ struct Record::Item {
         constexpr std::uint32_t header = sizeof(Item) / 4, stipple = sizeof(LineStipple) / 4;
         return header + (has_size() ? 1u : 0u) + (line_stippled ? stipple : 0u) + (has_offset ? 2u : 0u) +
                (corners + 2u) / 2;
+    }
+};
+
+/// An antialiased polygon of any number of corners; behind it pointers to them and to the provoking vertex,
+/// then all of these.
+struct Record::Polygon {
+    std::int64_t depth_offset = 0;
+    std::int32_t corners = 0;
+    bool stippled = false;
+
+    const FixedVertex** pointers() { return reinterpret_cast<const FixedVertex**>(this + 1); }
+    FixedVertex* vertices() { return reinterpret_cast<FixedVertex*>(pointers() + (corners + 2) / 2 * 2); }
+    static std::size_t bytes(int corners) {
+        const auto n = static_cast<std::size_t>(corners);
+        return sizeof(Polygon) + (n + 2) / 2 * 2 * sizeof(FixedVertex*) + (n + 1) * sizeof(FixedVertex);
     }
 };
 

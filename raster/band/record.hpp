@@ -55,6 +55,7 @@ class Record : public Recorder {
     struct State;
     struct Block;
     struct Item;
+    struct Polygon;
     struct Run;
     class PixelKeeper;
     enum class Content : std::uint8_t;
@@ -80,11 +81,13 @@ class Record : public Recorder {
     template <class T> const T* store_bytes(const T& value);
     Block* open(Content content, std::uint32_t state, Rows rows, std::size_t bytes);
     void add(const DrawState& live, const Primitive& primitive);
+    void add_polygon(const DrawState& live, const Primitive& polygon, std::uint32_t state, Rows rows);
     std::uint32_t find_vertex(const std::uint32_t* words, int count) const;
     void remember_vertex(const std::uint32_t* words, int count, std::uint32_t place);
 
     void replay_block(Block& block, const Surface& band, bool count);
     void replay_primitives(Block& block, DrawState& draw, const Surface& band);
+    void replay_polygon(Block& block, DrawState& draw, const Surface& band);
     void replay_pixels(Block& block, DrawState& draw, const Surface& band);
     template <class Draw> void each_target(const Surface& band, std::uint8_t only, Draw draw);
     void draw_item(const DrawState& draw, const Surface& target, const Item& item, const FixedVertex* corner,

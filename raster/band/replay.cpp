@@ -89,12 +89,24 @@ void Record::replay_block(Block& block, const Surface& band, bool count) {
         });
     }
     case Content::primitives:
+    case Content::polygon:
     case Content::pixels:
         State& state = *at<State>(block.state);
         state.draw.counters = count || state.counters == nullptr ? state.counters : &uncounted_;
-        return block.content == Content::pixels ? replay_pixels(block, state.draw, band)
-                                                : replay_primitives(block, state.draw, band);
+        return block.content == Content::pixels    ? replay_pixels(block, state.draw, band)
+               : block.content == Content::polygon ? replay_polygon(block, state.draw, band)
+                                                   : replay_primitives(block, state.draw, band);
     }
+}
+
+void Record::replay_polygon(Block& block, DrawState& draw, const Surface& band) {
+    auto& polygon = *reinterpret_cast<Polygon*>(&block + 1);
+    primitive_.depth_offset = polygon.depth_offset;
+    primitive_.stippled = polygon.stippled;
+    each_target(band, every_sample, [&](const Surface& target, unsigned) {
+        draw_smooth_polygon(draw, target, primitive_, polygon.pointers(), polygon.corners,
+                            *polygon.pointers()[polygon.corners]);
+    });
 }
 
 void Record::replay_primitives(Block& block, DrawState& draw, const Surface& band) {
@@ -116,7 +128,7 @@ void Record::replay_primitives(Block& block, DrawState& draw, const Surface& ban
         primitive_.depth_offset = item.has_offset ? next<std::int64_t>(from) : 0;
         primitive_.stippled = item.polygon_stippled;
         const auto* const refs = reinterpret_cast<const std::uint16_t*>(from);
-        FixedVertex corner[most_smooth_corners + 1];
+        FixedVertex corner[Item::most_corners + 1];
         for (unsigned i = 0; i <= item.corners; ++i) {
             const std::uint32_t ref = refs[i];
             code.decode(ref < Item::fresh_corners ? vertices + ref * words
@@ -152,7 +164,7 @@ void Record::draw_item(const DrawState& draw, const Surface& target, const Item&
     case Primitive::Shape::smooth_line:
         return draw_smooth_line(draw, target, primitive_, a, b, provoking, extent, parts);
     case Primitive::Shape::smooth_polygon: {
-        const FixedVertex* fan[most_smooth_corners];
+        const FixedVertex* fan[Item::most_corners];
         for (unsigned i = 0; i < item.corners; ++i)
             fan[i] = &corner[i];
         return draw_smooth_polygon(draw, target, primitive_, fan, item.corners, provoking);

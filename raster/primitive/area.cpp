@@ -32,33 +32,50 @@ std::int64_t RowEdge::beyond(std::int32_t column) const {
     return positive * positive / width * height_;
 }
 
-AreaRow::AreaRow(const OutlinePoint* corner, int corners, std::int32_t row) {
-    for (int i = 0; i < corners && edges_ < most_edges; ++i) {
-        RowEdge& edge = edge_[edges_];
-        if (!edge.enter(corner[i], corner[i + 1 < corners ? i + 1 : 0], row))
+AreaRow::AreaRow(const Outline& outline, std::int32_t row)
+    : outline_(outline), unkept_(outline.count), row_(row) {
+    for (int i = 0; i < outline.count; ++i) {
+        RowEdge edge;
+        if (!edge.enter(outline[i], outline[i + 1], row))
             continue;
         first_ = edge.first() < first_ ? edge.first() : first_;
         last_ = edge.last() > last_ ? edge.last() : last_;
-        ++edges_;
+        if (edges_ < kept_edges)
+            edge_[edges_++] = edge;
+        else if (i < unkept_)
+            unkept_ = i;
     }
+}
+
+template <class Found> void AreaRow::each(Found found) const {
+    for (int i = 0; i < edges_; ++i)
+        if (!found(edge_[i]))
+            return;
+    for (int i = unkept_; i < outline_.count; ++i)
+        if (RowEdge edge; edge.enter(outline_[i], outline_[i + 1], row_) && !found(edge))
+            return;
 }
 
 std::uint32_t AreaRow::coverage(std::int32_t column) const {
     std::int64_t sum = 0;
-    for (int i = 0; i < edges_; ++i)
-        sum += edge_[i].covers(column);
+    each([&](const RowEdge& edge) {
+        sum += edge.covers(column);
+        return true;
+    });
     const std::uint64_t size = numeric::abs_u64(sum);
     return size < full_coverage ? static_cast<std::uint32_t>(size) : full_coverage;
 }
 
 std::int32_t AreaRow::plain_end(std::int32_t column) const {
     std::int32_t end = last_ + 1;
-    for (int i = 0; i < edges_; ++i) {
-        if (column >= edge_[i].first() && column <= edge_[i].last())
-            return column;
-        if (edge_[i].first() > column && edge_[i].first() < end)
-            end = edge_[i].first();
-    }
+    each([&](const RowEdge& edge) {
+        const bool here = column >= edge.first() && column <= edge.last();
+        if (here)
+            end = column;
+        else if (edge.first() > column && edge.first() < end)
+            end = edge.first();
+        return !here;
+    });
     return end;
 }
 

@@ -50,12 +50,22 @@ class RowEdge {
     bool down_ = false;
 };
 
+/// The corners of a polygon, whatever they lie in.
+struct Outline {
+    const void* corners;
+    int count;
+    OutlinePoint (*at)(const void* corners, int i);
+
+    OutlinePoint operator[](int i) const { return at(corners, i < count ? i : 0); } ///< i = count: the first
+};
+inline Outline outline_of(const OutlinePoint* corners, int count) {
+    return {corners, count, [](const void* all, int i) { return static_cast<const OutlinePoint*>(all)[i]; }};
+}
+
 /// The row of a convex outline, counter-clockwise or clockwise.
 class AreaRow {
   public:
-    static constexpr int most_edges = 40;
-
-    AreaRow(const OutlinePoint* corner, int corners, std::int32_t row);
+    AreaRow(const Outline& outline, std::int32_t row);
     bool empty() const { return edges_ == 0; }
     std::int32_t first() const { return first_; } ///< column that is reached
     std::int32_t last() const { return last_; }
@@ -64,8 +74,16 @@ class AreaRow {
     std::int32_t plain_end(std::int32_t column) const;
 
   private:
-    RowEdge edge_[most_edges];
+    /// Calls found(edge) for each edge in the row while it says so.
+    template <class Found> void each(Found found) const;
+
+    /// Kept while they are looked at; more than those are found anew each time.
+    static constexpr int kept_edges = 40;
+    RowEdge edge_[kept_edges];
     int edges_ = 0;
+    Outline outline_;
+    int unkept_; ///< edges of the outline from this one on are not kept
+    std::int32_t row_;
     std::int32_t first_ = INT32_MAX, last_ = INT32_MIN;
 };
 

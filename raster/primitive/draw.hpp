@@ -55,7 +55,6 @@ void draw_smooth_point(const DrawState& state, const Surface& target, PrimitiveS
 template <class V>
 void draw_smooth_line(const DrawState& state, const Surface& target, PrimitiveState& primitive, const V& a,
                       const V& b, const V& provoking, std::int32_t eighths, LineStipple* stipple);
-inline constexpr int most_smooth_corners = 20;
 template <class V>
 void draw_smooth_polygon(const DrawState& state, const Surface& target, PrimitiveState& primitive,
                          const V* const* corner, int corners, const V& provoking);

@@ -25,7 +25,7 @@ struct Primitive {
         line_rectangle,
     };
     Shape shape;
-    std::uint8_t corners;  ///< of `corner`
+    int corners;           ///< of `corner`
     std::int32_t size = 0; ///< of points and lines: pixels; 1/8 of a pixel of smooth_point and what follows
     const FixedVertex* const* corner;
     const FixedVertex* provoking;
@@ -61,8 +61,7 @@ inline void keep_polygon([[maybe_unused]] const DrawState& state, [[maybe_unused
     if constexpr (std::is_same_v<V, FixedVertex>)
         if (state.recorder != nullptr)
             state.recorder->primitive(*state.recorder, state,
-                                      {Primitive::Shape::smooth_polygon, static_cast<std::uint8_t>(corners),
-                                       0, corner, &provoking});
+                                      {Primitive::Shape::smooth_polygon, corners, 0, corner, &provoking});
 #endif
 }
 

@@ -64,7 +64,7 @@ void draw_parts(const DrawState& state, const Surface& target, const Sorted<type
         line.strip(begin, end, outline);
         for (int i = 0; i < 4; ++i)
             quad[i] = snapped(outline[i]);
-        const PixelBox box(outline, 4);
+        const PixelBox box(outline_of(outline, 4));
         std::int32_t y = box.rows.begin < pen.row_begin() ? pen.row_begin() : box.rows.begin;
         const std::int32_t top = box.rows.end < pen.row_end() ? box.rows.end : pen.row_end();
         for (; y < top; ++y) {

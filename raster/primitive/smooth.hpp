@@ -22,33 +22,44 @@ struct Columns {
 /// The box of an outline, whole pixels.
 struct PixelBox {
     Columns columns{INT32_MAX, INT32_MIN}, rows{INT32_MAX, INT32_MIN};
-    PixelBox(const OutlinePoint* point, int n) {
+    explicit PixelBox(const Outline& outline) {
         const auto widen = [](Columns& c, std::int32_t v) {
             const std::int32_t low = v >> outline_bits, high = (v + outline_one - 1) >> outline_bits;
             c.begin = low < c.begin ? low : c.begin;
             c.end = high > c.end ? high : c.end;
         };
-        for (int i = 0; i < n; ++i) {
-            widen(columns, point[i].x);
-            widen(rows, point[i].y);
+        for (int i = 0; i < outline.count; ++i) {
+            const OutlinePoint point = outline[i];
+            widen(columns, point.x);
+            widen(rows, point.y);
         }
     }
 };
 
-/// Which centres of a row a triangle holds, by the rule of edge.hpp.
-template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
-    Columns found{INT32_MAX, INT32_MIN};
-    const auto edge = [&](const Corner<V>& low, const Corner<V>& high) {
+/// Which centres of a row lie between edges, by the rule of edge.hpp.
+class RowCenters {
+  public:
+    void add(const Position& low, const Position& high, std::int32_t row) {
         if (row < first_center(low.y) || row >= first_center(high.y))
             return;
         const std::int32_t column = Edge::at(low.x, low.y, high.x, high.y, row).column();
-        found.begin = column < found.begin ? column : found.begin;
-        found.end = column > found.end ? column : found.end;
-    };
-    edge(t.a, t.b);
-    edge(t.b, t.c);
-    edge(t.a, t.c);
-    return found.begin > found.end ? Columns{} : found;
+        found_.begin = column < found_.begin ? column : found_.begin;
+        found_.end = column > found_.end ? column : found_.end;
+    }
+    Columns columns() const { return found_.begin > found_.end ? Columns{} : found_; }
+
+  private:
+    Columns found_{INT32_MAX, INT32_MIN};
+};
+
+/// Which of them a triangle holds.
+template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
+    const Position a = {t.a.x, t.a.y}, b = {t.b.x, t.b.y}, c = {t.c.x, t.c.y};
+    RowCenters found;
+    found.add(a, b, row);
+    found.add(b, c, row);
+    found.add(a, c, row);
+    return found.columns();
 }
 
 template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
@@ -73,19 +84,17 @@ template <class P> class SmoothFan {
           provoking_(provoking) {}
 
     /// Inside of an outline that lies in the polygon.
-    void draw(const OutlinePoint* outline, int n) {
-        const detail::PixelBox box(outline, n);
-        outline_ = outline;
-        outline_corners_ = n;
+    void draw(const Outline& outline) {
+        const detail::PixelBox box(outline);
         rows_.begin = box.rows.begin < pen_.row_begin() ? pen_.row_begin() : box.rows.begin;
         rows_.end = box.rows.end < pen_.row_end() ? box.rows.end : pen_.row_end();
         if (rows_.none() || !pen_.sees(box.columns.begin, box.columns.end))
             return;
         pen_.begin();
         if (is_thin())
-            return draw_thin(box);
-        for (int i = 1; i + 1 < corners_; ++i)
-            draw_part(i);
+            draw_thin(outline, box);
+        else
+            draw_rows(outline);
     }
 
   private:
@@ -95,29 +104,29 @@ template <class P> class SmoothFan {
 
     /// All centres of a row.
     detail::Columns centers(std::int32_t row) const {
-        detail::Columns all;
-        for (int i = 1; i + 1 < corners_; ++i) {
-            const detail::Columns one = detail::centers(part(i), row);
-            if (one.none())
-                continue;
-            if (all.none())
-                all = one;
-            all.begin = one.begin < all.begin ? one.begin : all.begin;
-            all.end = one.end > all.end ? one.end : all.end;
+        detail::RowCenters found;
+        for (int i = 0; i < corners_; ++i) {
+            const Position a = position(*corner_[i]), b = position(*corner_[i + 1 < corners_ ? i + 1 : 0]);
+            const bool up = a.y < b.y || (a.y == b.y && a.x < b.x); // as corners are sorted
+            found.add(up ? a : b, up ? b : a, row);
         }
-        return all;
+        return found.columns();
     }
 
+    /// A row whose centres may be the nearest: all of them, and those of one triangle.
+    struct Near {
+        std::int32_t row = 0;
+        detail::Columns all, own;
+    };
+
     /// The nearest row with centres; how far that may be away is what a pointed corner needs.
-    bool find_centers(std::int32_t row, std::int32_t& found, detail::Columns& columns) const {
+    void find_centers(Near& near) const {
         constexpr std::int32_t farthest = 64;
-        for (std::int32_t away = 0; away <= 2 * farthest; ++away) {
-            found = (away & 1) != 0 ? row - (away + 1) / 2 : row + away / 2;
-            columns = centers(found);
-            if (!columns.none())
-                return true;
+        const std::int32_t row = near.row;
+        for (std::int32_t away = 1; near.all.none() && away <= 2 * farthest; ++away) {
+            near.row = (away & 1) != 0 ? row - (away + 1) / 2 : row + away / 2;
+            near.all = centers(near.row);
         }
-        return false;
     }
 
     /// Nowhere wider than a pixel: most of its rows or columns may have no centre.
@@ -135,7 +144,7 @@ template <class P> class SmoothFan {
         return area2 <= std::int64_t{subpixel_one} * (width > height ? width : height);
     }
 
-    void draw_thin(const detail::PixelBox& box) {
+    void draw_thin(const Outline& outline, const detail::PixelBox& box) {
         const Vertex *left = corner_[0], *right = left, *low = left, *high = left;
         for (int i = 1; i < corners_; ++i) {
             const Vertex* const v = corner_[i];
@@ -153,51 +162,56 @@ template <class P> class SmoothFan {
         end = center(reached.end - 1) > end ? center(reached.end - 1) : end;
         Setup<P>(pen_.span, along_x ? *left : *low, along_x ? *right : *high, provoking_, along_x, begin,
                  end);
+        painted_ = 0;
         CoveredRow<P> covered(pen_, primitive_);
         for (std::int32_t y = rows_.begin; y < rows_.end; ++y)
-            if (const AreaRow area(outline_, outline_corners_, y); !area.empty())
+            if (const AreaRow area(outline, y); !area.empty())
                 covered.draw(area, y, area.first(), area.last() + 1);
     }
 
-    /// A row whose centres may be the nearest: all of them, and those of one triangle.
-    struct Near {
-        std::int32_t row = 0;
-        detail::Columns all, own;
-    };
-    void enter(Near& near, std::int32_t row, const detail::Sorted<Vertex>& t) const {
-        near.row = row;
-        near.all = centers(row);
-        near.own = near.all.none() ? detail::Columns{} : detail::centers(t, row);
+    void draw_rows(const Outline& outline) {
+        CoveredRow<P> covered(pen_, primitive_);
+        for (std::int32_t y = rows_.begin; y < rows_.end; ++y) {
+            const AreaRow area(outline, y);
+            if (area.empty())
+                continue;
+            Near near[3] = {{y, centers(y), {}}, {y - 1, {}, {}}, {y + 1, {}, {}}};
+            const bool beside = near[0].all.begin > area.first() || near[0].all.end <= area.last();
+            if (beside) {
+                near[1].all = centers(y - 1);
+                near[2].all = centers(y + 1);
+                if (near[0].all.none() && near[1].all.none() && near[2].all.none())
+                    find_centers(near[0]);
+            }
+            for (int i = 1; i + 1 < corners_; ++i)
+                draw_part(i, covered, area, y, near, beside);
+        }
     }
 
-    void draw_part(int i) {
+    /// Of a row, what the i-th triangle paints.
+    void draw_part(int i, CoveredRow<P>& covered, const AreaRow& area, std::int32_t y, Near (&near)[3],
+                   bool beside) {
         const detail::Sorted<Vertex> t = part(i);
         if (t.area2 == 0)
             return;
-        Setup<P>(pen_.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking_, t.area2);
-        const Anchor anchor{pen_.span.anchor_x, pen_.span.anchor_y};
-        CoveredRow<P> covered(pen_, primitive_);
-        for (std::int32_t y = rows_.begin; y < rows_.end; ++y) {
-            const AreaRow area(outline_, outline_corners_, y);
-            if (area.empty())
-                continue;
-            Near near[3];
-            enter(near[0], y, t);
-            if (!near[0].own.none())
-                covered.draw(area, y, near[0].own.begin, near[0].own.end);
-            if (near[0].all.begin <= area.first() && near[0].all.end > area.last())
-                continue;
-            enter(near[1], y - 1, t);
-            enter(near[2], y + 1, t);
-            if (near[0].all.none() && near[1].all.none() && near[2].all.none()) {
-                detail::Columns columns;
-                if (find_centers(y, near[0].row, columns))
-                    enter(near[0], near[0].row, t);
-            }
-            draw_beside(covered, area, y, near, anchor);
-            pen_.span.anchor_x = anchor.x;
-            pen_.span.anchor_y = anchor.y;
+        bool any = false;
+        for (Near& at : near) {
+            at.own = at.all.none() ? detail::Columns{} : detail::centers(t, at.row);
+            any = any || !at.own.none();
         }
+        if (!any)
+            return;
+        if (painted_ != i)
+            Setup<P>(pen_.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking_, t.area2);
+        painted_ = i;
+        if (near[0].row == y && !near[0].own.none())
+            covered.draw(area, y, near[0].own.begin, near[0].own.end);
+        if (!beside)
+            return;
+        const Anchor anchor{pen_.span.anchor_x, pen_.span.anchor_y};
+        draw_beside(covered, area, y, near, anchor);
+        pen_.span.anchor_x = anchor.x;
+        pen_.span.anchor_y = anchor.y;
     }
 
     struct Anchor {
@@ -235,8 +249,7 @@ template <class P> class SmoothFan {
     const Vertex* const* corner_;
     int corners_;
     const Vertex& provoking_;
-    const OutlinePoint* outline_ = nullptr;
-    int outline_corners_ = 0;
+    int painted_ = 0; ///< the triangle whose planes the span has, or 0
     detail::Columns rows_;
 };
 
@@ -246,10 +259,11 @@ void draw_smooth_polygon_of(const DrawState& state, const Surface& target, Primi
                             const typename P::Vertex& provoking) {
     if (state.nothing)
         return keep_polygon(state, corner, corners, provoking);
-    OutlinePoint outline[most_smooth_corners];
-    for (int i = 0; i < corners; ++i)
-        outline[i] = outline_point(position(*corner[i]));
-    SmoothFan<P>(state, target, primitive, corner, corners, provoking).draw(outline, corners);
+    using Vertex = typename P::Vertex;
+    const Outline outline = {corner, corners, [](const void* all, int i) {
+                                 return outline_point(position(*static_cast<const Vertex* const*>(all)[i]));
+                             }};
+    SmoothFan<P>(state, target, primitive, corner, corners, provoking).draw(outline);
 }
 
 template <class P>
@@ -274,7 +288,7 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
     line.each_kept(stipple, [&](std::uint32_t begin, std::uint32_t end) {
         OutlinePoint outline[4];
         line.corners(begin, end, outline);
-        painted.draw(outline, 4);
+        painted.draw(outline_of(outline, 4));
     });
     if (stipple != nullptr)
         stipple->advance(line.parts());
@@ -301,11 +315,10 @@ class DiscRow {
             point_[count_ - 1 - i] = {center.x - half, y};
         }
     }
-    AreaRow area(std::int32_t row) const { return AreaRow(point_, count_, row); }
+    Outline outline() const { return outline_of(point_, count_); }
 
   private:
     static constexpr int chords = 16;
-    static_assert(2 * (chords + 1) <= AreaRow::most_edges);
     OutlinePoint point_[2 * (chords + 1)];
     int count_ = 0;
 };
@@ -318,7 +331,7 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
     const std::int32_t radius = eighths * (outline_one / 16);
     const OutlinePoint ends[2] = {{center.x - radius, center.y - radius},
                                   {center.x + radius, center.y + radius}};
-    const detail::PixelBox box(ends, 2);
+    const detail::PixelBox box(outline_of(ends, 2));
     Pen<P> pen(state, target);
     std::int32_t y = box.rows.begin < pen.row_begin() ? pen.row_begin() : box.rows.begin;
     const std::int32_t top = box.rows.end < pen.row_end() ? box.rows.end : pen.row_end();
@@ -329,9 +342,11 @@ void draw_smooth_point_of(const DrawState& state, const Surface& target, Primiti
     Setup<P>(pen.span, v);
     pen.begin();
     CoveredRow<P> covered(pen, primitive);
-    for (; y < top; ++y)
-        if (const AreaRow area = DiscRow(center, radius, y).area(y); !area.empty())
+    for (; y < top; ++y) {
+        const DiscRow disc(center, radius, y);
+        if (const AreaRow area(disc.outline(), y); !area.empty())
             covered.draw(area, y, area.first(), area.last() + 1);
+    }
 }
 
 } // namespace spangle::raster

@@ -1,6 +1,7 @@
 #include "tests/bands/programs.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace spangle::test {
 void start_program(int w, int h) {
@@ -154,6 +155,37 @@ Program smooth() {
                     glDisable(cap);
                 glLineWidth(1.F);
                 glPointSize(1.F);
+            }};
+}
+
+/// Of more corners than an item of a record has; stippled, flat, offset.
+Program polygons() {
+    return {"polygons", start_program, [](int f) {
+                clear(0.1F, 0.1F, 0);
+                glEnable(GL_POLYGON_SMOOTH);
+                glEnable(GL_BLEND);
+                glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+                glEnable(GL_DEPTH_TEST);
+                for (int n = 0; n < 6; ++n) {
+                    (n % 2 != 0 ? glEnable : glDisable)(GL_POLYGON_STIPPLE);
+                    (n % 3 != 0 ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
+                    glPolygonOffset(0, n % 3 == 1 ? 3e6F : -3e6F);
+                    glShadeModel(n == 4 ? GL_FLAT : GL_SMOOTH);
+                    const float x = 30.F + 13.F * static_cast<float>(n),
+                                y = 20.F + 5.F * static_cast<float>(n);
+                    glBegin(GL_POLYGON);
+                    for (int i = 0; i < 40; ++i) {
+                        const float t = static_cast<float>(i + f) * 0.157F;
+                        glColor4f(0.5F + 0.5F * std::cos(t), 0.5F + 0.5F * std::sin(t),
+                                  0.2F * static_cast<float>(n % 5), 1);
+                        glVertex3f(x + 20 * std::cos(t), y + 15 * std::sin(t), -0.5F);
+                    }
+                    glEnd();
+                }
+                for (const GLenum cap :
+                     {GL_POLYGON_SMOOTH, GL_BLEND, GL_DEPTH_TEST, GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL})
+                    glDisable(cap);
+                glShadeModel(GL_SMOOTH);
             }};
 }
 
@@ -311,7 +343,7 @@ Program sampled() {
 const std::vector<Program>& programs() {
     static const std::vector<Program> all = {dithered(true), dithered(false), stippled(),   wide(),
                                              smooth(),       pixels(),        stencilled(), blended(),
-                                             accumulated(),  outlined(),      sampled()};
+                                             polygons(),     accumulated(),   outlined(),   sampled()};
     return all;
 }
 

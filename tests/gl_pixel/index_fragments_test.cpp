@@ -1,6 +1,7 @@
 // Rows G24, D14, G19: what becomes of fragments on a surface of colour indices, from tables that GL 1.3 gives
 // (2.13.6, 3.2, 3.10, 3.11, 4.1, 4.2).
 #include "tests/gl_pixel/index_canvas.hpp"
+#include "tests/primitive/clipped_area.hpp"
 
 namespace spangle::test {
 namespace {
@@ -272,6 +273,26 @@ TEST_F(IndexFragments, CoverageIsTheLowBits) {
                     << index << " at " << x << ' ' << y;
             }
     }
+}
+
+/// Of a polygon as a whole: no pixel between the triangles of its fan has the coverage of one of them.
+TEST_F(IndexFragments, CoverageIsOfTheWholePolygon) {
+    glEnable(GL_POLYGON_SMOOTH);
+    const oracle::Polygon corners = {{1.5, 4},   {4.25, 1.5}, {9, 1.25}, {13.5, 5.75},
+                                     {12, 11.5}, {5, 13.75},  {2, 9}};
+    fill(1);
+    glIndexi(64);
+    glBegin(GL_POLYGON);
+    for (const oracle::Point& p : corners)
+        glVertex2d(p.x, p.y);
+    glEnd();
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const double area = oracle::area_in(corners, x, y);
+            const int got = at(x, y) - 64;
+            ASSERT_TRUE(area == 0 ? got == 1 - 64 : std::fabs(got - 15 * area) < 0.5 + 15.0 / 256)
+                << at(x, y) << " of " << area << " at " << x << ' ' << y;
+        }
 }
 
 /// Points and lines, too; what is not antialiased keeps its index, also in a state in which other things are.

@@ -20,7 +20,7 @@ std::vector<OutlinePoint> outline_of(const std::vector<Position>& corners) {
 }
 
 std::uint32_t coverage(const std::vector<OutlinePoint>& outline, int x, int y) {
-    const AreaRow row(outline.data(), static_cast<int>(outline.size()), y);
+    const AreaRow row(raster::outline_of(outline.data(), static_cast<int>(outline.size())), y);
     return row.empty() || x < row.first() || x > row.last() ? 0 : row.coverage(x);
 }
 
@@ -56,7 +56,7 @@ TEST(Area, PlainColumnsHaveOneCoverage) {
     for (int n = 0; n < 500; ++n) {
         const auto outline = outline_of({any(random), any(random), any(random)});
         for (int y = 0; y < size; ++y) {
-            const AreaRow row(outline.data(), 3, y);
+            const AreaRow row(raster::outline_of(outline.data(), 3), y);
             for (int x = row.first(); !row.empty() && x <= row.last();) {
                 const int end = row.plain_end(x);
                 longest = std::max(longest, end - x);

@@ -1,0 +1,104 @@
+// POLYGONs that are drawn when all of their corners are there: fed back they are one polygon (GL 1.3, 5.3),
+// and antialiased a pixel's coverage is that of the polygon, not of the triangles of a fan (3.5.3).
+#pragma once
+
+#include <new>
+
+#include "gl/context/arena.hpp"
+#include "gl/vertex/pipeline.hpp"
+
+namespace spangle::gl {
+
+template <class M, class L> inline bool Pipeline<M, L>::gathers() const {
+    return captures() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
+                      : SPANGLE_FEATURE_ANTIALIASING && smooth_polygons_;
+}
+
+/// The polygon at hand is one of them.
+template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
+#if SPANGLE_GATHERS_POLYGONS
+    return gathered_count_ != 0;
+#else
+    return false;
+#endif
+}
+
+template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex& v) {
+    held_ = 0;
+#if SPANGLE_GATHERS_POLYGONS
+    if (gathered_count_ == gathered_room_) {
+        const int room = gathered_room_ != 0 ? 2 * gathered_room_ : 8;
+        void* const memory = room < (1 << 20)
+                                 ? context_->arena->allocate(sizeof(Cut) * static_cast<std::size_t>(room))
+                                 : nullptr;
+        gathering_lost_ = gathering_lost_ || memory == nullptr;
+        if (memory == nullptr)
+            return;
+        auto* const more = static_cast<Cut*>(memory);
+        for (int i = 0; i < gathered_count_; ++i)
+            new (more + i) Cut(gathered_[i]);
+        context_->arena->free(gathered_);
+        context_->render.gathered = gathered_ = more;
+        gathered_room_ = room;
+    }
+    color_back(v);
+    Cut& corner = to_be_cut(v, *new (gathered_ + gathered_count_++) Cut);
+    if ((v.flags & edge_flag) != 0)
+        corner.flags |= boundary;
+#endif
+}
+
+template <class M, class L> void Pipeline<M, L>::draw_gathered() {
+#if SPANGLE_GATHERS_POLYGONS
+    const int n = gathered_count_, room = n + clip_vertices;
+    const auto places = static_cast<std::size_t>(room);
+    void* const memory =
+        n < 3 ? nullptr : context_->arena->allocate(places * (sizeof(std::int64_t) + 3 * sizeof(Vertex*)));
+    if (gathering_lost_ || (n >= 3 && memory == nullptr)) {
+        error(*context_, GL_OUT_OF_MEMORY,
+              SPANGLE_TEXT("no room in the arena for a polygon that is fed back or antialiased"));
+    } else if (n >= 3) {
+        auto* const part = static_cast<std::int64_t*>(memory);
+        auto** const work = reinterpret_cast<Vertex**>(part + room);
+        gathered_windows_ = static_cast<const Window**>(static_cast<void*>(work + 2 * room));
+        cut_gathered(work, room, part);
+    }
+    context_->arena->free(memory);
+    free_gathered();
+#endif
+}
+
+/// `work` has room for 2 * `room` corners.
+template <class M, class L>
+inline void Pipeline<M, L>::cut_gathered([[maybe_unused]] Vertex** work, [[maybe_unused]] int room,
+                                         [[maybe_unused]] std::int64_t* part) {
+#if SPANGLE_GATHERS_POLYGONS
+    const int n = gathered_count_;
+    unsigned all = outside_mask, any = 0, all_user = ~0u, any_user = 0;
+    for (int i = 0; i < n; ++i) {
+        const Vertex& v = *(work[i] = gathered_ + i);
+        const unsigned user = planes_.any() ? outside(v) : 0;
+        all &= v.flags;
+        any |= v.flags;
+        all_user &= user;
+        any_user |= user;
+    }
+    if (all != 0 || all_user != 0)
+        return;
+    const unsigned planes = clip_planes(any) | any_user << user_shift;
+    const int left = planes != 0 ? clip_polygon(work, work + room, room, n, planes) : n;
+    if (left >= 3)
+        visible(work, left, *gathered_, part);
+#endif
+}
+
+template <class M, class L> inline void Pipeline<M, L>::free_gathered() {
+#if SPANGLE_GATHERS_POLYGONS
+    context_->arena->free(gathered_);
+    context_->render.gathered = gathered_ = nullptr;
+    gathered_count_ = gathered_room_ = 0;
+    gathering_lost_ = false;
+#endif
+}
+
+} // namespace spangle::gl
