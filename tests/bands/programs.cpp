@@ -162,6 +162,9 @@ Program smooth() {
 Program polygons() {
     return {"polygons", start_program, [](int f) {
                 clear(0.1F, 0.1F, 0);
+                std::array<GLubyte, 128> pattern;
+                pattern.fill(0x6D);
+                glPolygonStipple(pattern.data());
                 glEnable(GL_POLYGON_SMOOTH);
                 glEnable(GL_BLEND);
                 glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -235,6 +235,26 @@ TEST_F(AntialiasPolygon, MaterialsChangeFromVertexToVertex) {
         }
 }
 
+/// Corners that triangles of a strip share have the colours of the one side here, of the other there.
+TEST_F(AntialiasPolygon, FoldedStripsShareTheirCorners) {
+    glEnable(GL_LIGHTING);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    const GLfloat front[] = {0.2f, 0.9f, 0.4f, 1}, back[] = {0.8f, 0.1f, 0.6f, 1};
+    glMaterialfv(GL_FRONT, GL_EMISSION, front);
+    glMaterialfv(GL_BACK, GL_EMISSION, back);
+    for (int n = 0; n < 40; ++n) {
+        Corners p(6);
+        for (Corner& c : p)
+            c = {place(), place()};
+        const auto strip = drawn([&] { give(GL_TRIANGLE_STRIP, p); });
+        const auto one_by_one = drawn([&] {
+            for (std::size_t i = 0; i < 4; ++i)
+                give(GL_TRIANGLES, {p[i + i % 2], p[i + 1 - i % 2], p[i + 2]});
+        });
+        ASSERT_EQ(strip, one_by_one) << n;
+    }
+}
+
 /// Without room for its corners it is not drawn, and that is said.
 TEST_F(AntialiasPolygon, TooManyCornersForTheArena) {
     gray();

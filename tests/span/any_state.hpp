@@ -8,9 +8,9 @@
 namespace spangle::raster::test {
 
 inline constexpr PixelFormat all_formats[] = {
-    PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
-    PixelFormat::rgba8888,  PixelFormat::rgb666,    PixelFormat::rgb444,
-    PixelFormat::rgb332,    PixelFormat::grey4,     PixelFormat::mono};
+    PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888, PixelFormat::rgba8888,
+    PixelFormat::rgb666,    PixelFormat::rgb444,    PixelFormat::rgb332, PixelFormat::grey4,
+    PixelFormat::mono,      PixelFormat::index8};
 
 /// Fills a unit with any environment.
 inline void any_unit(RandomVertices& random, TextureUnit& unit, const Texture& texture) {
@@ -54,6 +54,41 @@ inline void any_stencil(RandomVertices& random, StencilState& stencil) {
     stencil.pass = op();
 }
 
+/// Fragments of any state on a surface of that size.
+inline FragmentState any_fragments(RandomVertices& random, const Texture* const (&textures)[2], int width,
+                                   int height) {
+    FragmentState state;
+    const auto often = [&](std::uint32_t of) { return random.below(of) != 0; };
+    state.tier = static_cast<Tier>(random.below(3));
+    state.scissor = {static_cast<int>(random.below(8)), 0, width - 16, height};
+    state.dither = often(2);
+    for (int i = 0; i < 2; ++i) {
+        if (random.below(3) == 0)
+            continue;
+        any_unit(random, state.unit[i], *textures[i]);
+    }
+    state.color_sum = random.below(4) == 0;
+    state.fog = random.below(3) == 0;
+    state.fog_mode = static_cast<FogMode>(random.below(3));
+    state.fog_start = 0x3F000000, state.fog_end = 0x40800000, state.fog_density = 0x3F000000; // .5, 4, .5
+    for (auto& c : state.fog_color)
+        c = random.below(color_one + 1);
+    state.alpha_test = random.below(4) == 0;
+    state.alpha_func = static_cast<Compare>(random.below(8));
+    state.alpha_ref = static_cast<std::uint8_t>(random.below(256));
+    state.stencil_test = random.below(3) == 0;
+    any_stencil(random, state.stencil);
+    state.depth_test = often(3);
+    state.depth_func = static_cast<Compare>(random.below(8));
+    state.depth_write = often(3);
+    state.blend = random.below(3) == 0;
+    any_blending(random, state);
+    state.logic = random.below(6) == 0;
+    state.logic_op = static_cast<LogicOp>(random.below(16));
+    state.color_mask = often(4) ? 0xF : static_cast<std::uint8_t>(1 + random.below(15));
+    return state;
+}
+
 /// What primitives bring along, and somebody who counts.
 struct Extras {
     std::uint32_t pattern[32];
@@ -65,7 +100,9 @@ struct Extras {
             row = random.word();
         for (auto& c : coverage)
             c = random.below(4) == 0 ? full_coverage : random.below(full_coverage + 1);
-        primitive.coverage = coverage.data();
+        primitive.antialiased = random.below(4) != 0;
+        primitive.coverage = primitive.antialiased && random.below(8) != 0 ? coverage.data() : nullptr;
+        primitive.sample = static_cast<std::uint8_t>(random.below(4));
         primitive.depth_offset = static_cast<std::int64_t>(random.word()) - (std::int64_t{1} << 31);
         primitive.stippled = true;
     }
@@ -74,6 +111,15 @@ struct Extras {
         state.coverage = random.below(3) == 0;
         state.depth_offset = random.below(3) == 0;
         state.polygon_stipple = random.below(3) == 0 ? pattern : nullptr;
+        if (random.below(4) == 0)
+            add_samples(random, state);
+    }
+    static void add_samples(RandomVertices& random, FragmentState& state) {
+        state.alpha_to_coverage = random.below(2) == 0;
+        state.alpha_to_one = random.below(2) == 0;
+        state.sample_coverage = random.below(2) == 0;
+        state.invert_sample_coverage = random.below(2) == 0;
+        state.sample_coverage_value = static_cast<std::uint8_t>(random.below(256));
     }
     void give_to(DrawState& draw, Counters& counters) const {
         draw.primitive = &primitive;

@@ -1,0 +1,37 @@
+// The slowest way to draw a state: one fragment after the other, one stage after the other, no mode known
+// before.
+#pragma once
+
+#include "raster/span/assemble.hpp"
+#include "raster/span/fused_table.hpp"
+#include "tests/span/any_state.hpp"
+
+namespace spangle::raster::test {
+
+/// A variant as a chain of single fragments, whose texture function looks at its modes at each.
+template <class N> void single_fragments_of(Variant& variant, const Key& key, const FragmentState& state) {
+    assemble<N>(variant, key, state);
+    const auto replace = [&](ChainStage<N> packet, ChainStage<N> single) {
+        for (auto& stage : variant.chain)
+            if (stage == reinterpret_cast<AnyFunction>(packet))
+                stage = reinterpret_cast<AnyFunction>(single);
+    };
+    const auto has_lod = [&](int unit) {
+        const Texture* const texture = state.unit[unit].texture;
+        return texture != nullptr && (texture->mip != MipFilter::none || texture->mag != texture->min);
+    };
+    replace(&PacketTexture<N>::combined, &chain_stage<N, CombineUnits<N>>);
+    replace(&PacketTexture<N>::template run<0>,
+            has_lod(0) ? &chain_stage<N, Texture2D<N, 0, true>> : &chain_stage<N, Texture2D<N, 0, false>>);
+    replace(&PacketTexture<N>::template run<1>,
+            has_lod(1) ? &chain_stage<N, Texture2D<N, 1, true>> : &chain_stage<N, Texture2D<N, 1, false>>);
+}
+/// Of any key but those of raw words, which have no other arithmetic.
+inline void single_fragments(Variant& variant, const Key& key, const FragmentState& state) {
+    if (key.number == Number::exact)
+        single_fragments_of<Exact>(variant, key, state);
+    else
+        single_fragments_of<Balanced<1>>(variant, key, state);
+}
+
+} // namespace spangle::raster::test
