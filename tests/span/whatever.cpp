@@ -78,7 +78,10 @@ constexpr std::uint32_t draws = 10;
 /// The state has coverage: antialiased ones may be drawn, too.
 void draw_any(Draw what, RandomVertices random, const DrawState& state, const Surface& target,
               PrimitiveState& own, Kind kind) {
-    const Triangle t = random_triangle(random, width, height, kind);
+    Triangle t = random_triangle(random, width, height, kind);
+    if (random.below(4) == 0) // one colour, whatever else varies
+        for (FixedVertex& v : t.v)
+            std::copy_n(t.v[0].color, 4, v.color);
     const FixedVertex &a = t.v[0], &b = t.v[1];
     const auto eighths = static_cast<std::int32_t>(8 + random.below(60));
     LineStipple stipple;
