@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures what each optional system costs: the library without it against the library with everything.
 
-usage: features.py [--only FEATURE]
+usage: features.py [--only FEATURE] [--missing]
 
 For x86-64 (-O2), Cortex-M0+ and Cortex-M4 (as in firmware: hot rooms -O2, the others -Os, no messages): bytes of code and
 constants of all of gl/, and bytes of a context with its pipeline. Writes tests/bench/features.json; `./dev tables` makes a table
@@ -59,24 +59,26 @@ def measure(name, defines, folder, pool):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", help="this feature and the whole library only")
+    parser.add_argument("--missing", action="store_true", help="only features that have no record yet")
     arguments = parser.parse_args()
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
     known = {feature for feature, _ in FEATURES}
-    wanted = [feature for feature, _ in FEATURES if arguments.only in (None, feature)]
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    chosen = [feature for feature, _ in FEATURES if arguments.only in (None, feature)]
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
         for target, (prefix, _, _) in TARGETS.items():
             if shutil.which(prefix + "g++") is None:
                 print(f"{target}: no {prefix}g++, its columns stay")
                 continue
             column = {feature: cost for feature, cost in record.get(target, {}).items() if feature in known}
+            wanted = [feature for feature in chosen if not (arguments.missing and feature in column)]
             whole = measure(target, [], pathlib.Path(folder), pool)
             column["everything"] = whole
             for feature in wanted:
                 without = measure(target, [f"-DSPANGLE_FEATURE_{feature}=0"], pathlib.Path(folder), pool)
                 column[feature] = {key: whole[key] - without[key] for key in whole}
                 print(f"{target} {feature}: {column[feature]['text']} bytes of code, {column[feature]['context']} of a context", flush=True)
-            record[target] = column
-    RECORD.write_text(json.dumps(record, indent=1) + "\n")
+                record[target] = column
+                RECORD.write_text(json.dumps(record, indent=1) + "\n")
     return 0
 
 

@@ -1,5 +1,5 @@
-// Firmware that goes wrong on purpose, by its second argument: an instruction that is none, or a recursion
-// without end. Start-up's handlers report it; nothing else of the board is used.
+// Firmware that goes wrong on purpose, by its second argument: an instruction that is none, an address where
+// nothing is, or a recursion without end. Start-up's handlers report it; nothing else of the board is used.
 #include <cstdint>
 
 #include <spangle/mcu/semihosting.hpp>
@@ -7,6 +7,7 @@
 namespace {
 
 volatile std::uint32_t sink;
+constexpr std::uintptr_t nothing_there = 0xE8000000; ///< on none of the boards
 
 __attribute__((noinline)) std::uint32_t deeper(std::uint32_t n) {
     volatile std::uint32_t here[8];
@@ -32,5 +33,7 @@ int main() {
 #else
         asm volatile("udf #0");
 #endif
+    if (*at == ' ' && at[1] == 'a')
+        sink = *reinterpret_cast<volatile const std::uint32_t*>(nothing_there);
     return 7; // and nothing went wrong
 }

@@ -7,9 +7,10 @@
 #include <spangle/mcu/semihosting.hpp>
 #include <spangle/native.hpp>
 
+#include <spangle/boards/boards.hpp>
+
 #include "boards/board.hpp"
 #include "boards/demo/demo.hpp"
-#include "boards/mps2_an386/display.hpp"
 
 namespace {
 
@@ -26,10 +27,17 @@ struct DeadPort final : hal::PolledPort {
     void pause(std::uint32_t) override {}
 };
 
+/// A small one, which every board has room for beside its own.
+constexpr hal::Board wiring = [] {
+    hal::Board board = boards::ssd1306_128x32;
+    board.display.format = PixelFormat::mono;
+    board.display.wire = {};
+    return board;
+}();
 DeadPort dead_port;
-hal::BusMemoryOf<boards::mps2_an386> dead_frames;
-hal::PolledBus dead_bus{dead_port, hal::bus_caps(boards::mps2_an386), dead_frames.buffer()};
-hal::BoardDisplay<boards::mps2_an386> dead_display{dead_bus};
+hal::BusMemoryOf<wiring> dead_frames;
+hal::PolledBus dead_bus{dead_port, hal::bus_caps(wiring), dead_frames.buffer()};
+hal::BoardDisplay<wiring, 8> dead_display{dead_bus};
 
 struct Hash final : demo::Watcher {
     void begin_frame() override { picture = {}; }
@@ -46,17 +54,17 @@ void say(const char* what, const char* how) {
 
 /// A scene of textures, until there is no room for one more; then it draws with those it has.
 void setup(int width, int height) {
-    static const GLubyte texels[64 * 64 * 3] = {};
+    static const GLubyte texels[16 * 16 * 3] = {};
     int count = 0;
     for (; count < 1000 && glGetError() == GL_NO_ERROR; ++count) {
         GLuint name = 0;
         glGenTextures(1, &name);
         glBindTexture(GL_TEXTURE_2D, name);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 64, 64, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, texels);
         if (glGetError() == GL_OUT_OF_MEMORY)
             break;
     }
-    semihosting::print(count > 8 && count < 1000 ? "GL_OUT_OF_MEMORY after some textures\n"
+    semihosting::print(count > 2 && count < 1000 ? "GL_OUT_OF_MEMORY after some textures\n"
                                                  : "no shortage was met\n");
     glBindTexture(GL_TEXTURE_2D, 1);
     scenes::two_triangles.setup(width, height);

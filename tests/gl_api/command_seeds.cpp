@@ -11,6 +11,7 @@
 
 #include <spangle/GL/gl.h>
 
+#include "tests/gl_api/command_bands.hpp"
 #include "tests/gl_api/command_stream.hpp"
 #include "tests/gl_api/command_table.hpp"
 
@@ -20,10 +21,17 @@ namespace {
 /// Writes calls as run_command_stream() reads them; arguments that do not matter are drawn by lot.
 class Writer {
   public:
-    /// `plain`: the balanced tier on RGB565 with 16 bits of depth, as boards have it.
-    explicit Writer(unsigned seed, bool plain) : random_(seed) {
+    /// `plain`: the balanced tier on RGB565 with 16 bits of depth, as boards have it; `bands`: a window,
+    /// whole and in bands.
+    Writer(unsigned seed, bool plain, bool bands) : random_(seed) {
+        if (bands) {
+            put(first_of_bands + lot(256 - first_of_bands)); // tier, redrawn or recorded
+            for (int i = 0; i < 5; ++i)
+                put(lot(256)); // depth, format, samples, height, record
+            return;
+        }
         for (const unsigned byte : {1u, 0u, 0u, 1u}) // tier, depth, format, direction
-            put(plain ? byte : static_cast<unsigned>(random_()));
+            put(plain ? byte : lot(first_of_bands));
     }
     std::vector<std::uint8_t> done() { return out_; }
     unsigned lot(unsigned n) { return static_cast<unsigned>(random_()) % n; }
@@ -301,6 +309,23 @@ void evaluated(Writer& w) {
     }
 }
 
+/// What is read and copied in the midst of a frame, and counted.
+void copied(Writer& w) {
+    w.call("glEnable", {GL_DEPTH_TEST});
+    for (int i = 0; i < 5; ++i) {
+        w.primitive(modes[w.lot(10)], 6);
+        for (const char* name : {"glRasterPos2f", "glCopyPixels", "glReadPixels", "glBitmap", "glDrawPixels"})
+            w.call(name);
+        image(w, 0, 16, GL_RGBA, GL_UNSIGNED_BYTE);
+        w.call("glEnable", {GL_TEXTURE_2D});
+        w.primitive(GL_TRIANGLES, 6);
+        w.call("glCopyTexSubImage2D", {GL_TEXTURE_2D});
+        w.call("glTexSubImage2D", {GL_TEXTURE_2D});
+        w.primitive(GL_TRIANGLES, 6);
+        w.call("glAccum");
+    }
+}
+
 void anything(Writer& w) {
     for (int i = 0; i < 30; ++i) {
         w.some_state();
@@ -312,14 +337,14 @@ void anything(Writer& w) {
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> command_seeds() {
-    constexpr Fill fills[] = {shapes, lit,      textured, fragments, fused,   lists,
-                              arrays, captured, modal,    evaluated, anything};
+    constexpr Fill fills[] = {shapes, lit,      textured, fragments, fused,  lists,
+                              arrays, captured, modal,    evaluated, copied, anything};
     std::vector<std::vector<std::uint8_t>> seeds;
     unsigned number = 0;
-    for (int round = 0; round < 12; ++round)
+    for (int round = 0; round < 24; ++round)
         for (const Fill fill : fills) {
-            Writer w(++number, fill == fused);
-            if (round >= 4 && fill != fused) // with whatever state a few calls leave
+            Writer w(++number, fill == fused, round % 2 != 0);
+            if (round >= 8 && fill != fused) // with whatever state a few calls leave
                 for (int i = 0; i < 6; ++i)
                     w.some_state();
             fill(w);

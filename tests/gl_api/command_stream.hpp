@@ -8,8 +8,8 @@
 namespace spangle::test {
 
 /// Makes a context with a 64 x 48 surface of exact size, runs the commands that `data` spells, and destroys
-/// it. Every argument may be anything, but for what GL cannot check: client memory is large enough for the
-/// sizes that are given. Aborts when the arena is damaged or something is left in it.
+/// it. Aborts when the arena is damaged or something is left in it. By its first byte a stream is drawn to a
+/// window instead, whole and in bands (command_bands.hpp).
 void run_command_stream(const std::uint8_t* data, std::size_t bytes);
 
 /// Which of `entries` a byte names, where multiples of `other` mean something else.

@@ -206,6 +206,27 @@ TEST_F(Limits, LinesAndPointsOfArraysAreTheSame) {
     EXPECT_EQ(hash(), 256275623u);
 }
 
+/// Lines apart from each other, each of a colour of its own: where they end shows, and which element they
+/// are.
+TEST_F(Limits, LinesOfElementsEndAlikeAndHaveTheirColors) {
+    view();
+    glShadeModel(GL_FLAT);
+    std::vector<GLfloat> at;
+    std::vector<GLubyte> order, color;
+    for (int i = 0; i < 24; ++i) {
+        at.insert(at.end(), {static_cast<float>(i) * 0.09f - 1.05f,
+                             static_cast<float>(i * 5 % 7) * 0.05f - 0.15f, -1.0f});
+        color.insert(color.end(), 3, static_cast<GLubyte>(i * 97 % 256));
+        order.push_back(static_cast<GLubyte>(i * 5 % 24));
+    }
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, at.data());
+    glColorPointer(3, GL_UNSIGNED_BYTE, 0, color.data());
+    glDrawElements(GL_LINES, 24, GL_UNSIGNED_BYTE, order.data());
+    EXPECT_EQ(hash(), 3175498140u);
+}
+
 TEST_F(Limits, BlendedAndDitheredPictureIsTheSame) {
     view();
     glEnable(GL_BLEND);
