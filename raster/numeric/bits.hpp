@@ -23,6 +23,13 @@ inline constexpr bool divides = false;
 inline constexpr bool divides = true;
 #endif
 
+/// One instruction gives both words of a product, and a register holds only one. Decides likewise.
+#if defined(__thumb__) && !defined(__thumb2__)
+inline constexpr bool long_products = false;
+#else
+inline constexpr bool long_products = sizeof(void*) == 4;
+#endif
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);
@@ -70,6 +77,20 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_
     }
 #endif
     return n > 31 ? 0 : v >> n;
+}
+
+/// floor(v / 2^Down), but at least 0 and at most 2^Bits - 1.
+template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_after(std::int32_t v) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r;
+        asm("usat %0, %2, %1, asr %3" : "=r"(r) : "r"(v), "I"(Bits), "I"(Down)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    constexpr std::int32_t most = (std::int32_t{1} << Bits) - 1;
+    const std::int32_t down = v >> Down;
+    return static_cast<std::uint32_t>(down < 0 ? 0 : down > most ? most : down);
 }
 
 SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {

@@ -144,19 +144,30 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
 
-/// The fragments of a row one by one, counted up to 0: the last index needs no register.
-template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row) {
-    const Surface& target = *span.target;
+/// Where a row ends in memory.
+struct RowEnd {
+    std::uint8_t *color, *depth;
+};
+template <class Case> SPANGLE_INLINE RowEnd end_of(const Surface& target, const Row& row) {
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
         // One word before the loop, not a sum in it.
         return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{row.last} * bytes));
     };
-    PlaneRow at{
-        span,    place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
-        nullptr, row.first,
-        row.y,   row.last};
-    if constexpr (Case::tested)
-        at.depth = place(target.depth, target.depth_stride, 2);
+    return {place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
+            Case::tested ? place(target.depth, target.depth_stride, 2) : nullptr};
+}
+
+/// The same, where pixel 0 of the span becomes the first that is drawn.
+template <class Case> SPANGLE_INLINE RowEnd row_end(Span<Fixed>& span, const Row& row) {
+    span.x = row.first;
+    span.y = row.y;
+    return end_of<Case>(*span.target, row);
+}
+
+/// The fragments of a row one by one, counted up to 0: the last index needs no register.
+template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row) {
+    const RowEnd place = end_of<Case>(*span.target, row);
+    PlaneRow at{span, place.color, place.depth, row.first, row.y, row.last};
     typename Case::template List<1> list(at, 0);
     fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
 }
@@ -169,15 +180,27 @@ template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& sp
 /// One list for all rows.
 template <class Case>
 SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const Row* end) {
-    enter_fused<Case>(span, *row);
-    typename Case::template List<1> list(span, row->first - span.x);
-    for (;;) {
-        fused_narrow<typename Case::template System<1>>(list, span, row->first - span.x,
-                                                        row->last - row->first);
-        if (++row == end)
-            return;
+    using N = typename Case::template System<1>;
+    using List = typename Case::template List<1>;
+    if constexpr (!List::runs && !List::rows) {
+        // Counted up to 0: the last index needs no register.
+        const RowEnd first = row_end<Case>(span, *row);
+        List list(span, 0);
+        for (RowEnd at = first;; at = row_end<Case>(span, *row), list.start(span, 0)) {
+            fused_loop<false, N>(list, at, row->first - row->last, 0);
+            if (++row == end)
+                return;
+        }
+    } else {
         enter_fused<Case>(span, *row);
-        list.start(span, row->first - span.x);
+        List list(span, row->first - span.x);
+        for (;;) {
+            fused_narrow<N>(list, span, row->first - span.x, row->last - row->first);
+            if (++row == end)
+                return;
+            enter_fused<Case>(span, *row);
+            list.start(span, row->first - span.x);
+        }
     }
 }
 

@@ -13,6 +13,7 @@
 #include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
+#include "raster/span/stage_fogged.hpp"
 #include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
@@ -63,6 +64,10 @@ template <Key K, bool Gray = false> class FusedCase {
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
+    /// Fog is what comes before the store.
+    template <int L>
+    static constexpr bool stores_fogged =
+        K.number == Number::balanced&& L == 1 && K.fog && !K.blend && !K.dither && is_565(K.format);
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs =
@@ -123,9 +128,11 @@ template <Key K, bool Gray = false> class FusedCase {
             }
         }
         static auto fog() {
-            if constexpr (K.fog)
-                return std::type_identity<Seq<
-                    N, std::conditional_t<divided, FogCoordDivided<N>, FogCoord<N, false>>, FogLinear<N>>>{};
+            using Coordinate = std::conditional_t<divided, FogCoordDivided<N>, FogCoord<N, false>>;
+            if constexpr (K.fog && stores_fogged<L>)
+                return std::type_identity<Coordinate>{};
+            else if constexpr (K.fog)
+                return std::type_identity<Seq<N, Coordinate, FogLinear<N>>>{};
             else
                 return std::type_identity<None<N, 3>>{};
         }
@@ -140,6 +147,8 @@ template <Key K, bool Gray = false> class FusedCase {
                 return std::type_identity<StoreRaw<L, K.format>>{};
             else if constexpr (is_packed<N>)
                 return std::type_identity<BlendPacked<N, K.format>>{};
+            else if constexpr (stores_fogged<L>)
+                return std::type_identity<FoggedStore<N, K.format>>{};
             else if constexpr (K.dither)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else

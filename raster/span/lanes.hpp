@@ -63,9 +63,7 @@ template <> struct Lanes<1> {
     }
     /// min(max(v, 0), 2^24 - 1) / 2^8, v signed.
     SPANGLE_INLINE static U16 clamped_24_to_16(U32 v) {
-        constexpr std::int32_t most = (1 << 24) - 1;
-        const auto s = static_cast<std::int32_t>(v);
-        return static_cast<std::uint32_t>(s < 0 ? 0 : s > most ? most : s) >> 8;
+        return numeric::saturated_after<8, 16>(static_cast<std::int32_t>(v));
     }
     /// One element per lane.
     SPANGLE_INLINE static U32 gather(const std::uint32_t* v) { return v[0]; }

@@ -23,7 +23,9 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     using N = typename Base::N;
     /// With lanes only whole rows of words gain from it; with one, texels that little is done with.
     static constexpr bool rows = N::lanes == 1 ? T::stores_texels : T::loads_words;
-    using Base::Base;
+
+    SPANGLE_INLINE NearestWalk(const Span<Fixed>& span, std::int32_t x)
+        : Base(span, x), width_(this->log2_width) {}
 
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!this->in_row(n))
@@ -51,7 +53,10 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
         }
         return this->combine(
             p, [&](std::uint32_t k) __attribute__((always_inline)) {
-                return this->texel(this->row_of(t.texel(k)), s.texel(k));
+                if constexpr (by_product)
+                    return this->texel(this->texels, t.texel() * width_.v + s.texel_of(width_.v));
+                else
+                    return this->texel(this->row_of(t.texel(k)), s.texel(k));
             });
     }
     SPANGLE_INLINE void step_row() {
@@ -62,6 +67,16 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     }
 
   private:
+    /// A coordinate times the width begins with the column, and one factor serves rows and columns.
+    static constexpr bool by_product = N::lanes == 1 && !rows && numeric::long_products;
+    struct Width {
+        std::uint32_t v;
+        SPANGLE_INLINE explicit Width(int log2_width) : v(numeric::factor32(1u << log2_width)) {}
+    };
+    struct Unused {
+        SPANGLE_INLINE explicit Unused(int) {}
+    };
+    [[no_unique_address]] std::conditional_t<by_product, Width, Unused> width_;
     const std::uint8_t* row_at_;
     bool one_to_one_;
 

@@ -23,6 +23,11 @@ template <bool Cubic, int FractionBits> class TexelAxis {
         }
     }
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const { return v_.ahead(lane) >> shift_; }
+    /// The same from the size; lane 0, no fraction.
+    SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
+        static_assert(FractionBits == 0);
+        return numeric::mul_high_u32(v_.at, size);
+    }
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t lane = 0) const {
         return position(lane) >> FractionBits;
     }
