@@ -37,9 +37,10 @@ inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute err
 /// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
 /// 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
-    const std::uint32_t r = detail::reciprocal_seed(a);
-    const std::uint32_t product = mul_high_u32(a, r); // Q2.30, near 1
-    return static_cast<std::uint32_t>(mul_u32(r, 0x80000000u - product) >> 30);
+    // Twice the seed, and twice what is left of 2 without the product (Q2.30, near 1): 30 bits down are a
+    // word.
+    const std::uint32_t twice = detail::reciprocal_seed(a) << 1;
+    return mul_high_u32(twice, 0 - (mul_high_u32(a, twice) & ~1u));
 }
 
 /// Two Newton steps: Q2.30 of 1/a, in (1, 2] as (2^30, 2^31]. Absolute error <= 0.51 ulp, so relative <=

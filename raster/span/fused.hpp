@@ -295,7 +295,8 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     } while (++row != end);
 }
 
-/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain.
+/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, apart
+/// (the stages have no start()).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Wide == 8 && Case::heavy) {
@@ -307,6 +308,11 @@ template <class Case, int Wide = host_lanes>
         do
             fused_plain_row<Case>(span, *row);
         while (++row != end);
+    } else if constexpr (Case::apart) {
+        do {
+            enter_fused<Case>(span, *row);
+            fused_narrow_row<Case>(span, *row);
+        } while (++row != end);
     } else if constexpr (Wide == 1 || !Case::wide) {
         fused_narrow_rows<Case>(span, row, end);
     } else {

@@ -50,8 +50,9 @@ constexpr bool is_dithered(const Key& key) {
            !key.fog && !key.blend && key.dither;
 }
 
-/// Gray: for primitives whose colours are, only.
-template <Key K, bool Gray = false> class FusedCase {
+/// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
+/// chain, for primitives that the stages of stage_divided.hpp do not serve.
+template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
     static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || is_dithered(K),
@@ -67,7 +68,10 @@ template <Key K, bool Gray = false> class FusedCase {
     /// Fog is what comes before the store.
     template <int L>
     static constexpr bool stores_fogged =
-        K.number == Number::balanced&& L == 1 && K.fog && !K.blend && !K.dither && is_565(K.format);
+        L == 1 && K.number != Number::raw565&& K.fog && !K.blend && !K.dither && is_565(K.format);
+    /// Coordinates, too, divide by what the fragment has been divided by.
+    static constexpr bool shares_division =
+        textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs =
@@ -89,7 +93,7 @@ template <Key K, bool Gray = false> class FusedCase {
                 return std::type_identity<None<N, 0>>{};
         }
         static auto divide() {
-            if constexpr (divided)
+            if constexpr (divided && !Apart)
                 return std::type_identity<Divide<N>>{};
             else
                 return std::type_identity<None<N, 5>>{};
@@ -106,6 +110,8 @@ template <Key K, bool Gray = false> class FusedCase {
                 return std::type_identity<GouraudGuessed<L>>{};
             else if constexpr (Gray)
                 return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
+            else if constexpr (K.color && full && Apart)
+                return std::type_identity<GouraudQ<N, K.color_alpha>>{};
             else if constexpr (K.color && full)
                 return std::type_identity<GouraudDivided<N, K.color_alpha>>{};
             else if constexpr (K.color)
@@ -117,7 +123,9 @@ template <Key K, bool Gray = false> class FusedCase {
             if constexpr (textured) {
                 using Texture =
                     TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-                if constexpr (K.unit[0].filter == Filter::nearest && exact && divided)
+                if constexpr (shares_division && Apart)
+                    return std::type_identity<Seq<N, CoordAlong<N, 0, DividedCoords>, Texture>>{};
+                else if constexpr (shares_division)
                     return std::type_identity<NearestDivided<Texture, 0>>{};
                 else if constexpr (K.unit[0].filter == Filter::nearest)
                     return std::type_identity<NearestWalk<Texture, 0, Runs>>{};
@@ -128,7 +136,9 @@ template <Key K, bool Gray = false> class FusedCase {
             }
         }
         static auto fog() {
-            using Coordinate = std::conditional_t<divided, FogCoordDivided<N>, FogCoord<N, false>>;
+            using Coordinate =
+                std::conditional_t<!divided, FogCoord<N, false>,
+                                   std::conditional_t<Apart, FogCoord<N, true>, FogCoordDivided<N>>>;
             if constexpr (K.fog && stores_fogged<L>)
                 return std::type_identity<Coordinate>{};
             else if constexpr (K.fog)
@@ -160,8 +170,20 @@ template <Key K, bool Gray = false> class FusedCase {
                          typename decltype(store())::type>;
     };
 
+    /// Its stages serve the primitive.
+    static bool serves(const Span<Fixed>& span) {
+        if constexpr (shares_division) {
+            using N = Exact;
+            using Texture =
+                TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+            return NearestDivided<Texture, 0>::serves(span) && (!K.fog || FogCoordDivided<N>::serves(span));
+        }
+        return true;
+    }
+
   public:
     static constexpr Key key = K;
+    static constexpr bool apart = Apart;
     static constexpr bool guessed = is_guessed(K);
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Depth and colours, nothing else: rows are PlaneRows.
@@ -193,7 +215,12 @@ template <Key K, bool Gray = false> class FusedCase {
             return nullptr;
     }
 
-    template <int Wide> static void run_lanes(Span<Fixed>& span, const Row* row, const Row* end) {
+    /// Chained: primitives that a shared division does not serve are the chain's.
+    template <int Wide, bool Chained = false>
+    static void run_lanes(Span<Fixed>& span, const Row* row, const Row* end) {
+        if constexpr (shares_division)
+            if (!serves(span)) [[unlikely]]
+                return run_apart<Chained>(span, row, end);
         if constexpr (splits_gray) {
             if (span.gray)
                 return fused<FusedCase<K, true>, Wide>(span, row, end);
@@ -209,11 +236,22 @@ template <Key K, bool Gray = false> class FusedCase {
                 fill(span, *row);
             } while (++row != end);
         } else {
-            run_lanes<host_lanes>(span, row, end);
+            run_lanes<host_lanes, has_chain>(span, row, end);
         }
     }
 
   private:
+    template <bool Chained> static void run_apart(Span<Fixed>& span, const Row* row, const Row* end) {
+        if (splits_gray && span.gray) { // the one plane that there is
+            const auto copy = [](auto& planes) { planes[1] = planes[2] = planes[0]; };
+            copy(span.color_value);
+            copy(span.color_q);
+        }
+        if constexpr (Chained)
+            reinterpret_cast<RowsFunction<Fixed>>(chain_runner(K.number))(span, row, end);
+        else
+            fused<FusedCase<K, false, true>, 1>(span, row, end);
+    }
     /// A row of one colour, the span points to its first pixel.
     SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row) {
         using Words = Words565<Lanes<1>, K.format>;

@@ -67,7 +67,7 @@ struct Exact {
         return (v << 4) + (v >> 4) + (v >> 12) + (v >> 20);
     }
     SPANGLE_INLINE static T scaled(T a, std::uint32_t factor) {
-        return static_cast<T>((numeric::mul_u32(a, factor) + (1u << 31)) >> 32);
+        return static_cast<T>(numeric::high_rounded(static_cast<std::int64_t>(numeric::mul_u32(a, factor))));
     }
     /// a (1 - k) + b k
     SPANGLE_INLINE static T lerp(T a, T b, T k) {

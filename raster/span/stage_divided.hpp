@@ -101,9 +101,9 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
 template <class N> struct FogCoordDivided : StageBase {
     static constexpr unsigned out = field_fog;
     GuardedRamp f;
-    int exponent;
-    SPANGLE_INLINE FogCoordDivided(const Span<Fixed>& s, std::int32_t x)
-        : f(s, x, s.fog_q), exponent(s.fog_exponent) {}
+    SPANGLE_INLINE FogCoordDivided(const Span<Fixed>& s, std::int32_t x) : f(s, x, s.fog_q) {}
+    /// All fog coordinates of the primitive fit s7.24.
+    SPANGLE_INLINE static bool serves(const Span<Fixed>& s) { return s.fog_exponent == exponent; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.fog = coordinate(p.inverse);
         return true;
@@ -112,16 +112,15 @@ template <class N> struct FogCoordDivided : StageBase {
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { f.start(s, x, s.fog_q); }
 
   private:
+    static constexpr int exponent = 6;
     SPANGLE_INLINE std::uint32_t coordinate(const Inverse& inverse) const {
-        constexpr int usual = 6; // all fog coordinates of the primitive fit s7.24
-        if (exponent != usual) [[unlikely]]
-            return unusual(f.value(), exponent, inverse);
-        const auto most = static_cast<std::int32_t>(inverse.q >> (usual - 1));
+        const auto most = static_cast<std::int32_t>(inverse.q >> (exponent - 1));
         const std::int32_t least = f.value() < 0 ? 0 : f.value(), v = least < most ? least : most;
-        return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
-    }
-    [[gnu::noinline]] static std::uint32_t unusual(std::int32_t over_w, int exponent, Inverse inverse) {
-        return detail::projective_fog(over_w, exponent, inverse);
+        const std::uint32_t c =
+            numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
+        if (c >> (32 - exponent) != 0) // 2^(37 - zeros) is more than 32 v, and a mantissa 2^31 at most
+            __builtin_unreachable();
+        return c;
     }
 };
 
@@ -132,42 +131,60 @@ template <class T, int Unit> class NearestDivided : public T {
     static constexpr unsigned in = T::in & field_color, out = T::out;
 
     SPANGLE_INLINE NearestDivided(const Span<Fixed>& span, std::int32_t x)
-        : T(span, x), span_(&span), x_(x), s_(span, x, span.unit[Unit].s), t_(span, x, span.unit[Unit].t),
-          exponent_(span.unit[Unit].exponent), shares_q_(span.unit[Unit].shares_q) {}
+        : T(span, x), s_(span, x, span.unit[Unit].s), t_(span, x, span.unit[Unit].t),
+          exponent_(span.unit[Unit].exponent),
+          most_(19 - (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
+          width_(numeric::factor32(1u << this->log2_width)), bias_{nearest_bias(this->log2_width),
+                                                                   nearest_bias(this->log2_height)} {}
+    /// 1/w divides these coordinates, and there is more than one texel along each axis.
+    SPANGLE_INLINE static bool serves(const Span<Fixed>& span) {
+        return span.unit[Unit].shares_q && span.state->log2_width[Unit] != 0 &&
+               span.state->log2_height[Unit] != 0;
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        if (!shares_q_) [[unlikely]]
-            return sampled(p, own_inverse(p.i));
-        return sampled(p, p.inverse);
+        const std::uint32_t at = place(s_.value(), t_.value(), p.inverse);
+        return this->combine(p, [&](std::uint32_t) { return T::texel(this->texels, at); });
     }
     SPANGLE_INLINE void step() {
         s_.step();
         t_.step();
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
-        x_ = x;
         s_.start(span, x, span.unit[Unit].s);
         t_.start(span, x, span.unit[Unit].t);
     }
 
   private:
-    const Span<Fixed>* span_;
-    std::int32_t x_;
     GuardedRamp s_, t_;
-    int exponent_;
-    bool shares_q_;
+    int exponent_, most_;
+    std::uint32_t width_, bias_[2];
 
-    [[gnu::noinline]] Inverse own_inverse(std::int32_t i) const {
-        return Inverse(unguarded(span_->at(x_ + i, span_->unit[Unit].q)));
+    /// The texel's number. Of repeat_fraction() the high word of the product alone counts, where the low one
+    /// lies below the bias: `up` bits are all that the shift brings in.
+    SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
+        const int up = inverse.zeros + exponent_ + 2;
+        if (up > most_) [[unlikely]]
+            return far_place(s, t, inverse.mantissa, inverse.zeros, exponent_, this->log2_width,
+                             this->log2_height);
+        const auto repeats = [&](std::int32_t v, int axis) {
+            const std::int64_t product = std::int64_t{v} * inverse.mantissa;
+            return (static_cast<std::uint32_t>(product >> 32) << up) + bias_[axis];
+        };
+        return (repeats(t, 1) >> (32 - this->log2_height)) * width_ +
+               numeric::mul_high_u32(repeats(s, 0), width_);
     }
-    SPANGLE_INLINE bool sampled(Px<N>& p, const Inverse& inverse) const {
-        const std::uint32_t i = texel(s_, inverse, this->log2_width),
-                            j = texel(t_, inverse, this->log2_height);
-        return this->combine(p, [&](std::uint32_t) { return T::texel(this->row_of(j), i); });
-    }
-    /// repeat_nearest; the shift is below 32 with one texel, too.
-    SPANGLE_INLINE std::uint32_t texel(const GuardedRamp& v, const Inverse& inverse, int log2_size) const {
-        const std::uint32_t repeats = detail::repeat_fraction(v.value(), inverse, exponent_);
-        return (repeats + nearest_bias(log2_size)) >> 1 >> (31 - log2_size);
+    /// Many repeats, or little 1/w.
+    [[gnu::noinline]] static std::uint32_t far_place(std::int32_t s, std::int32_t t, std::uint32_t mantissa,
+                                                     int zeros, int exponent, int log2_width,
+                                                     int log2_height) {
+        Inverse inverse;
+        inverse.mantissa = mantissa;
+        inverse.zeros = zeros;
+        const auto texel = [&](std::int32_t v, int log2_size) {
+            return (detail::repeat_fraction(v, inverse, exponent) + nearest_bias(log2_size)) >>
+                   (32 - log2_size);
+        };
+        return (texel(t, log2_height) << log2_width) + texel(s, log2_width);
     }
 };
 

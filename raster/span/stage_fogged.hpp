@@ -9,6 +9,36 @@ namespace spangle::raster {
 
 template <class N, PixelFormat Format> struct FoggedStore;
 
+/// Exact. Half a 255th comes with the fog's colour, four times which is subtracted from four times the other.
+template <PixelFormat Format> struct FoggedStore<Exact, Format> : StageBase {
+    using N = Exact;
+    static constexpr unsigned in = field_color | field_fog;
+    static constexpr bool effect = true;
+    struct Fog {
+        std::uint32_t half_more, four;
+        SPANGLE_INLINE explicit Fog(std::uint32_t units)
+            : half_more(numeric::factor32(units + (1u << (color_fraction_bits - 1)))),
+              four(numeric::factor32(units << 2)) {}
+    };
+    Fog r, g, b;
+
+    SPANGLE_INLINE FoggedStore(const Span<Fixed>& s, std::int32_t)
+        : r(s.state->fragment.fog_color[0]), g(s.state->fragment.fog_color[1]),
+          b(s.state->fragment.fog_color[2]) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const auto f = static_cast<std::int32_t>(N::clamped_fraction(p.fog));
+        const auto rounded = [&](const Fog& fog, std::uint32_t color) {
+            const auto difference = static_cast<std::int32_t>((color << 2) - fog.four);
+            return fog.half_more + static_cast<std::uint32_t>(numeric::mul_high_s32(difference, f));
+        };
+        Words565<N::L, Format>::store(p.color_plane + 2 * p.i,
+                                      (rounded(r, p.color.r) >> (color_fraction_bits - 8) & 0xF800) |
+                                          (rounded(g, p.color.g) >> (color_fraction_bits - 3) & 0x07E0) |
+                                          rounded(b, p.color.b) >> (color_fraction_bits + 3));
+        return true;
+    }
+};
+
 /// Balanced. The fog's share is 65535 - f times its colour, and half a 255th, which rounds, comes with it: a
 /// multiplication subtracted from a constant.
 template <PixelFormat Format> struct FoggedStore<Balanced<1>, Format> : StageBase {
