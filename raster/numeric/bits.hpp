@@ -23,11 +23,11 @@ inline constexpr bool divides = false;
 inline constexpr bool divides = true;
 #endif
 
-/// One instruction gives both words of a product, and a register holds only one. Decides likewise.
+/// There are products of two words. Decides likewise.
 #if defined(__thumb__) && !defined(__thumb2__)
 inline constexpr bool long_products = false;
 #else
-inline constexpr bool long_products = sizeof(void*) == 4;
+inline constexpr bool long_products = true;
 #endif
 
 /// Leading zeros; 32 for 0.

@@ -27,6 +27,20 @@ TEST(Kernels, ReciprocalsTogetherAreThoseAlone) {
             ASSERT_EQ(together.at(i), reciprocal(a[i])) << a[i];
     }
 }
+TEST(Kernels, SaturationStaysInItsBits) {
+    const auto check = [](std::int32_t v) {
+        const std::int64_t wide = std::int64_t{v} >> 8, most = 0xFFFF;
+        const std::int64_t expected = wide < 0 ? 0 : wide > most ? most : wide;
+        ASSERT_EQ((saturated_after<8, 16>(v)), static_cast<std::uint32_t>(expected)) << v;
+    };
+    for (const std::int32_t edge : {0, 1 << 8, 1 << 24, INT32_MAX - 2, INT32_MIN + 2})
+        for (std::int32_t v = edge - 2; v < edge + 2; ++v)
+            check(v);
+    Random random(13);
+    for (int round = 0; round < 10'000; ++round)
+        check(static_cast<std::int32_t>(random.word() >> (round % 20)));
+    static_assert(saturated_after<8, 16>(-1) == 0 && saturated_after<8, 16>(1 << 24) == 0xFFFF);
+}
 TEST(Kernels, RsqrtHoldsItsBounds) {
     check_rsqrt(97);
 }

@@ -37,8 +37,9 @@ void project_texture(RandomVertices& source, Triangle& t) {
     }
 }
 
-void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* name) {
-    const StateOfKey of(fused.key, width, height);
+void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* name, int log2_texels = 6,
+                  int log2_rows = 5) {
+    const StateOfKey of(fused.key, width, height, log2_texels, log2_rows);
     const DepthFormat depth =
         fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
     Canvas chain_canvas(width, height, fused.key.format, depth),
@@ -85,6 +86,21 @@ TEST(Fused, EverySpanIsItsChain) {
         expect_equal(fused, fused.run, (name + ", lanes of this build").c_str());
         expect_equal(fused, fused.narrow, (name + ", one lane").c_str());
     }
+}
+
+TEST(Fused, OneTexelAlongAnAxis) {
+    constexpr int sizes[][2] = {{0, 4}, {7, 0}, {0, 0}};
+    int textured = 0;
+    for (std::size_t i = 0; i < fused_span_count(); ++i) {
+        const FusedSpan& fused = fused_spans()[i];
+        if (!fused.key.unit[0].on)
+            continue;
+        const auto& [texels, rows] = sizes[textured++ % 3];
+        const std::string name = "entry " + std::to_string(i);
+        expect_equal(fused, fused.run, (name + ", lanes of this build").c_str(), texels, rows);
+        expect_equal(fused, fused.narrow, (name + ", one lane").c_str(), texels, rows);
+    }
+    EXPECT_GT(textured, 30);
 }
 
 TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {

@@ -12,7 +12,7 @@ namespace spangle::raster::test {
 struct StateOfKey {
     FragmentState state;
     std::vector<std::unique_ptr<TestTexture>> textures;
-    StateOfKey(const Key& key, int width, int height) {
+    StateOfKey(const Key& key, int width, int height, int log2_texels = 6, int log2_rows = 5) {
         state.tier = key.number == Number::exact || key.cubic ? Tier::exact : Tier::balanced;
         state.scissor = {0, 0, width, height};
         state.dither = key.dither;
@@ -20,7 +20,8 @@ struct StateOfKey {
             const UnitKey& unit = key.unit[i];
             if (!unit.on)
                 continue;
-            textures.push_back(std::make_unique<TestTexture>(unit.texels, unit.base, 6 - i, 5 + i));
+            textures.push_back(std::make_unique<TestTexture>(unit.texels, unit.base, i == 0 ? log2_texels : 5,
+                                                             i == 0 ? log2_rows : 6));
             textures.back()->texture.mag = textures.back()->texture.min = unit.filter;
             state.unit[i].texture = &textures.back()->texture;
             state.unit[i].env = unit.env;
