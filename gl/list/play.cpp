@@ -4,8 +4,6 @@
 
 #if SPANGLE_FEATURE_LISTS
 
-#include <cstring>
-
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
 
@@ -36,7 +34,7 @@ void execute(Context& context, GLuint name) {
         return;
     for (;;) {
         Player player;
-        std::memcpy(&player, at, sizeof player);
+        __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
         if (player != nullptr) {
             at = player(context, at + player_words);
             continue;

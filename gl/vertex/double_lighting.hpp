@@ -30,6 +30,10 @@ class DoubleLighting {
         return {{DoubleMath::number(n[0]), DoubleMath::number(n[1]), DoubleMath::number(n[2])}};
     }
 
+    void light(const Context& context, const Real (&normal)[3], const DoubleMath::Eye& eye, int side,
+               raster::DoubleVertex& out) const {
+        light(context, input(normal), eye, side, out);
+    }
     void light(const Context& context, const Input& vertex, const DoubleMath::Eye& eye, int side,
                raster::DoubleVertex& out) const {
         const LightingState& state = context.lighting;

@@ -79,6 +79,9 @@ struct DoubleMath {
         void finish() {}
         bool divide(int, const Transforms&, const Real (&)[4], Window&, unsigned&) const { return false; }
     };
+    using Place = Window;
+    static void keep_place(const Window& from, Place& to) { to = from; }
+    static void take_place(const Place& from, Window& to) { to = from; }
     static Depth depth(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v).v[2]; }
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }

@@ -246,8 +246,8 @@ SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out,
 }
 
 /// With normals as they are given, n . l = (N^T l) . n.
-void FixedLighting::light_given(const Input& vertex, int side, raster::FixedVertex& out) const {
-    const numeric::Mantissas<3> n = numeric::load(normal_matrix_.column, vertex.normal);
+void FixedLighting::light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
+    const numeric::Mantissas<3> n = numeric::load(normal_matrix_.column, normal);
     add_plain(
         side, out, [&](const Source& source) __attribute__((always_inline)) {
             const numeric::BlockRow3& l = source.facing;
@@ -258,8 +258,8 @@ void FixedLighting::light_given(const Input& vertex, int side, raster::FixedVert
 
 /// With unit normals n . l = (N n) . l / |N n|. False: a normal so short beside the matrix that its direction
 /// needs more care.
-bool FixedLighting::light_unit(const Input& vertex, int side, raster::FixedVertex& out) const {
-    const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, vertex.normal);
+bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
+    const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
     std::int32_t n[3];
     std::uint64_t square = 0;
 #pragma GCC unroll 3
@@ -282,8 +282,8 @@ bool FixedLighting::light_unit(const Input& vertex, int side, raster::FixedVerte
     return true;
 }
 
-FixedLighting::Direction FixedLighting::direction_of(const Input& vertex, int side) const {
-    const numeric::Block3 n = numeric::transform(normal_matrix_, vertex.normal);
+FixedLighting::Direction FixedLighting::direction_of(const Real (&normal)[3], int side) const {
+    const numeric::Block3 n = numeric::transform(normal_matrix_, normal);
     Direction out;
     if (normalize_) {
         const numeric::Unit3 u = numeric::normalize(n);
@@ -355,10 +355,10 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
         specular[c] += weighted(fold.specular[i][c], shiny);
 }
 
-void FixedLighting::light_fully(const Input& vertex, const numeric::Block4& eye, int side,
+void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
                                 raster::FixedVertex& out) const {
     const Fold& fold = fold_[side];
-    const Direction n = direction_of(vertex, side);
+    const Direction n = direction_of(normal, side);
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));

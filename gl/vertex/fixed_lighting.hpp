@@ -33,12 +33,17 @@ class FixedLighting {
     /// position, only matters while needs_eye().
     SPANGLE_INLINE void light(const Context& context, const Input& vertex, const numeric::Block4& eye,
                               int side, raster::FixedVertex& out) {
-        if (!folded_)
+        light(context, vertex.normal, eye, side, out);
+    }
+    /// The same of a normal where it lies.
+    SPANGLE_INLINE void light(const Context& context, const Real (&normal)[3], const numeric::Block4& eye,
+                              int side, raster::FixedVertex& out) {
+        if (!folded_) [[unlikely]]
             fold(context);
-        if (!fold_[side].plain || (normalize_ && !light_unit(vertex, side, out)))
-            light_fully(vertex, eye, side, out);
+        if (!fold_[side].plain || (normalize_ && !light_unit(normal, side, out)))
+            light_fully(normal, eye, side, out);
         else if (!normalize_)
-            light_given(vertex, side, out);
+            light_given(normal, side, out);
     }
 
     /// A vertex made by clipping.
@@ -95,13 +100,13 @@ class FixedLighting {
     void fold_side(const Material& material, Fold& out) const;
     [[gnu::noinline]] void set_index(const Fold& fold, const Sum (&primary)[3], const Sum (&specular)[3],
                                      raster::FixedVertex& out) const;
-    void light_fully(const Input& vertex, const numeric::Block4& eye, int side,
+    void light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
                      raster::FixedVertex& out) const;
     template <class Facing>
     SPANGLE_INLINE void add_plain(int side, raster::FixedVertex& out, const Facing& facing) const;
-    void light_given(const Input& vertex, int side, raster::FixedVertex& out) const;
-    bool light_unit(const Input& vertex, int side, raster::FixedVertex& out) const;
-    Direction direction_of(const Input& vertex, int side) const;
+    void light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
+    bool light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
+    Direction direction_of(const Real (&normal)[3], int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
                          Sum (&specular)[3]) const;
     void add_general(const Source& source, const Fold& fold, int i, const numeric::Block4& position,

@@ -2,6 +2,7 @@
 // it. What the pipeline does with it stands in pipeline.hpp; the reference has the same operations in double.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -166,6 +167,17 @@ struct FixedMath {
         } clip_[N];
         numeric::Reciprocals<N> of_w_;
     };
+
+    /// What Projections make of a vertex, which is how a window vertex begins.
+    struct Place {
+        std::uint32_t word[offsetof(Window, color) / sizeof(std::uint32_t)];
+    };
+    static void keep_place(const Window& from, Place& to) {
+        __builtin_memcpy(&to, &from, sizeof to);
+    }
+    static void take_place(const Place& from, Window& to) {
+        __builtin_memcpy(&to, &from, sizeof from);
+    }
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 

@@ -16,7 +16,8 @@ template <class M> class NoLighting {
     bool two_sided() const { return false; }
     bool tracks_color() const { return false; }
     static Input input(const Real (&)[3]) { return {}; }
-    void light(const Context&, const Input&, const typename M::Eye&, int, typename M::Window&) {}
+    template <class Normal>
+    void light(const Context&, const Normal&, const typename M::Eye&, int, typename M::Window&) {}
     static void mix(const Input&, const Input&, typename M::Parameter, Input&) {}
 };
 

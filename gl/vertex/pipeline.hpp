@@ -6,6 +6,9 @@
 // that survive culling: a vertex's colour depends on nothing that happens in between.
 #pragma once
 
+#include <bit>
+#include <new>
+
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/targets.hpp"
@@ -61,7 +64,11 @@ template <class M, class L> class Pipeline {
         v.position[2] = z;
         v.position[3] = w;
         set_normal(v, current.normal);
+#if SPANGLE_VERTEX_CACHE != 1
+        place(v);
+#else
         process(v);
+#endif
         attributes(current, v);
         if (each_vertex_)
             given(current, v);
@@ -133,6 +140,26 @@ template <class M, class L> class Pipeline {
         typename M::Colors back{}; ///< while back_known
 #endif
     };
+#if SPANGLE_VERTEX_CACHE != 1
+    /// Where a vertex given by itself fell.
+    struct Placed {
+        Real position[3]{};     ///< w was 1
+        std::uint32_t time = 0; ///< good while this is now_
+        typename M::Place place{};
+    };
+    static constexpr std::size_t
+        most_placed = 512, ///< the more the better; these stay in the first-level cache of hosts
+        placed_count = std::bit_floor(sizeof(Vertex) * vertex_cache / sizeof(Placed) < most_placed
+                                          ? sizeof(Vertex) * vertex_cache / sizeof(Placed)
+                                          : most_placed),
+        placed_overlap = (sizeof(Placed) * placed_count + sizeof(Vertex) - 1) / sizeof(Vertex);
+    /// Vertices that come again: elements by their index, or others by their position, in the same memory.
+    union Kept {
+        Vertex vertex[vertex_cache];
+        Placed placed[placed_count];
+        Kept() : vertex{} {}
+    };
+#endif
     static constexpr int slot_count = 4;
     /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
     /// at every edge. Cuts that a plane took away are those that the next one makes.
@@ -185,7 +212,9 @@ template <class M, class L> class Pipeline {
     typename M::Colors back_[slot_count]; ///< of slot_, while back_known
 #endif
 #if SPANGLE_VERTEX_CACHE != 1
-    Vertex cache_[vertex_cache]; ///< of elements, by their index
+    Kept kept_;
+    bool keeps_placed_ = false; ///< which of them
+    std::uint32_t in_turn_ = 0; ///< vertices given by themselves since the last elements
 #endif
     Cut cut_[cut_count];
     std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
@@ -258,8 +287,10 @@ template <class M, class L> class Pipeline {
         if (++now_ != 0)
             return;
 #if SPANGLE_VERTEX_CACHE != 1
-        for (Vertex& v : cache_)
-            v.time = 0;
+        if (keeps_placed_)
+            keep_placed();
+        else
+            keep_elements();
 #endif
         now_ = 1;
     }
@@ -369,6 +400,14 @@ template <class M, class L> class Pipeline {
     void color_back(Vertex& v);
     void back_of(const Vertex& v, Window& out);
     [[gnu::noinline]] bool project(Vertex& v);
+
+    // pipeline_placed.hpp
+#if SPANGLE_VERTEX_CACHE != 1
+    [[gnu::noinline]] void keep_placed();
+    [[gnu::noinline]] void keep_elements();
+    [[gnu::noinline]] void place(Vertex& v);
+    static std::uint32_t placed_index(const Real* position);
+#endif
 
     // pipeline_elements.hpp
     void kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
@@ -490,6 +529,7 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_clip.hpp"
 #include "gl/vertex/pipeline_elements.hpp"
 #include "gl/vertex/pipeline_gather.hpp"
+#include "gl/vertex/pipeline_placed.hpp"
 #include "gl/vertex/pipeline_points.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"
 #include "gl/vertex/pipeline_vertex.hpp"

@@ -36,6 +36,9 @@ template <class M, class L>
 inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                                           const Indices& indices) {
     CurrentState& current = context.current;
+    in_turn_ = 0;
+    if (keeps_placed_)
+        keep_elements();
     const bool textured = is_usual_texture(reader), normals = lit_ && reader.normal.on();
     arrays_begin(reader, current, textured);
     if (!lit_)
@@ -102,7 +105,7 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    return cache_[index % vertex_cache];
+    return kept_.vertex[index % vertex_cache];
 }
 
 /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
@@ -144,7 +147,7 @@ Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, 
     Vertex& v = cached(index);
     const bool of_now = v.time == now_;
     if (of_now && equal(v.position, reader.vertex.words(index)) &&
-        (!normals || equal(v.normal, reader.normal.words(index))))
+        (!normals || equal(v.normal, reader.normal.words(index)))) [[likely]]
         return v;
     Vertex& fresh = place(v);
     fresh.time = now_;
@@ -191,8 +194,9 @@ template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t
 
 template <class M, class L>
 SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* words) {
-    return v[0].bits == ArrayReader::word(words, 0) && v[1].bits == ArrayReader::word(words, 1) &&
-           v[2].bits == ArrayReader::word(words, 2);
+    if (v[0].bits != ArrayReader::word(words, 0)) // what differs differs here
+        return false;
+    return ((v[1].bits ^ ArrayReader::word(words, 1)) | (v[2].bits ^ ArrayReader::word(words, 2))) == 0;
 }
 
 /// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
@@ -247,20 +251,19 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
 template <class M, class L>
 inline void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count,
                                            const Indices& given, bool normals, bool textured) {
-    const Indices indices = given; // in registers
-    Vertex *older = nullptr, *old = nullptr;
+    const Indices indices = given;          // in registers
+    Vertex *even = nullptr, *odd = nullptr; // the last ones: in this order all triangles face one way
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
-        for (Vertex* slot = slot_; v == older || v == old; ++slot) // of three, one is free
+        for (Vertex* slot = slot_; v == even || v == odd; ++slot) // of three, one is free
             v = slot;
         return *v;
     };
     for (std::uint32_t i = 0; i < count; ++i) {
         Vertex* const v = &corner_element(reader, indices.at(i), normals, textured, place);
         if (i >= 2)
-            usual_triangle((i & 1) == 0 ? *older : *old, (i & 1) == 0 ? *old : *older, *v);
-        older = old;
-        old = v;
+            usual_triangle(*even, *odd, *v);
+        ((i & 1) == 0 ? even : odd) = v;
     }
 }
 

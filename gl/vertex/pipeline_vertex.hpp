@@ -157,7 +157,7 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
     typename M::Eye eye{};
     if (lighting_.needs_eye())
         eye = M::to_eye(transforms_, v.position);
-    lighting_.light(*context_, L::input(v.normal), eye, side, out);
+    lighting_.light(*context_, v.normal, eye, side, out);
 }
 
 /// What is known only now: the edge flag, what else few programs give, and the colour where the material is
@@ -194,7 +194,7 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     if ((v.flags & is_cut) != 0 || lighting_.needs_eye())
         light(v, 0, v.window);
     else
-        lighting_.light(*context_, L::input(v.normal), unseen, 0, v.window);
+        lighting_.light(*context_, v.normal, unseen, 0, v.window);
     v.flags &= ~uncolored;
 }
 

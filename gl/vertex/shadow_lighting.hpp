@@ -28,6 +28,10 @@ class ShadowLighting {
     static Input input(const Real (&normal)[3]) {
         return {Product::input(normal), DoubleLighting::input(normal)};
     }
+    void light(const Context& context, const Real (&normal)[3], const ShadowMath::Eye& eye, int side,
+               raster::ShadowVertex& out) {
+        light(context, input(normal), eye, side, out);
+    }
     void light(const Context& context, const Input& vertex, const ShadowMath::Eye& eye, int side,
                raster::ShadowVertex& out) {
         fixed_.light(context, vertex.fixed, eye.fixed, side, out.fixed);

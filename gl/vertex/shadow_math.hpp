@@ -44,6 +44,9 @@ struct ShadowMath {
       private:
         FixedMath::Projections<N> fixed_;
     };
+    using Place = Window;
+    static void keep_place(const Window& from, Place& to) { to = from; }
+    static void take_place(const Place& from, Window& to) { to = from; }
     static Depth depth(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::depth(t.fixed, v), DoubleMath::depth(t.twin, v)};
     }

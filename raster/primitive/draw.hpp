@@ -13,7 +13,7 @@ namespace spangle::raster {
 /// Twice the signed area of a window-space triangle, n.16; positive = counter-clockwise with y up. Exact.
 constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
                                    std::int32_t cx, std::int32_t cy) {
-    return static_cast<std::int64_t>(bx - ax) * (cy - ay) - static_cast<std::int64_t>(cx - ax) * (by - ay);
+    return numeric::mul_s32(bx - ax, cy - ay) + numeric::mul_s32(ax - cx, by - ay); // words accumulate
 }
 
 /// V is FixedVertex, DoubleVertex or ShadowVertex; the fixed one is compiled into firmware, the others on

@@ -174,33 +174,34 @@ class VertexCache : public Canvas {
         return std::equal(a.color, a.color + 4, b.color) &&
                std::equal(a.secondary, a.secondary + 3, b.secondary);
     }
-};
 
-TEST_F(VertexCache, TellsNothing) {
-    std::size_t compared = 0;
-    for (int n = 0; n < 50000; ++n) {
-        if (whole(0, 1) != 0)
-            change_something();
-        arrays();
-        some_indices();
-        const auto mode = static_cast<GLenum>(whole(GL_POINTS, GL_POLYGON));
-        const auto count = static_cast<GLsizei>(indices.size());
-        GLfloat color_before[4];
-        glGetFloatv(GL_CURRENT_COLOR, color_before);
-        WindowRecorder drawn;
-        glDrawElements(mode, count, GL_UNSIGNED_SHORT, indices.data());
-        glColor4fv(color_before);
-        WindowRecorder given;
+    using Primitives = decltype(WindowRecorder::primitives);
+
+    void give(GLenum mode) {
         glBegin(mode);
         for (const GLushort i : indices)
             glArrayElement(i);
         glEnd();
-        ASSERT_EQ(drawn.primitives.size(), given.primitives.size()) << n;
+    }
+    Primitives given(GLenum mode) {
+        WindowRecorder recorder;
+        give(mode);
+        return recorder.primitives;
+    }
+    Primitives drawn(GLenum mode) {
+        WindowRecorder recorder;
+        glDrawElements(mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data());
+        return recorder.primitives;
+    }
+
+    /// In all that the state of now looks at.
+    void compare(const Primitives& drawn, const Primitives& given, int n) {
+        ASSERT_EQ(drawn.size(), given.size()) << n;
         const bool fog = glIsEnabled(GL_FOG) != 0, texture = glIsEnabled(GL_TEXTURE_2D) != 0;
         GLint shading = 0;
         glGetIntegerv(GL_SHADE_MODEL, &shading);
-        for (std::size_t i = 0; i < drawn.primitives.size(); ++i) {
-            const Primitive &a = drawn.primitives[i], &b = given.primitives[i];
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const Primitive &a = drawn[i], &b = given[i];
             ASSERT_TRUE(same_color(a.provoking, b.provoking)) << n << ' ' << i;
             for (int c = 0; c < a.corners; ++c) {
                 ASSERT_TRUE(same(a.corner[c], b.corner[c], fog, texture)) << n << ' ' << i;
@@ -209,8 +210,64 @@ TEST_F(VertexCache, TellsNothing) {
             }
         }
     }
+    std::size_t compared = 0; ///< corners
+};
+
+TEST_F(VertexCache, TellsNothing) {
+    for (int n = 0; n < 50000; ++n) {
+        if (whole(0, 1) != 0)
+            change_something();
+        arrays();
+        some_indices();
+        const auto mode = static_cast<GLenum>(whole(GL_POINTS, GL_POLYGON));
+        GLfloat color_before[4];
+        glGetFloatv(GL_CURRENT_COLOR, color_before);
+        const Primitives elements = drawn(mode);
+        glColor4fv(color_before);
+        ASSERT_NO_FATAL_FAILURE(compare(elements, given(mode), n));
+    }
     std::printf("%zu corners\n", compared);
     EXPECT_GT(compared, 500000u);
+}
+
+/// So many that those given one by one are kept by their positions, and then something changes.
+TEST_F(VertexCache, TellsNothingOfPositions) {
+    for (int n = 0; n < 2000; ++n) {
+        arrays();
+        some_indices();
+        const auto mode = static_cast<GLenum>(whole(GL_POINTS, GL_POLYGON));
+        for (std::size_t vertices = 0; vertices < 600; vertices += indices.size())
+            give(mode);
+        for (int changes = whole(0, 2); changes > 0; --changes)
+            change_something();
+        arrays();
+        GLfloat color_before[4];
+        glGetFloatv(GL_CURRENT_COLOR, color_before);
+        const Primitives in_turn = given(mode);
+        glColor4fv(color_before);
+        ASSERT_NO_FATAL_FAILURE(compare(drawn(mode), in_turn, n));
+    }
+    EXPECT_GT(compared, 20000u);
+}
+
+/// Points that share what is beyond or beside the three coordinates: z, w, the guard band.
+TEST_F(VertexCache, PositionsThatAreNearlyTheSame) {
+    for (int n = 0; n < 500; ++n) {
+        size = whole(2, 4);
+        for (std::size_t i = 1; i < position.size(); ++i) {
+            position[i] = position[0];
+            position[i][static_cast<std::size_t>(whole(0, 3))] =
+                whole(0, 3) != 0 ? real(0.5, 2) : real(-90, 90);
+        }
+        indices.clear();
+        for (int i = 0; i < 600; ++i)
+            indices.push_back(static_cast<GLushort>(whole(0, longest)));
+        arrays();
+        give(GL_TRIANGLES);
+        const Primitives in_turn = given(GL_TRIANGLES);
+        ASSERT_NO_FATAL_FAILURE(compare(drawn(GL_TRIANGLES), in_turn, n));
+    }
+    EXPECT_GT(compared, 20000u);
 }
 
 /// The same s and t with another q in between: what is kept is not that q.

@@ -1,0 +1,60 @@
+// Vertices given by themselves, in Begin/End or lists: models give most positions several times, with another
+// normal or for the next face, and where one falls is not computed anew. What the cache of elements does by
+// index is done by position here, in the same memory.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+#if SPANGLE_VERTEX_CACHE != 1
+
+namespace spangle::gl {
+
+/// From now on vertices given by themselves are kept.
+template <class M, class L> void Pipeline<M, L>::keep_placed() {
+    for (Placed& p : kept_.placed)
+        new (&p) Placed;
+    keeps_placed_ = true;
+}
+
+/// From now on elements are kept: those in place of the others anew.
+template <class M, class L> void Pipeline<M, L>::keep_elements() {
+    const std::size_t lost = keeps_placed_ ? placed_overlap : vertex_cache;
+    for (std::size_t i = 0; i < lost; ++i)
+        new (&kept_.vertex[i]) Vertex;
+    keeps_placed_ = false;
+}
+
+/// Of coordinates that are much alike: short fractions, a constant z, points and their mirror images.
+template <class M, class L> inline std::uint32_t Pipeline<M, L>::placed_index(const Real* position) {
+    const std::uint32_t y = position[1].bits;
+    const std::uint32_t mixed = position[0].bits + (y << 3) + (y >> 7) + (position[2].bits >> 1);
+    return mixed * 0x9E3779B1u >> (32 - std::countr_zero(placed_count));
+}
+
+/// What process() does, of a position that was given before from what was kept of it. Elements are not lost
+/// to a few vertices between them.
+template <class M, class L> void Pipeline<M, L>::place(Vertex& v) {
+    if (!keeps_placed_) {
+        if (++in_turn_ < placed_count) [[unlikely]]
+            return process(v);
+        keep_placed();
+    }
+    Placed& kept = kept_.placed[placed_index(v.position)];
+    const bool plain = v.position[3] == numeric::one;
+    if (plain && kept.time == now_ && same<3>(kept.position, v.position)) {
+        M::take_place(kept.place, v.window);
+        v.flags = lit_ ? uncolored : 0;
+        return;
+    }
+    process(v);
+    if (!plain || (v.flags & ~uncolored) != 0)
+        return;
+    for (int i = 0; i < 3; ++i)
+        kept.position[i] = v.position[i];
+    kept.time = now_;
+    M::keep_place(v.window, kept.place);
+}
+
+} // namespace spangle::gl
+
+#endif
