@@ -111,6 +111,19 @@ struct Indices {
         return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
     }
 
+    /// The usual ones, or none: loops over them ask for no type.
+    struct Shorts {
+        const std::uint8_t* data;
+        SPANGLE_INLINE std::uint32_t at(std::uint32_t i) const {
+            std::uint16_t value;
+            __builtin_memcpy(&value, data + std::size_t{i} * sizeof value, sizeof value);
+            return value;
+        }
+    };
+    Shorts shorts() const {
+        return {type == GL_UNSIGNED_SHORT ? static_cast<const std::uint8_t*>(data) : nullptr};
+    }
+
     /// Those behind the first n.
     Indices from(std::uint32_t n) const {
         Indices rest = *this;

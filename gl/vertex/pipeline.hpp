@@ -192,12 +192,12 @@ template <class M, class L> class Pipeline {
     bool multisampling_ = false;
     bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
     GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
-    bool front_is_ccw_ = true, culls_ccw_ = false, culls_cw_ = false;
-    Vertex* corner_[slot_count] = {}; ///< of the primitive being assembled
-    unsigned layout_ = 0;             ///< of the arrays that the cached vertices came from
-    Given given_;                     ///< the element at hand
-    Real given_color_[4] = {};        ///< current during the last draw of elements
-    std::uint32_t now_ = 1;           ///< of cached vertices; another one when their results would differ
+    bool front_is_ccw_ = true, culls_[2] = {}; ///< counter-clockwise ones, and clockwise ones
+    Vertex* corner_[slot_count] = {};          ///< of the primitive being assembled
+    unsigned layout_ = 0;                      ///< of the arrays that the cached vertices came from
+    Given given_;                              ///< the element at hand
+    Real given_color_[4] = {};                 ///< current during the last draw of elements
+    std::uint32_t now_ = 1; ///< of cached vertices; another one when their results would differ
     std::int32_t point_size_ = 1, line_width_ = 1;
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
@@ -253,8 +253,8 @@ template <class M, class L> class Pipeline {
         const PolygonState& polygon = context.polygon;
         flat_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;
-        culls_ccw_ = culls(polygon, front_is_ccw_);
-        culls_cw_ = culls(polygon, !front_is_ccw_);
+        culls_[0] = culls(polygon, front_is_ccw_);
+        culls_[1] = culls(polygon, !front_is_ccw_);
         for (int side = 0; side < 2; ++side)
             face_mode_[side] = polygon.mode[side];
         captures_ = !context.render.draws();
@@ -430,8 +430,11 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     void line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                        bool normals);
-    void strip_elements(const ElementReader& reader, std::uint32_t count, const Indices& given, bool normals,
-                        bool textured);
+    void strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals,
+                  bool textured);
+    template <class I>
+    [[gnu::noinline]] void strip_elements(const ElementReader& reader, std::uint32_t count, I indices,
+                                          bool normals, bool textured);
     void divide(Pending& lines);
     [[gnu::noinline]] void draw_pending(Pending& p);
     SPANGLE_INLINE Vertex& place_of(Vertex& cached);
@@ -468,7 +471,7 @@ template <class M, class L> class Pipeline {
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c);
     static std::int64_t area_of(Vertex* const* corners, int n);
     [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c);
-    SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c);
+    SPANGLE_INLINE void usual_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
     void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
     /// `part` has room for n; `whole` has the sign of the polygon before it was cut, or is 0.

@@ -53,8 +53,8 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
             next(unusual_element(context, reader, indices.at(i)));
     else if (has_lines())
         line_elements(reader, count, indices, normals);
-    else if (mode_ == GL_TRIANGLE_STRIP)
-        strip_elements(reader, count, indices, normals, textured);
+    else if (mode_ == GL_TRIANGLE_STRIP && !whole_polygons_)
+        strip_of(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)
             next(corner_element(reader, indices.at(i), normals, textured,
@@ -247,11 +247,20 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
     }
 }
 
+/// A strip by what its indices are.
+template <class M, class L>
+inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                                     bool normals, bool textured) {
+    if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
+        return strip_elements(reader, count, shorts, normals, textured);
+    strip_elements(reader, count, indices, normals, textured);
+}
+
 /// A strip of elements: its corners stay in registers.
 template <class M, class L>
-inline void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count,
-                                           const Indices& given, bool normals, bool textured) {
-    const Indices indices = given;          // in registers
+template <class I>
+void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t count, const I indices,
+                                    bool normals, bool textured) {
     Vertex *even = nullptr, *odd = nullptr; // the last ones: in this order all triangles face one way
     const auto place = [&](Vertex& cached) -> Vertex& {
         Vertex* v = &cached;
@@ -262,7 +271,7 @@ inline void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uin
     for (std::uint32_t i = 0; i < count; ++i) {
         Vertex* const v = &corner_element(reader, indices.at(i), normals, textured, place);
         if (i >= 2)
-            usual_triangle(*even, *odd, *v);
+            usual_triangle(*even, *odd, *v, false);
         ((i & 1) == 0 ? even : odd) = v;
     }
 }

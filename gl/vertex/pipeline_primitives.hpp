@@ -134,20 +134,22 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
 /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
 /// goes the way of polygons.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
-    usual_triangle(a, b, c);
+    usual_triangle(a, b, c, whole_polygons_);
 }
 
 template <class M, class L>
-SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex& c) {
+SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole) {
     const unsigned any = a.flags | b.flags | c.flags;
-    if ((a.flags & b.flags & c.flags & outside_mask) != 0)
-        return;
-    if ((any & (beyond_mask | unprojected)) != 0 || whole_polygons_) {
-        Vertex* const corners[3] = {&a, &b, &c};
-        return polygon(corners, 3, c);
+    if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || whole) [[unlikely]] {
+        if ((a.flags & b.flags & c.flags & outside_mask) != 0)
+            return;
+        if ((any & (beyond_mask | unprojected)) != 0 || whole) {
+            Vertex* const corners[3] = {&a, &b, &c};
+            return polygon(corners, 3, c);
+        }
     }
     const std::int64_t area = area_of(a.window, b.window, c.window);
-    if (area == 0 || (area > 0 ? culls_ccw_ : culls_cw_))
+    if (culls_[area < 0 ? 1 : 0] || area == 0)
         return;
     if ((any & uncolored) != 0) {
         if (!flat_)
@@ -169,7 +171,7 @@ void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& pr
     }
     const std::int64_t first = area_of(a.window, b.window, c.window),
                        second = area_of(a.window, c.window, d.window);
-    if (first + second > 0 ? culls_ccw_ : culls_cw_)
+    if (culls_[first + second > 0 ? 0 : 1])
         return;
     if ((any & uncolored) != 0) {
         if (!flat_)
@@ -239,7 +241,7 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
     if (area == 0 && (n == 3 || whole != 0) && !captures())
         return;
     const bool ccw = area > 0;
-    if (ccw ? culls_ccw_ : culls_cw_)
+    if (culls_[ccw ? 0 : 1])
         return;
     if (SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides_)
         state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
