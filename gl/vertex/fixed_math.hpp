@@ -23,9 +23,19 @@ struct FixedMath {
     using Depth = numeric::Block;
     using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
 
+    static constexpr bool wide_words = sizeof(void*) > 4;
+    /// 32 bits in a word: where that has 64 none is extended at every use.
+    using Factor = std::conditional_t<wide_words, std::int64_t, std::int32_t>;
+    SPANGLE_INLINE static std::int64_t product(Factor a, std::int32_t b) {
+        if constexpr (wide_words)
+            return a * b;
+        return numeric::mul_s32(static_cast<std::int32_t>(a), b);
+    }
+
     /// From a quotient, -1 .. 1, to a coordinate of the window.
     struct Range {
-        std::int32_t middle = 0, minus_half = 0;
+        std::int32_t middle = 0;
+        Factor minus_half = 0;
         std::int64_t rounded_middle = 0; ///< with the fraction bits of the quotient, and half a unit more
 
         Range() = default;
@@ -35,8 +45,7 @@ struct FixedMath {
 
         /// Nearest to middle + half * q, of -q with `bits` fraction bits: those of rounded_middle.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
-            return static_cast<std::int32_t>((rounded_middle + numeric::mul_s32(minus_half, minus_q)) >>
-                                             bits);
+            return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
         }
         /// The same; of a quotient that is too large anything.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
@@ -44,19 +53,33 @@ struct FixedMath {
         }
     };
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
-    static constexpr bool wide_words = sizeof(void*) > 4;
-    using Quotient = std::conditional_t<wide_words, std::int64_t, std::int32_t>;
+    using Quotient = Factor;
     static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
+
+    /// The rows of a matrix, for vertices.
+    struct WideRows {
+        Factor m[16] = {};
+        void set(const numeric::BlockMatrix& a) {
+            for (int i = 0; i < 16; ++i)
+                m[i] = a.m[i];
+        }
+        const Factor* of(const numeric::BlockMatrix&) const { return m; }
+    };
+    struct Rows {
+        static void set(const numeric::BlockMatrix&) {}
+        static const std::int32_t* of(const numeric::BlockMatrix& a) { return a.m; }
+    };
 
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
         numeric::BlockMatrix to_clip, to_eye;
+        [[no_unique_address]] std::conditional_t<wide_words, WideRows, Rows> rows; ///< of to_clip
 #if SPANGLE_TEXTURE_UNITS
         numeric::BlockMatrix texture[texture_units]; ///< those that are not the identity
 #endif
         numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
         bool texture_is_identity[texture_units];
-        /// Exponents of the rows x, y, z over that of w, less lift_room.
+        /// Of the rows x, y, z: see Lifted.
         std::int32_t lift[3] = {};
         std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
         std::uint32_t most_zeros = 0; ///< of a w that process() divides by
@@ -69,11 +92,15 @@ struct FixedMath {
         out.to_eye = numeric::to_block_matrix(modelview);
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
+        out.rows.set(out.to_clip);
         out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
-        for (int i = 0; i < 3; ++i)
-            out.lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
+        std::int32_t lift[3]; // exponents of the rows x, y, z over that of w, less lift_room
+        for (int i = 0; i < 3; ++i) {
+            lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
+            out.lift[i] = wide_words ? 31 - lift[i] : lift[i];
+        }
         out.w_exponent = -63 - out.to_clip.row[3];
-        out.most_zeros = most_zeros(out.lift);
+        out.most_zeros = most_zeros(lift);
         for (int u = 0; u < texture_units; ++u) {
             const numeric::Matrix& texture = state.texture[u].entry[state.texture[u].top];
             out.texture_is_identity[u] = is_identity(texture);
@@ -116,7 +143,7 @@ struct FixedMath {
             numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
             if (fog)
                 set_fog(numeric::product(t.eye_z, v), out);
-            const std::int32_t* const rows = t.to_clip.m;
+            const auto* const rows = t.rows.of(t.to_clip);
             Clipped& clip = clip_[i];
             clip.w = static_cast<std::uint32_t>(row(rows + 12, v));
             clip.x = row(rows, v);
@@ -136,8 +163,8 @@ struct FixedMath {
             const int zeros = numeric::clz32(clip.w); // 3 .. 31; 0 where w is negative, 32 where it is 0
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;
-            const Lifted x(clip.x, zeros + t.lift[0]), y(clip.y, zeros + t.lift[1]),
-                z(clip.z, zeros + t.lift[2]);
+            const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
+                z(clip.z, zeros, t.lift[2]);
             if (!wide_words && (x.lost() | y.lost() | z.lost()) != 0)
                 return false;
             const std::uint32_t r = of_w_.at(i); // 1/w = r * 2^(zeros - 62 - e)
@@ -351,7 +378,7 @@ struct FixedMath {
     /// The window before snapping: x, y, z, and w of the clip coordinates.
     [[gnu::noinline]] static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         const numeric::Block w = numeric::component(c, 3);
-        const auto place = [&](int i, std::int32_t middle, std::int32_t half, int bits) {
+        const auto place = [&](int i, std::int32_t middle, Factor half, int bits) {
             const numeric::Block quotient = numeric::div(numeric::component(c, i), w);
             return numeric::to_real(numeric::add(numeric::make_block(middle, -bits),
                                                  numeric::mul(numeric::make_block(half, -bits), quotient)));
@@ -524,34 +551,37 @@ struct FixedMath {
         return most < 0 ? 0 : static_cast<std::uint32_t>(most);
     }
 
-    /// Row by row: with all four under way at once the words would not fit the registers of an ARM.
-    SPANGLE_INLINE static std::int32_t row(const std::int32_t* elements, numeric::Mantissas<4>& v) {
+    /// Row by row: with all four under way at once the words would not fit the registers.
+    template <class Element>
+    SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v) {
 #pragma GCC unroll 4
         for (std::int32_t& m : v.m)
             m = numeric::factor32(m);
         const std::int32_t r = numeric::row_times(elements, v.m);
-#if __SIZEOF_POINTER__ == 4
         asm volatile("" : "+r"(v.m[0]) : "r"(r)); // NOLINT(hicpp-no-assembler): no instruction
-#endif
         return r;
     }
 
-    /// v 2^by, 0 <= by < 32, for the high word of a product, rounded. Where words have 64 bits it is the
-    /// product that is shifted: it fits whatever v is, and whether v 2^by would have is asked of large
-    /// quotients alone.
+    /// v 2^by, by = zeros + lift, 0 <= by < 32, for the high word of a product, rounded. Where words have 64
+    /// bits it is the product that is shifted, down by 31 - by: it fits whatever v is, and whether v 2^by
+    /// would have is asked of large quotients alone.
     struct Lifted {
         std::int32_t v;
-        int by;
-        SPANGLE_INLINE Lifted(std::int32_t value, int n) : v(value), by(n) {}
-        SPANGLE_INLINE std::int32_t word() const {
-            return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << by);
+        int by; ///< or 31 - by
+        SPANGLE_INLINE Lifted(std::int32_t value, int zeros, std::int32_t lift)
+            : v(value), by(static_cast<int>(wide_words ? lift - zeros : lift + zeros)) {}
+        SPANGLE_INLINE std::int32_t word(int n) const {
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
         }
         /// Bits that the word has not.
-        SPANGLE_INLINE std::int32_t lost() const { return (word() >> by) ^ v; }
+        SPANGLE_INLINE std::int32_t lost() const {
+            const int n = wide_words ? 31 - by : by;
+            return (word(n) >> n) ^ v;
+        }
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (wide_words)
-                return ((numeric::mul_s32(v, factor) >> (31 - by)) + 1) >> 1;
-            return numeric::high_rounded(numeric::mul_s32(word(), factor));
+                return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
+            return numeric::high_rounded(numeric::mul_s32(word(by), factor));
         }
     };
     static constexpr std::uint32_t one = 1u << quotient_bits, z_one = 1u << depth_quotient_bits;

@@ -159,8 +159,8 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
 }
 
 /// A row times v: magnitudes of 2^31 together times 2^30, |sum| < 2^61.
-template <int N>
-SPANGLE_INLINE constexpr std::int64_t row_sum(const std::int32_t* row, const std::int32_t (&v)[N],
+template <int N, class Element>
+SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int32_t (&v)[N],
                                               std::int64_t sum) {
 #pragma GCC unroll 4
     for (int j = 0; j < N; ++j)
@@ -168,8 +168,8 @@ SPANGLE_INLINE constexpr std::int64_t row_sum(const std::int32_t* row, const std
     return sum;
 }
 /// Its high word, rounded, below 2^29.
-template <int N>
-SPANGLE_INLINE constexpr std::int32_t row_times(const std::int32_t* row, const std::int32_t (&v)[N]) {
+template <int N, class Element>
+SPANGLE_INLINE constexpr std::int32_t row_times(const Element* row, const std::int32_t (&v)[N]) {
     return high_rounded(row_sum<N>(row, v, 0));
 }
 
