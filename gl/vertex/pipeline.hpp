@@ -160,6 +160,7 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
+    static constexpr int pending_vertices = numeric::cheap_branches ? line_batch + 1 : 4 * line_batch;
     static constexpr int slot_count = 4;
     /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
     /// at every edge. Cuts that a plane took away are those that the next one makes.
@@ -367,10 +368,10 @@ template <class M, class L> class Pipeline {
         return differ == 0;
     }
 
-    /// Lines on their way: vertices, those among them that are still to be divided by w, and clip coordinates
-    /// of these.
+    /// Lines and strips on their way: vertices, those among them that are still to be divided by w, and clip
+    /// coordinates of these.
     struct Pending {
-        Vertex *vertex[line_batch + 1], *fresh[line_batch];
+        Vertex *vertex[pending_vertices] = {}, *fresh[line_batch];
         typename M::template Projections<line_batch> projections;
         int count = 0, fresh_count = 0;
     };
@@ -422,12 +423,10 @@ template <class M, class L> class Pipeline {
                                            std::uint32_t index);
     template <class Place, class Finish>
     SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
-                                         const Place& place, const Finish& finish);
-    template <class Place>
-    SPANGLE_INLINE Vertex& corner_element(const ElementReader& reader, std::uint32_t index, bool normals,
-                                          bool textured, const Place& place);
+                                         bool textured, const Place& place, const Finish& finish);
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
+    SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
     void line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                        bool normals);
     void strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals,
@@ -435,6 +434,12 @@ template <class M, class L> class Pipeline {
     template <class I>
     [[gnu::noinline]] void strip_elements(const ElementReader& reader, std::uint32_t count, I indices,
                                           bool normals, bool textured);
+    template <class I>
+    [[gnu::noinline]] void strip_batches(const ElementReader& reader, std::uint32_t count, I indices,
+                                         bool normals, bool textured);
+    [[gnu::noinline]] void draw_strip(Pending& p, std::uint32_t first);
+    void let_go(Pending& p, int left);
+    SPANGLE_INLINE void add_fresh(Pending& p, Vertex& v);
     void divide(Pending& lines);
     [[gnu::noinline]] void draw_pending(Pending& p);
     SPANGLE_INLINE Vertex& place_of(Vertex& cached);

@@ -57,8 +57,10 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
         strip_of(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)
-            next(corner_element(reader, indices.at(i), normals, textured,
-                                [this](Vertex& cached) -> Vertex& { return place_of(cached); }));
+            next(usual_element(
+                reader, indices.at(i), normals, textured,
+                [this](Vertex& cached) -> Vertex& { return place_of(cached); },
+                [this](Vertex& v) { process(v); }));
     if (count == 0)
         return;
     if (reader.normal.on())
@@ -126,28 +128,33 @@ inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementRea
     return fresh;
 }
 
-/// The same with its colour and texture coordinates.
+/// The same with its colour and texture coordinates. One that is a corner keeps those it has: another index
+/// may have brought it.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
 Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, std::uint32_t index) {
-    Vertex& v = element(reader, index);
+    Vertex& kept = element(reader, index);
+    Vertex& v = place_of(kept);
+    if (&v != &kept)
+        v = kept;
     set_color_and_texture(context, reader, index);
     attributes(context.current, v);
     return v;
 }
 
-/// The same where is_usual(), and with its colour: all vertices of this time have the same where they are
-/// not lit.
+/// The same where is_usual(), with the coordinates of is_usual_texture(), if `textured`, and with its colour:
+/// all vertices of this time have the same where they are not lit.
 /// If it is new `place` says where it goes, and `finish` does what process() does.
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
-Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
+Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
                               const Place& place, const Finish& finish) {
     Vertex& v = cached(index);
     const bool of_now = v.time == now_;
     if (of_now && equal(v.position, reader.vertex.words(index)) &&
-        (!normals || equal(v.normal, reader.normal.words(index)))) [[likely]]
+        (!normals || equal(v.normal, reader.normal.words(index))) &&
+        (!textured || equal_texture(v, reader.tex_coord[0].words(index)))) [[likely]]
         return v;
     Vertex& fresh = place(v);
     fresh.time = now_;
@@ -160,29 +167,11 @@ Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, 
             set_normal(fresh, given_.normal);
     }
     finish(fresh);
+    if (textured)
+        read_texture(reader.tex_coord[0].words(index), fresh);
     if (!lit_ && !(of_now && &fresh == &v))
         M::copy_color(unlit_, fresh.window);
     return fresh;
-}
-
-/// The same with the coordinates of is_usual_texture(), if `textured`: kept, too, while the array says
-/// the same.
-template <class M, class L>
-template <class Place>
-SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
-Pipeline<M, L>::corner_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
-                               const Place& place) {
-    Vertex& v = usual_element(reader, index, normals, place, [&](Vertex& fresh) {
-        process(fresh);
-        if (textured)
-            read_texture(reader.tex_coord[0].words(index), fresh);
-    });
-    if (textured) {
-        const std::uint8_t* const words = reader.tex_coord[0].words(index);
-        if (v.st[0].bits != ArrayReader::word(words, 0) || v.st[1].bits != ArrayReader::word(words, 1))
-            read_texture(words, v);
-    }
-    return v;
 }
 
 template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t* words, Vertex& v) {
@@ -197,6 +186,16 @@ SPANGLE_INLINE bool Pipeline<M, L>::equal(const Real* v, const std::uint8_t* wor
     if (v[0].bits != ArrayReader::word(words, 0)) // what differs differs here
         return false;
     return ((v[1].bits ^ ArrayReader::word(words, 1)) | (v[2].bits ^ ArrayReader::word(words, 2))) == 0;
+}
+
+template <class M, class L>
+SPANGLE_INLINE bool Pipeline<M, L>::equal_texture(const Vertex& v, const std::uint8_t* words) {
+    return v.st[0].bits == ArrayReader::word(words, 0) && v.st[1].bits == ArrayReader::word(words, 1);
+}
+
+template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v) {
+    p.fresh[p.fresh_count] = &v;
+    p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fog_);
 }
 
 /// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
@@ -222,11 +221,10 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
     const auto begin = [&](Vertex& v) {
         if constexpr (numeric::cheap_branches) // nor would one alone
             return process(v);
-        lines.fresh[lines.fresh_count] = &v;
-        lines.projections.add(lines.fresh_count++, transforms_, v.position, v.window, fog_);
+        add_fresh(lines, v);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex& v = usual_element(reader, indices.at(i), normals, place, begin);
+        Vertex& v = usual_element(reader, indices.at(i), normals, false, place, begin);
         v.flags |= is_pending;
         lines.vertex[held++] = &v;
         if (i == 0 && mode_ == GL_LINE_LOOP) {
@@ -251,9 +249,70 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
 template <class M, class L>
 inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals, bool textured) {
+    if constexpr (!numeric::cheap_branches)
+        if (count > line_batch)
+            return strip_batches(reader, count, indices, normals, textured);
     if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
         return strip_elements(reader, count, shorts, normals, textured);
     strip_elements(reader, count, indices, normals, textured);
+}
+
+/// Many corners at a time, then their triangles: which of them face away is known long before it is asked.
+template <class M, class L>
+template <class I>
+void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t count, const I indices,
+                                   bool normals, bool textured) {
+    Pending corners;
+    int held = 0; // in a register
+    std::uint32_t first = 0;
+    const auto draw = [&] {
+        corners.count = held;
+        draw_strip(corners, first);
+        first += static_cast<std::uint32_t>(held - corners.count);
+        held = corners.count;
+    };
+    const auto place = [&](Vertex& cached) -> Vertex& {
+        const auto taken = [&] { return (cached.flags & is_pending) != 0; };
+        if (taken())
+            draw();
+        Vertex* v = &cached;
+        for (Vertex* slot = slot_; taken() && (v == corners.vertex[0] || v == corners.vertex[1]); ++slot)
+            v = slot; // one of the two that are left has its place
+        return *v;
+    };
+    const auto begin = [&](Vertex& v) { add_fresh(corners, v); };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Vertex& v = usual_element(reader, indices.at(i), normals, textured, place, begin);
+        v.flags |= is_pending;
+        corners.vertex[held++] = &v;
+        if (corners.fresh_count == line_batch)
+            divide(corners);
+        if (held == pending_vertices)
+            draw();
+    }
+    draw();
+    let_go(corners, 0);
+}
+
+/// The triangles of corners that are numbered from `first` on, and lets go of all but the last two.
+template <class M, class L> void Pipeline<M, L>::draw_strip(Pending& p, std::uint32_t first) {
+    divide(p);
+    for (int i = 2; i < p.count; ++i) {
+        const bool even = ((first + static_cast<std::uint32_t>(i)) & 1) == 0; // all triangles face one way
+        usual_triangle(*p.vertex[even ? i - 2 : i - 1], *p.vertex[even ? i - 1 : i - 2], *p.vertex[i], false);
+    }
+    let_go(p, p.count < 2 ? p.count : 2);
+}
+
+/// Of all vertices but so many, which the next primitive starts from.
+template <class M, class L> inline void Pipeline<M, L>::let_go(Pending& p, int left) {
+    for (int i = 0; i < p.count - left; ++i)
+        p.vertex[i]->flags &= ~is_pending;
+    for (int i = 0; i < left; ++i) {
+        p.vertex[i] = p.vertex[p.count - left + i];
+        p.vertex[i]->flags |= is_pending;
+    }
+    p.count = left;
 }
 
 /// A strip of elements: its corners stay in registers.
@@ -269,7 +328,8 @@ void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t c
         return *v;
     };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex* const v = &corner_element(reader, indices.at(i), normals, textured, place);
+        Vertex* const v = &usual_element(reader, indices.at(i), normals, textured, place,
+                                         [this](Vertex& fresh) { process(fresh); });
         if (i >= 2)
             usual_triangle(*even, *odd, *v, false);
         ((i & 1) == 0 ? even : odd) = v;
@@ -293,13 +353,7 @@ template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
     lines(p.vertex, p.count, step, !lit_);
-    for (int i = 0; i < p.count - left; ++i)
-        p.vertex[i]->flags &= ~is_pending;
-    if (left != 0) {
-        p.vertex[0] = p.vertex[p.count - 1];
-        p.vertex[0]->flags |= is_pending;
-    }
-    p.count = left;
+    let_go(p, left);
 }
 
 /// Where a new vertex goes that belongs into `cached`.
