@@ -294,33 +294,55 @@ void draw_smooth_line_of(const DrawState& state, const Surface& target, Primitiv
         stipple->advance(line.parts());
 }
 
-/// A row of a disc: sides of 16 chords.
+/// A row of a disc: chords on either side, 12 in each half of the disc. They are about as long as each other,
+/// going in equal steps of the root of the distance from the pole: what the arcs lie beyond them is less than
+/// 1/300 of a pixel.
 class DiscRow {
   public:
-    DiscRow(const OutlinePoint& center, std::int32_t radius, std::int32_t row) {
+    DiscRow(const OutlinePoint& center, std::int32_t radius, std::int32_t row)
+        : center_(center), radius_(radius) {
         const std::int32_t bottom = row * outline_one;
         std::int32_t low = center.y - radius, high = center.y + radius;
         low = low > bottom ? low : bottom;
         high = high < bottom + outline_one ? high : bottom + outline_one;
-        if (low >= high)
-            return;
-        // Chords are closest where the circle is flattest: between the ends in equal steps.
-        count_ = 2 * (chords + 1);
-        for (std::int32_t i = 0; i <= chords; ++i) {
-            const std::int32_t y = low + (high - low) * i / chords;
-            const std::int64_t r = radius, up = y - center.y;
-            const auto half =
-                static_cast<std::int32_t>(detail::whole_root(static_cast<std::uint64_t>(r * r - up * up)));
-            point_[i] = {center.x + half, y};
-            point_[count_ - 1 - i] = {center.x - half, y};
-        }
+        if (low < high && low < center.y)
+            add(low, high < center.y ? high : center.y);
+        if (low < high && high > center.y)
+            add(low > center.y ? low : center.y, high);
+        for (int i = 0; i < side_; ++i) // the other side
+            point_[2 * side_ - 1 - i] = {2 * center.x - point_[i].x, point_[i].y};
     }
-    Outline outline() const { return outline_of(point_, count_); }
+    Outline outline() const { return outline_of(point_, 2 * side_); }
 
   private:
-    static constexpr int chords = 16;
-    OutlinePoint point_[2 * (chords + 1)];
-    int count_ = 0;
+    static constexpr int chords = 12;
+    const OutlinePoint center_;
+    const std::int32_t radius_;
+    int side_ = 0; ///< points on the right
+    OutlinePoint point_[2 * (2 * chords + 1)];
+
+    /// From y to y, both below or both above the centre.
+    void add(std::int32_t from, std::int32_t to) {
+        constexpr int root_bits = 10;
+        const bool above = from >= center_.y;
+        const auto root = [&](std::int32_t y) {
+            const std::int32_t away = above ? center_.y + radius_ - y : y - (center_.y - radius_);
+            return std::int64_t{detail::whole_root(static_cast<std::uint64_t>(away) << (2 * root_bits))};
+        };
+        const std::int64_t first = root(from), last = root(to);
+        for (int i = side_ == 0 ? 0 : 1; i <= chords; ++i) {
+            const std::int64_t u = first + (last - first) * i / chords;
+            const auto away = static_cast<std::int32_t>((u * u) >> (2 * root_bits));
+            const std::int32_t y = i == 0        ? from
+                                   : i == chords ? to
+                                   : above       ? center_.y + radius_ - away
+                                                 : center_.y - radius_ + away;
+            const std::int64_t r = radius_, up = y - center_.y;
+            const auto half =
+                static_cast<std::int32_t>(detail::whole_root(static_cast<std::uint64_t>(r * r - up * up)));
+            point_[side_++] = {center_.x + half, y};
+        }
+    }
 };
 
 template <class P>

@@ -164,7 +164,7 @@ TEST_F(Antialias, PointsAreDiscs) {
         glPointSize(static_cast<GLfloat>(diameter));
         const auto got = drawn([&] { give(GL_POINTS, std::vector<Corner>{at}); });
         double sum = 0;
-        constexpr int fine = 1024;
+        constexpr int fine = 4096;
         oracle::Polygon circle;
         for (int i = 0; i < fine; ++i)
             circle.push_back({at[0] + diameter / 2 * std::cos(2 * std::numbers::pi * i / fine),
@@ -176,7 +176,7 @@ TEST_F(Antialias, PointsAreDiscs) {
                 if (std::fabs(r - diameter / 2) > 1) {
                     ASSERT_EQ(pixel[3], r < diameter / 2 ? 255 : 0) << n;
                 } else {
-                    ASSERT_NEAR(pixel[3] / 255.0, oracle::area_in(circle, x, y), 0.02)
+                    ASSERT_NEAR(pixel[3] / 255.0, oracle::area_in(circle, x, y), 1 / 256.0 + 0.5 / 255)
                         << n << ' ' << x << ',' << y;
                 }
                 sum += pixel[3] / 255.0;

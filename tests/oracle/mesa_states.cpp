@@ -9,7 +9,7 @@
 
 #include <GL/glext.h>
 
-#include "tests/oracle/states.hpp"
+#include "tests/oracle/smooth_states.hpp"
 
 namespace {
 
@@ -56,7 +56,9 @@ int main(int argc, char** argv) {
     if (argc != 5 || context == nullptr ||
         OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, state_size, state_size) == 0)
         return 1;
-    for (const Family& family : all_families()) {
+    std::vector<Family> families = all_families();
+    families.insert(families.end(), smooth_families().begin(), smooth_families().end());
+    for (const Family& family : families) {
         if (std::strcmp(family.id, argv[1]) != 0)
             continue;
         if (family.samples != 0 && !make_framebuffers(family.samples))

@@ -1,4 +1,4 @@
-// What covers a pixel in part: samples of it (GL 1.3, 3.2.1), and antialiasing (3.3, 3.4.2, 3.5.3).
+// What covers a pixel in part: samples of it (GL 1.3, 3.2.1); points of sizes of their own.
 #include "tests/oracle/state_families.hpp"
 
 namespace spangle::oracle {
@@ -91,27 +91,6 @@ void multisample_points(Random& random, Quads&) {
     figures(random, GL_POINTS, 1);
 }
 
-/// White over the background: a difference of coverage is 0.8 of it in red.
-void blended() {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-}
-void smooth_points(Random& random, Quads&) {
-    glEnable(GL_POINT_SMOOTH);
-    blended();
-    figures(random, GL_POINTS, 1);
-}
-void smooth_lines(Random& random, Quads&) {
-    glEnable(GL_LINE_SMOOTH);
-    blended();
-    figures(random, GL_LINES, 2);
-}
-void smooth_polygons(Random& random, Quads&) {
-    glEnable(GL_POLYGON_SMOOTH);
-    blended();
-    figures(random, GL_TRIANGLES, 3);
-}
-
 /// At distances from the eye; as sprites, of which Mesa does not cut the sizes to whole pixels.
 void point_parameters(Random& random, Quads&) {
     glEnable(GL_POINT_SPRITE);
@@ -152,11 +131,6 @@ void add_sample_families(std::vector<Family>& all) {
     all.push_back({"point_parameters", 300, 204, 0.982, point_parameters, 0, "llvmpipe"});
     // Where a coordinate is on the edge of a texel Mesa's floats take the one or the other.
     all.push_back({"point_sprites", 300, 255, 0.9997, point_sprites, 0, "llvmpipe"});
-    // Mesa's coverage is an estimate: of points by the distance of centres, of lines by ramps; polygons are
-    // drawn as if nothing was to be smoothed, so that all of their edges differ, and nothing else does.
-    all.push_back({"smooth_points", 300, 204, 0.975, smooth_points});
-    all.push_back({"smooth_lines", 300, 23, 0.945, smooth_lines});
-    all.push_back({"smooth_polygons", 300, 204, 0.929, smooth_polygons});
 }
 
 } // namespace spangle::oracle

@@ -77,7 +77,7 @@ Drawn draw_state(const Family& family, int n, void (*resolve)()) {
     glLoadIdentity();
     glViewport(0, 0, state_size, state_size);
     glDisable(GL_DITHER);
-    test::Random random{static_cast<std::uint32_t>(n) * 7919u + 17u};
+    test::Random random{seed_of(n)};
     Drawn drawn;
     family.draw(random, drawn.quads);
     glPopClientAttrib();

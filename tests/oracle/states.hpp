@@ -49,6 +49,9 @@ struct Drawn {
     Planes planes;
     Quads quads;
 };
+constexpr std::uint32_t seed_of(int drawing) {
+    return static_cast<std::uint32_t>(drawing) * 7919u + 17u;
+}
 /// Drawing `n` of a family, from a state of its own that is left as it was; the current drawable has the size
 /// above. `resolve` makes of samples what can be read, where GL does not.
 Drawn draw_state(const Family& family, int n, void (*resolve)() = nullptr);

@@ -1,25 +1,22 @@
 // Random states of every family, pixel by pixel beside Mesa's softpipe.
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <spangle/GL/gl.h>
 
 #include "tests/headless_gl.hpp"
-#include "tests/oracle/states.hpp"
+#include "tests/oracle/mesa_planes.hpp"
 
 namespace {
 
+using spangle::oracle::bytes_of_drawing;
+using spangle::oracle::draw_with_mesa;
 using spangle::oracle::Family;
 using spangle::oracle::pixel_channels;
 using spangle::oracle::Planes;
 using spangle::oracle::state_size;
-
-constexpr std::size_t bytes_of_drawing = std::size_t{state_size} * state_size * pixel_channels;
 
 /// SPANGLE_ORACLE_SEEDS times as many as the family asks for.
 int drawings_of(const Family& family) {
@@ -29,20 +26,6 @@ int drawings_of(const Family& family) {
 
 /// Of one process: with many thousands of programs Mesa runs out of something.
 constexpr int drawings_at_once = 2000;
-
-Planes draw_with_mesa(const Family& family, int first, int count) {
-    const std::string file = testing::TempDir() + "mesa_states_" + family.id + std::to_string(getpid());
-    const std::string command = "ASAN_OPTIONS=detect_leaks=0 GALLIUM_DRIVER=" + std::string(family.driver) +
-                                " '" MESA_STATES "' " + std::string(family.id) + " '" + file + "' " +
-                                std::to_string(first) + " " + std::to_string(count);
-    if (std::system(command.c_str()) != 0)
-        return {};
-    Planes all(bytes_of_drawing * static_cast<std::size_t>(count));
-    std::ifstream in(file, std::ios::binary);
-    in.read(reinterpret_cast<char*>(all.data()), static_cast<std::streamsize>(all.size()));
-    std::remove(file.c_str());
-    return in ? all : Planes();
-}
 
 struct Differences {
     std::size_t differing = 0; ///< pixels
