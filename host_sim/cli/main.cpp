@@ -14,6 +14,7 @@
 #include "host_sim/cli/bringup.hpp"
 #include "host_sim/cli/formats.hpp"
 #include "host_sim/cli/run.hpp"
+#include "host_sim/cli/samples.hpp"
 #include "host_sim/cli/session.hpp"
 #include <spangle/boards/boards.hpp>
 
@@ -192,9 +193,10 @@ int demo(const std::string& folder) {
     return 0;
 }
 
-int formats(const std::string& path) {
+/// A picture of a document.
+int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
     sim::Image sheet;
-    if (const std::string problem = cli::draw_formats(sheet); !problem.empty())
+    if (const std::string problem = draw(sheet); !problem.empty())
         return refuse(problem);
     if (const std::string problem = sim::write_png(sheet, path); !problem.empty())
         return refuse(problem);
@@ -237,6 +239,9 @@ int spangle_main(int argc, char** argv) {
     CLI::App* const formats_command =
         app.add_subcommand("formats", "one scene on every format of surfaces, as a picture");
     formats_command->add_option("--shot", sheet, "the PNG to write")->required();
+    CLI::App* const samples_command = app.add_subcommand(
+        "samples", "edges and fading things with one sample, with four, and antialiased, as a picture");
+    samples_command->add_option("--shot", sheet, "the PNG to write")->required();
     std::string folder = "out";
     CLI::App* const demo_command =
         app.add_subcommand("demo", "gears, a torus and a model on the ILI9341, with pictures and figures");
@@ -338,7 +343,9 @@ int spangle_main(int argc, char** argv) {
     if (app.got_subcommand("bench"))
         return bench();
     if (app.got_subcommand(formats_command))
-        return formats(sheet);
+        return draw_sheet(cli::draw_formats, sheet);
+    if (app.got_subcommand(samples_command))
+        return draw_sheet(cli::draw_samples, sheet);
     if (app.got_subcommand("demo"))
         return demo(folder);
     if (app.got_subcommand(bake)) {

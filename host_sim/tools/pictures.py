@@ -21,6 +21,7 @@ DRAWN_BY = {
     "dashboard": ["run", "HUD", "--frames", "20"],
     "duck": ["run", "--model", str(MODEL)],
     "formats": ["formats"],
+    "samples": ["samples"],
     "baked": ["run", "BAKED", "--frames", "12"],
 }
 
