@@ -54,8 +54,9 @@ void draw_edges() {
 void draw_fading() {
     constexpr int corners = 24;
     for (int n = 0; n < 6; ++n) {
-        const float x = 14 + 26 * static_cast<float>(n % 3) + 4 * static_cast<float>(n / 3),
-                    y = 19 + 21 * static_cast<float>(n / 3);
+        const int row = n / 3;
+        const auto up = static_cast<float>(row);
+        const float x = 14 + 26 * static_cast<float>(n % 3) + 4 * up, y = 19 + 21 * up;
         const float red = n % 3 == 0 ? 0.95f : 0.3f, green = n % 3 == 1 ? 0.9f : 0.4f,
                     blue = n % 3 == 2 ? 1.0f : 0.2f;
         glBegin(GL_TRIANGLE_FAN);
