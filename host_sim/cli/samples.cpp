@@ -79,8 +79,9 @@ constexpr Cell cells[rows * columns] = {
     {4, draw_edges},
     {0,
      [] {
-         for (const GLenum smooth : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH})
-             glEnable(smooth);
+         glEnable(GL_POINT_SMOOTH);
+         glEnable(GL_LINE_SMOOTH);
+         glEnable(GL_POLYGON_SMOOTH);
          glEnable(GL_BLEND);
          draw_edges();
      }},
