@@ -621,7 +621,19 @@ TEST_F(Surfaces, WindowAndPbufferAsDrawAndRead) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     glReadBuffer(GL_BACK);
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // a pbuffer has none
+    // All buffers that there are: the back one (GL 1.3, 4.2.1).
+    glDrawBuffer(GL_NONE);
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(eglSwapBuffers(display, window), yes);
+    EXPECT_EQ(panel.shown[0], 0xF8);
+    glDrawBuffer(GL_FRONT_AND_BACK);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(eglSwapBuffers(display, window), yes);
+    EXPECT_EQ(panel.shown[0], 0x07); // green
+    glClearColor(1, 0, 0, 1);
     glDrawBuffer(GL_BACK);
+    glClear(GL_COLOR_BUFFER_BIT);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     ASSERT_EQ(eglMakeCurrent(display, pbuffer, window, context), yes);
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
