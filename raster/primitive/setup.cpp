@@ -17,18 +17,16 @@ SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
     const std::int32_t ox = subpixel_one / 2 - (x & (subpixel_one - 1));
     const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
     for (int i = 0; i < 2; ++i) // |dx ox + dy oy| <= 2^30 256
-        by_.center[i] = static_cast<std::int32_t>(
-            (std::int64_t{by_.dx[i]} * ox + std::int64_t{by_.dy[i]} * oy) >> subpixel_bits);
+        by().center[i] = static_cast<std::int32_t>(
+            (std::int64_t{by().dx[i]} * ox + std::int64_t{by().dy[i]} * oy) >> subpixel_bits);
 }
 
 void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin,
                               std::int32_t end) {
-    v_[0] = v_[2] = &from;
-    v_[1] = &to;
-    by_.dx[0] = by_.dx[1] = by_.dy[0] = by_.dy[1] = 0;
+    span_.basis = {{&from, &to, &from}, {}, {}};
     const PerPixel per_pixel(begin, end);
-    (along_x ? by_.dx[0] : by_.dy[0]) = per_pixel.coefficient;
-    by_.exponent = per_pixel.exponent;
+    (along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
+    by().exponent = per_pixel.exponent;
     start(along_x ? begin : from.x, along_x ? from.y : begin);
 }
 
@@ -42,20 +40,20 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
     const std::uint32_t reciprocal = numeric::reciprocal(top);
     const auto inverse = static_cast<std::int32_t>(reciprocal - (reciprocal >> 31));
     const std::int32_t signed_inverse = area2 < 0 ? -inverse : inverse;
-    const std::int32_t y2 = v_[2]->y - v_[0]->y, y1 = v_[0]->y - v_[1]->y;
-    const std::int32_t x2 = v_[0]->x - v_[2]->x, x1 = v_[1]->x - v_[0]->x;
+    const std::int32_t y2 = v(2).y - v(0).y, y1 = v(0).y - v(1).y;
+    const std::int32_t x2 = v(0).x - v(2).x, x1 = v(1).x - v(0).x;
     // |d| 2^up < 2^31; y2 >= |y1|
     const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 1;
     const auto coefficient = [&](std::int32_t d) {
         return numeric::mul_high_s32(static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << up),
                                      signed_inverse);
     };
-    by_.dx[0] = coefficient(y2);
-    by_.dx[1] = coefficient(y1);
-    by_.dy[0] = coefficient(x2);
-    by_.dy[1] = coefficient(x1);
-    by_.exponent = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
-    start(v_[0]->x, v_[0]->y);
+    by().dx[0] = coefficient(y2);
+    by().dx[1] = coefficient(y1);
+    by().dy[0] = coefficient(x2);
+    by().dy[1] = coefficient(x1);
+    by().exponent = 54 + up - zeros; // 256 d / area2 = c 2^-exponent
+    start(v(0).x, v(0).y);
 }
 
 // --- planes
@@ -63,8 +61,8 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint32_t>& at,
                                                            std::uint32_t first, std::int32_t d1,
                                                            std::int32_t d2, int up) const {
-    const Gradient g = gradient(by_, d1, d2);
-    const int n = by_.exponent - up;
+    const Gradient g = gradient(by(), d1, d2);
+    const int n = by().exponent - up;
     at.value = first + scaled_word(g.center, n);
     at.dx = scaled_word(g.dx, n);
     at.dy = scaled_word(g.dy, n);
@@ -74,8 +72,8 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint
 Setup<Fixed>::Slope Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
                                              const std::int32_t v[3], int up) {
     const Gradient g = affine(at, first, v[1] - v[0], v[2] - v[0], up);
-    return {static_cast<std::uint64_t>(scaled(g.dx, by_.exponent - up)),
-            static_cast<std::uint64_t>(scaled(g.dy, by_.exponent - up))};
+    return {static_cast<std::uint64_t>(scaled(g.dx, by().exponent - up)),
+            static_cast<std::uint64_t>(scaled(g.dy, by().exponent - up))};
 }
 
 /// Not in line where add_lifted() is.
@@ -99,8 +97,7 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
     const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
-    std::uint32_t z0 = depth_code(v_[0]->z, bits), z1 = depth_code(v_[1]->z, bits),
-                  z2 = depth_code(v_[2]->z, bits);
+    std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits), z2 = depth_code(v(2).z, bits);
     if (bits == 24) {
         // Half a code is less than the error of a steep plane may be: keep slopes so far from both ends that
         // no value wraps. A constant depth stays as it is.
@@ -116,9 +113,9 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     const std::uint32_t first = z0 + (1u << (31 - bits));
     const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
                d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
-    const auto lift = static_cast<std::uint32_t>(33 - by_.exponent);
+    const auto lift = static_cast<std::uint32_t>(33 - by().exponent);
     if (liftable(difference_bits(d1, d2), lift)) [[likely]]
-        return add_lifted(span_.z, first, d1, d2, lift, by_);
+        return add_lifted(span_.z, first, d1, d2, lift, by());
     add_steep(span_.z, first, d1, d2, 1);
 }
 
@@ -140,7 +137,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {
-    const Coefficients by = by_;
+    const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
     if (liftable(bits, lift)) [[likely]] {
         return each_color<Rgb>([&](const ColorSource& from, int i, Interpolant<std::uint32_t>& at, auto&) {
@@ -163,7 +160,8 @@ void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
     const std::uint32_t off = error + lost;
     affine_colors<true>(bits, state_.variant[static_cast<unsigned>(Kind::full)].color_bias - off);
-    span_.guess = {2 * off, &project, {v_[0]->color, v_[1]->color, v_[2]->color}, {q_[0], q_[1], q_[2]}, by_};
+    span_.guess.doubt(2 * off);
+    span_.guess.project = &project;
 }
 
 SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& painted) {
@@ -189,7 +187,7 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() cons
 /// Enough for colors_affine(), without weights(): a range is at most the sum of two differences, and q is
 /// 2^29 at least where all have one exponent.
 SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
-    const Vertex &a = *v_[0], &b = *v_[1], &c = *v_[2];
+    const Vertex &a = v(0), &b = v(1), &c = v(2);
     if (a.w_exponent != b.w_exponent || a.w_exponent != c.w_exponent)
         return false;
     const std::uint32_t q = a.w_mantissa >> 2;
@@ -199,12 +197,19 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
     return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
 }
 
+/// Colours that differ in `bits`, which is twice their range where they may be guessed.
+template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
+    if (Rgb && state_.guesses)
+        return !weights() && !bounded(widest_, state_.four_color_tolerances);
+    return !nearly_affine(bits) && !weights() && !colors_affine(bits);
+}
+
 /// With neither textures nor fog.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, const Vertex& painted) {
     Kind kind = Kind::affine;
     if (bits == 0)
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
-    else if (state_.fragment.perspective && !nearly_affine(bits) && !weights() && !colors_affine(bits))
+    else if (state_.fragment.perspective && needs_division<Rgb>(bits))
         kind = Kind::full;
     span_.kind = kind;
     if (kind == Kind::flat)
@@ -233,8 +238,10 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     const bool flat = !Rgb && state_.fragment.flat;
     if constexpr (!Rgb)
         span_.gray = false; // else nobody asks
-    const Vertex& painted = flat ? provoking : *v_[0];
-    const std::uint32_t bits = flat ? 0 : color_bits<Rgb>();
+    const Vertex& painted = flat ? provoking : v(0);
+    const std::uint32_t bits = flat                      ? 0
+                               : !Rgb || !state_.guesses ? color_bits<Rgb>()
+                                                         : 2 * (widest_ = color_range<Rgb>());
     if (state_.needs.z)
         add_depth();
     if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
@@ -252,7 +259,8 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
                     const Vertex& provoking, std::int64_t area2)
-    : span_(span), state_(*span.state), v_{&a, &b, &c} {
+    : span_(span), state_(*span.state) {
+    span.basis.v[0] = &a, span.basis.v[1] = &b, span.basis.v[2] = &c;
     const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
     const std::uint64_t most = static_cast<std::uint64_t>(thin_aspect) * numeric::abs_u64(area2);

@@ -77,10 +77,14 @@ template <> class Setup<Fixed> {
     template <bool Rgb> std::uint32_t color_bits() const;
     bool nearly_affine(std::uint32_t bits) const;
     bool colors_affine(std::uint32_t bits);
-    std::uint32_t widest_range() const;
+    template <bool Rgb> std::uint32_t color_range() const;
+    template <bool Rgb> bool needs_division(std::uint32_t bits);
     bool grays(std::uint32_t color_bits, const Vertex& painted) const;
-    ColorSource primary() const { return {{v_[0]->color, v_[1]->color, v_[2]->color}}; }
-    ColorSource secondary() const { return {{v_[0]->secondary, v_[1]->secondary, v_[2]->secondary}}; }
+    const Vertex& v(int i) const { return *span_.basis.v[i]; }
+    std::int32_t& q(int i) const { return span_.basis.q[i]; }
+    Coefficients& by() const { return span_.basis.by; }
+    ColorSource primary() const { return {{v(0).color, v(1).color, v(2).color}}; }
+    ColorSource secondary() const { return {{v(0).secondary, v(1).secondary, v(2).secondary}}; }
     Kind choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
                      const std::int32_t fog[3]);
 
@@ -108,12 +112,8 @@ template <> class Setup<Fixed> {
 
     Span<Fixed>& span_;
     const DrawState& state_;
-    const Vertex* v_[3]; ///< reference vertices; values start at v_[0]
-    /// With d1 = v1 - v0 and d2 = v2 - v0.
-    Coefficients by_;
-    std::int32_t q_[3]; ///< 1/w of v_, largest in [2^29, 2^30)
     std::uint32_t q_least_, q_range_;
-    std::uint32_t widest_; ///< range of a colour, where colors_affine() asked for it
+    std::uint32_t widest_; ///< range of a colour, where it was asked for
 };
 
 } // namespace spangle::raster

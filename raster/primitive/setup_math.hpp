@@ -10,11 +10,20 @@
 
 namespace spangle::raster {
 
-/// Largest minus least.
+/// The least and the largest of three.
+struct Ends {
+    std::int32_t low, high;
+    SPANGLE_INLINE Ends(std::int32_t a, std::int32_t b, std::int32_t c)
+        : low(a < b ? a : b), high(a < b ? b : a) {
+        low = c < low ? c : low;
+        high = c < high ? high : c;
+    }
+    SPANGLE_INLINE std::uint32_t range() const {
+        return static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low);
+    }
+};
 SPANGLE_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::int32_t c) {
-    const std::int32_t low = a < b ? (a < c ? a : c) : (b < c ? b : c);
-    const std::int32_t high = a > b ? (a > c ? a : c) : (b > c ? b : c);
-    return static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low);
+    return Ends(a, b, c).range();
 }
 
 /// v * 2^-n for any n, rounded to nearest on the way down, mod 2^64 on the way up.
@@ -29,6 +38,18 @@ inline std::int64_t scaled(std::int64_t v, int n) {
     if (n >= 0)
         return v >> (n < 63 ? n : 63);
     return shift(v, n);
+}
+
+/// Both words of it; for 0 < n < 32 four instructions where words have 32 bits.
+SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
+    if constexpr (sizeof(void*) == 4)
+        if (n > 0 && n < 32) [[likely]] {
+            const auto high = static_cast<std::int32_t>(v >> 32);
+            const std::uint32_t low = static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(high)
+                                                                               << (32 - n);
+            return static_cast<std::uint64_t>(std::int64_t{high >> n}) << 32 | low;
+        }
+    return static_cast<std::uint64_t>(scaled(v, n));
 }
 
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/primitive/setup.hpp"
+#include "raster/primitive/setup_math.hpp"
 
 namespace spangle::raster {
 
@@ -28,6 +29,16 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add)
     if (!Rgb && needs.secondary)
         for (int i = 0; i < 3; ++i)
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
+}
+
+/// Largest range of a colour.
+template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() const {
+    std::uint32_t widest = 0;
+    each_color<Rgb>([&](const ColorSource& from, int i, auto&, auto&) {
+        const std::uint32_t range = range_of(0, from.difference(1, i), from.difference(2, i));
+        widest = range > widest ? range : widest;
+    });
+    return widest;
 }
 
 } // namespace spangle::raster

@@ -6,17 +6,16 @@
 namespace spangle::raster {
 
 std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]) {
-    return projective(by_, at, v);
+    return projective(by(), at, v);
 }
 
 std::uint64_t Setup<Fixed>::projective(const Coefficients& by, Interpolant<std::uint64_t>& at,
                                        const std::int32_t v[3]) {
     const Gradient g = gradient(by, v[1] - v[0], v[2] - v[0]);
     const int n = by.exponent - guard_bits;
-    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) +
-               static_cast<std::uint64_t>(scaled(g.center, n));
-    at.dx = static_cast<std::uint64_t>(scaled(g.dx, n));
-    at.dy = static_cast<std::uint64_t>(scaled(g.dy, n));
+    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) + scaled_words(g.center, n);
+    at.dx = scaled_words(g.dx, n);
+    at.dy = scaled_words(g.dy, n);
     return at.dy;
 }
 
@@ -29,30 +28,30 @@ void Setup<Fixed>::projective_colors() {
     each_color([&](const ColorSource& from, int i, auto&, Interpolant<std::uint64_t>& at) {
         std::int32_t v[3];
         for (int k = 0; k < 3; ++k)
-            v[k] = over_w(from.of[k][i], q_[k]);
+            v[k] = over_w(from.of[k][i], q(k));
         add_projective(at, v);
     });
 }
 
 /// Those of colours that were guessed, once one of them is asked for.
 void Setup<Fixed>::project(Span<Fixed>& span) {
-    const auto& guess = span.guess;
-    projective(guess.by, span.q, guess.q);
+    const Basis& from = span.basis;
+    projective(from.by, span.q, from.q);
     for (int i = 0; i < 3; ++i) {
         std::int32_t v[3];
         for (int k = 0; k < 3; ++k)
-            v[k] = over_w(guess.color[k][i], guess.q[k]);
-        projective(guess.by, span.color_q[i], v);
+            v[k] = over_w(from.v[k]->color[i], from.q[k]);
+        projective(from.by, span.color_q[i], v);
     }
 }
 
 /// Nothing is guessed, and nothing else has planes over w.
 void Setup<Fixed>::divided_colors() {
-    span_.q_dy = add_projective(span_.q, q_);
+    span_.q_dy = add_projective(span_.q, span_.basis.q);
     projective_colors();
     if (!state_.guesses)
         return;
-    span_.guess.doubt = 1u << 31;
+    span_.guess.doubt(1u << 31);
     span_.guess.project = nullptr;
     for (auto& plane : span_.color_value)
         plane = {};
@@ -60,24 +59,24 @@ void Setup<Fixed>::divided_colors() {
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
 bool Setup<Fixed>::weights() {
-    const int e0 = v_[0]->w_exponent, e1 = v_[1]->w_exponent, e2 = v_[2]->w_exponent;
+    const int e0 = v(0).w_exponent, e1 = v(1).w_exponent, e2 = v(2).w_exponent;
     const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
     if (e0 == e1 && e0 == e2) { // mantissas have their top bit
         for (int i = 0; i < 3; ++i)
-            q_[i] = static_cast<std::int32_t>(v_[i]->w_mantissa >> 2);
+            q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
     } else {
         const auto scaled = [&](int i, int e) {
             const int down = 2 + highest - e;
-            const std::uint32_t q = down < 32 ? v_[i]->w_mantissa >> down : 0;
+            const std::uint32_t q = down < 32 ? v(i).w_mantissa >> down : 0;
             return static_cast<std::int32_t>(q != 0 ? q : 1);
         };
-        q_[0] = scaled(0, e0);
-        q_[1] = scaled(1, e1);
-        q_[2] = scaled(2, e2);
+        q(0) = scaled(0, e0);
+        q(1) = scaled(1, e1);
+        q(2) = scaled(2, e2);
     }
-    q_range_ = range_of(q_[0], q_[1], q_[2]);
-    const std::int32_t least = q_[0] < q_[1] ? q_[0] : q_[1];
-    q_least_ = static_cast<std::uint32_t>(least < q_[2] ? least : q_[2]);
+    const Ends ends(q(0), q(1), q(2));
+    q_range_ = ends.range();
+    q_least_ = static_cast<std::uint32_t>(ends.low);
     return q_range_ == 0;
 }
 
@@ -91,18 +90,7 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     const std::uint32_t four = state_.four_color_tolerances;
     if (drawn(state_.tier) == Tier::fast || bounded(2 * bits, four))
         return true;
-    widest_ = widest_range();
-    return bounded(widest_, four);
-}
-
-/// Of the colours, one after the other.
-std::uint32_t Setup<Fixed>::widest_range() const {
-    std::uint32_t widest = 0;
-    each_color([&](const ColorSource& from, int i, auto&, auto&) {
-        const std::uint32_t range = range_of(0, from.difference(1, i), from.difference(2, i));
-        widest = range > widest ? range : widest;
-    });
-    return widest;
+    return bounded(color_range<false>(), four);
 }
 
 } // namespace spangle::raster

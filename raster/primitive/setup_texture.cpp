@@ -31,7 +31,7 @@ std::int64_t least_of(const std::int64_t v[3]) {
 void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     u.homogeneous = state_.needs.r[unit]; // three coordinates are divided at every fragment
     for (int i = 0; i < 3; ++i)
-        u.homogeneous = u.homogeneous || v_[i]->tex[unit].q_is_one == 0;
+        u.homogeneous = u.homogeneous || v(i).tex[unit].q_is_one == 0;
     if (u.homogeneous) {
         load_homogeneous(unit, u);
         return;
@@ -39,7 +39,7 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     std::int64_t s[3], t[3];
     const auto halves = state_.halves[unit];
     for (int i = 0; i < 3; ++i) {
-        const auto& c = v_[i]->tex[unit];
+        const auto& c = v(i).tex[unit];
         s[i] = to_fixed(c.s, c.exponent - halves.s, 32);
         t[i] = to_fixed(c.t, c.exponent - halves.t, 32);
     }
@@ -71,16 +71,16 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
     const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
     for (int i = 0; i < 3; ++i) {
-        const auto& c = v_[i]->tex[unit];
-        const std::int64_t w = v_[i]->w_mantissa >> 1;
+        const auto& c = v(i).tex[unit];
+        const std::int64_t w = v(i).w_mantissa >> 1;
         const bool is_one = c.q_is_one != 0;
         s[i] = c.s * w >> halves.s;
         t[i] = c.t * w >> halves.t;
         if (state_.needs.r[unit])
-            r[i] = v_[i]->r[unit] * w;
+            r[i] = v(i).r[unit] * w;
         q[i] = (is_one ? 1 << 30 : c.q) * w;
-        exponent[i] = v_[i]->w_exponent + c.exponent;
-        exponent_q[i] = v_[i]->w_exponent + (is_one ? -30 : c.exponent);
+        exponent[i] = v(i).w_exponent + c.exponent;
+        exponent_q[i] = v(i).w_exponent + (is_one ? -30 : c.exponent);
         const int highest = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
         const int st = highest > height(r[i]) ? highest : height(r[i]);
         top_st = exponent[i] + st > top_st ? exponent[i] + st : top_st;
@@ -102,8 +102,8 @@ void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     std::uint64_t all = 0;
     constexpr std::int64_t limit = std::int64_t{1} << 60;
     for (int i = 0; i < 3; ++i) {
-        const std::int64_t product = numeric::mul_s32(v_[i]->fog_mantissa, state_.fog.scale);
-        c[i] = to_fixed(product / 2, 1 + v_[i]->fog_exponent + state_.fog.scale_exponent, 24);
+        const std::int64_t product = numeric::mul_s32(v(i).fog_mantissa, state_.fog.scale);
+        c[i] = to_fixed(product / 2, 1 + v(i).fog_exponent + state_.fog.scale_exponent, 24);
         c[i] = numeric::clamp(c[i] + state_.fog.offset, -limit, limit);
         all |= numeric::abs_u64(c[i]);
     }
@@ -170,8 +170,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
     }
     std::int32_t s[3], t[3];
     for (int i = 0; i < 3; ++i) {
-        s[i] = mul30(u.s[i], q_[i]);
-        t[i] = mul30(u.t[i], q_[i]);
+        s[i] = mul30(u.s[i], q(i));
+        t[i] = mul30(u.t[i], q(i));
     }
     at.s_dy = add_projective(at.s, s);
     at.t_dy = add_projective(at.t, t);
@@ -197,7 +197,7 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
 /// One colour, or three.
 bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
     const auto gray = [](const Vertex& v) { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
-    return color_bits == 0 ? gray(painted) : gray(*v_[0]) && gray(*v_[1]) && gray(*v_[2]);
+    return color_bits == 0 ? gray(painted) : gray(v(0)) && gray(v(1)) && gray(v(2));
 }
 
 void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& painted) {
@@ -213,7 +213,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     if (state_.fragment.perspective) {
         same_w = weights();
     } else {
-        q_[0] = q_[1] = q_[2] = 1 << 29;
+        q(0) = q(1) = q(2) = 1 << 29;
         q_range_ = 0;
         q_least_ = 1u << 29;
     }
@@ -221,14 +221,14 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && grays(color_bits, painted);
 
     if (span_.kind != Kind::affine)
-        span_.q_dy = add_projective(span_.q, q_);
+        span_.q_dy = add_projective(span_.q, span_.basis.q);
     colors(color_bits, painted);
     if (has_fog && needs.fog) {
         if (span_.kind == Kind::affine) {
             add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
         } else {
             for (int i = 0; i < 3; ++i)
-                fog[i] = mul30(fog[i], q_[i]);
+                fog[i] = mul30(fog[i], q(i));
             span_.fog_exponent += 30;
             add_projective(span_.fog_q, fog);
         }

@@ -65,9 +65,7 @@ template <class V> Columns centers(const Sorted<V>& t, std::int32_t row) {
 template <class V> Sorted<V> sorted(const V& a, const V& b, const V& c) {
     Corner<V> low(a), middle(b), high(c);
     std::int64_t area2 = signed_area(low.x, low.y, middle.x, middle.y, high.x, high.y);
-    sort_pair(low, middle, area2);
-    sort_pair(middle, high, area2);
-    sort_pair(low, middle, area2);
+    sort<true>(low, middle, high, area2);
     return {low, middle, high, area2};
 }
 

@@ -45,8 +45,9 @@ template <class V> struct Sorted {
     std::int64_t area2;
 };
 
-template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int64_t& area2) {
-    if (high.y > low.y || (high.y == low.y && high.x >= low.x))
+/// Two corners in the wrong order change places, but for x; turned: how often, a mask.
+template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high, std::int32_t& turned) {
+    if (high.y > low.y || (high.y == low.y && position(*high.vertex).x >= position(*low.vertex).x))
         return;
     // Member by member: registers.
     const auto swap = [](auto& a, auto& b) {
@@ -55,9 +56,8 @@ template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high
         b = t;
     };
     swap(low.vertex, high.vertex);
-    swap(low.x, high.x);
     swap(low.y, high.y);
-    area2 = -area2;
+    turned = ~turned;
 }
 
 /// By y, then x: the order in which a triangle's corners are walked does not depend on the order they came
@@ -65,9 +65,14 @@ template <class V> SPANGLE_INLINE void sort_pair(Corner<V>& low, Corner<V>& high
 template <bool Branches = numeric::cheap_branches, class V>
 SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std::int64_t& area2) {
     if constexpr (Branches) {
-        sort_pair(low, middle, area2);
-        sort_pair(middle, high, area2);
-        sort_pair(low, middle, area2);
+        std::int32_t turned = 0;
+        sort_pair(low, middle, turned);
+        sort_pair(middle, high, turned);
+        sort_pair(low, middle, turned);
+        low.x = position(*low.vertex).x;
+        middle.x = position(*middle.vertex).x;
+        high.x = position(*high.vertex).x;
+        area2 = (area2 ^ turned) - turned;
     } else {
         // From the outcomes of three comparisons, which branches would be taken at random for: the corners
         // upwards, and whether their order is turned.
@@ -133,7 +138,7 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.draw(end);
 }
 
-/// As a tile, where it is one and its state and kind draw tiles.
+/// As a tile or two, where it is that small and its state and kind draw tiles.
 template <class P>
 SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                               const typename P::Vertex& provoking, std::int32_t left, std::int32_t right) {
@@ -141,9 +146,9 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
         const DrawState& state = *pen.span.state;
         const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
         Tile tile;
+        int tiles;
         if (!state.tiles || pen.cuts() || state.counters != nullptr ||
-            !make_tile(tile, xs, ys, t.area2 < 0, left, right, pen.clip()) ||
-            !is_touched(*pen.span.target, tile, left, right))
+            !make_tile(tile, tiles, xs, ys, t.area2 < 0, left, right, pen.clip()))
             return false;
         if (tile.rows <= 0)
             return true;
@@ -151,8 +156,14 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
         const TileFunction draw = state.variant[static_cast<unsigned>(pen.span.kind)].tile;
         if (draw == nullptr)
             return false;
-        draw(pen.span, tile);
-        return true;
+        const bool touched = is_touched(*pen.span.target, tile, left, right);
+        for (;; tile.move_right()) {
+            if (!touched) [[unlikely]]
+                touch_tile(*pen.span.target, tile);
+            draw(pen.span, tile);
+            if (--tiles == 0)
+                return true;
+        }
     }
     return false;
 }

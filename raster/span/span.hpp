@@ -51,6 +51,13 @@ struct Coefficients {
     int exponent;
 };
 
+/// What the planes of a primitive are made of, for those that are made when a fragment asks for them.
+struct Basis {
+    const FixedVertex* v[3]; ///< reference vertices; values start at the first
+    Coefficients by;         ///< with d1 = v1 - v0 and d2 = v2 - v0
+    std::int32_t q[3];       ///< 1/w of these, largest in [2^29, 2^30), where set-up had to look at it
+};
+
 /// Which attributes vary how over a primitive. Every stage list exists once per kind; set-up picks the
 /// cheapest kind whose error is within the bounds of the tier (design 3).
 enum class Kind : std::uint8_t {
@@ -80,6 +87,7 @@ template <class P> struct Span {
     bool gray;               ///< red stands for green and blue, too (Variant::gray)
     std::uint32_t flat_word; ///< Kind::flat: the colour as stored in a 16-bit surface
 
+    Basis basis;
     Affine z;
     Affine color_value[4]; ///< RGBA
     Affine secondary[3];   ///< RGB
@@ -103,14 +111,16 @@ template <class P> struct Span {
     } unit[max_texture_units];
     typename P::Projective q_dy;
     /// Colours of Kind::full, where they are guessed (stage_guess.hpp): color_value is at most the colour,
-    /// and the colour at most `doubt` more. Their projective planes exist when `project` is null; until then
-    /// it makes them of what stands here.
+    /// and the colour at most a doubt more. Their projective planes exist when `project` is null; until then
+    /// it makes them of the basis.
     struct Guess {
-        std::uint32_t doubt;
+        /// The bits below a step of 5 or 6 bits, as top bits, from which on the doubt may reach the next one.
+        std::uint32_t open5, open6;
         void (*project)(Span&);
-        const std::uint32_t* color[3]; ///< of the reference vertices
-        std::int32_t q[3];             ///< 1/w of these
-        Coefficients by;
+        void doubt(std::uint32_t most) { // most > 0
+            open5 = most >> 27 == 0 ? 0 - (most << 5) : 0;
+            open6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
+        }
     } guess;
     std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
     const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says

@@ -11,34 +11,43 @@ namespace spangle::raster {
 /// The colour of the fragment at window (x, y), divided: what GouraudQ<Exact, false> gives, as it is stored.
 std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 
-/// Span::guess says by how much the affine colour may be below. Eight lanes leave it to others to divide
-/// (Px::open, divide_open): a loop that calls keeps nothing in registers.
+/// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
+/// sixteen bits of it and leave it to others to divide (Px::open, divide_open): a loop that calls keeps
+/// nothing in registers.
 template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using L = typename N::L;
     const PlaneRow& row;
-    typename L::U32 doubt;
 
     SPANGLE_INLINE GouraudGuessed(const PlaneRow& at, std::int32_t x)
-        : Gouraud<N, false>(at, x), row(at), doubt(L::splat32(at.planes.guess.doubt)) {}
+        : Gouraud<N, false>(at, x), row(at), open5_(limit(at.planes.guess.open5, 5)),
+          open6_(limit(at.planes.guess.open6, 6)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        Gouraud<N, false>::operator()(p);
-        // Bits that a step of 5 or 6 bits changes.
-        const typename L::U32 red_blue = changes(this->r.at) | changes(this->b.at),
-                              green = changes(this->g.at);
-        const typename L::U16 steps =
-            (L::high_half(red_blue) & L::splat(0xF800)) | (L::high_half(green) & L::splat(0xFC00));
         if constexpr (Count == 1) {
-            if (steps != 0) [[unlikely]]
+            if (this->r.at << 5 >= open5_ || this->g.at << 6 >= open6_ || this->b.at << 5 >= open5_)
+                [[unlikely]] {
                 p.color.word = divided_word(row.planes, row.counted_from + p.i, row.y);
+                return true;
+            }
         } else {
-            p.open = ~L::equal(steps, L::splat(0));
+            p.open = reaches(this->r.at, 5, open5_) | reaches(this->g.at, 6, open6_) |
+                     reaches(this->b.at, 5, open5_);
         }
-        return true;
+        return Gouraud<N, false>::operator()(p);
     }
 
   private:
-    SPANGLE_INLINE typename L::U32 changes(const typename L::U32& v) const { return (v + doubt) ^ v; }
+    using Limit = std::conditional_t<Count == 1, std::uint32_t, typename L::U16>;
+    SPANGLE_INLINE static Limit limit(std::uint32_t open, int bits) {
+        if constexpr (Count == 1)
+            return open;
+        else
+            return L::splat((open >> 16 >> bits) << bits);
+    }
+    SPANGLE_INLINE static typename L::Mask reaches(const typename L::U32& v, int bits, const Limit& open) {
+        return L::negate(L::less(L::high_half(v) << static_cast<std::uint16_t>(bits), open));
+    }
+    Limit open5_, open6_;
 };
 
 /// Writes the colours of those lanes of eight fragments, from column x on, that a guess left open.

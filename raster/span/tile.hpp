@@ -2,14 +2,17 @@
 // first: lanes are alive where three edges say so, and nothing is divided.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+
+#include "raster/span/lanes.hpp"
 
 namespace spangle::raster {
 
 /// Eight columns of a few rows, all of them inside of the scissor rectangle: lanes that are dead keep what
-/// they hold.
+/// they hold. Triangles of more columns are two of them side by side.
 struct Tile {
-    static constexpr std::int32_t columns = 8, most_rows = 12;
+    static constexpr std::int32_t columns = 8, most_rows = 12, most_rows_of_two = 6;
 
     /// Twice the signed area that the centre of a lane spans with an edge, in units of 2^-8 pixels, rounded
     /// down: negative outside. A pixel further it is `dx` more, a row further `dy`.
@@ -19,6 +22,39 @@ struct Tile {
     std::int32_t x, y; ///< window position of lane 0 of the first row
     std::int32_t rows;
     Edge edge[3];
+
+    /// On to the one right of it.
+    void move_right() {
+        x += columns;
+        for (Edge& e : edge)
+            e.value = static_cast<std::int16_t>(e.value + columns * e.dx);
+    }
+};
+
+/// The lanes of a tile that its edges leave, row by row.
+class TileLanes {
+  public:
+    SPANGLE_INLINE explicit TileLanes(const Tile& tile)
+        : a_(tile.edge[0]), b_(tile.edge[1]), c_(tile.edge[2]) {}
+    SPANGLE_INLINE Lanes<8>::Mask alive() const {
+        using Signed [[gnu::vector_size(16)]] = std::int16_t;
+        return ~std::bit_cast<Lanes<8>::Mask>(std::bit_cast<Signed>(a_.at | b_.at | c_.at) >> 15);
+    }
+    SPANGLE_INLINE void next_row() {
+        a_.at += a_.by;
+        b_.at += b_.by;
+        c_.at += c_.by;
+    }
+
+  private:
+    struct Side {
+        Lanes<8>::U16 at, by;
+        SPANGLE_INLINE explicit Side(const Tile::Edge& e)
+            : at(splat(e.value) + splat(e.dx) * Lanes<8>::U16{0, 1, 2, 3, 4, 5, 6, 7}), by(splat(e.dy)) {}
+        SPANGLE_INLINE static Lanes<8>::U16 splat(std::int16_t v) {
+            return Lanes<8>::splat(static_cast<std::uint16_t>(v));
+        }
+    } a_, b_, c_;
 };
 
 } // namespace spangle::raster

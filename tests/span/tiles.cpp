@@ -13,7 +13,8 @@ namespace {
 constexpr int width = 40, height = 40;
 
 struct Hits {
-    int tiles = 0, rows[Tile::most_rows + 1] = {}, at_border = 0;
+    int tiles = 0, seconds = 0, rows[Tile::most_rows + 1] = {}, at_border = 0;
+    Tile last{}; ///< of the triangle
 };
 Hits hits;
 TileFunction under_test;
@@ -25,6 +26,8 @@ void note_and_draw(Span<Fixed>& span, const Tile& tile) {
     EXPECT_GE(tile.y, clip.y);
     EXPECT_LE(tile.y + tile.rows, clip.y + clip.h);
     ++hits.tiles;
+    hits.seconds += tile.x == hits.last.x + Tile::columns && tile.y == hits.last.y ? 1 : 0;
+    hits.last = tile;
     ++hits.rows[tile.rows];
     hits.at_border += tile.x == clip.x + clip.w - Tile::columns ? 1 : 0;
     under_test(span, tile);
@@ -41,9 +44,10 @@ Triangle small_triangle(RandomVertices& source, Kind kind) {
             from * subpixel_one + static_cast<std::int32_t>(source.below(pixels * 256 / step) * step);
         return v < most * subpixel_one ? v : most * subpixel_one;
     };
+    const bool wide = source.below(2) == 0;
     for (FixedVertex& v : t.v) {
-        v.x = place(left, 9, width);
-        v.y = place(low, 13, height);
+        v.x = place(left, wide ? 17 : 9, width);
+        v.y = place(low, wide ? 7 : 13, height);
     }
     if (kind == Kind::full && source.below(2) == 0) // 1/w varies little
         for (FixedVertex& v : t.v)
@@ -83,6 +87,7 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
         }
         const Triangle t = small_triangle(source, fused.key.kind);
         draw(chained, chain_canvas.surface, t);
+        hits.last = {};
         draw(state, tile_canvas.surface, t);
         ASSERT_EQ(chain_canvas.color, tile_canvas.color) << name << " round " << round;
         ASSERT_EQ(chain_canvas.depth, tile_canvas.depth) << name << " round " << round;
@@ -92,6 +97,7 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
         }
     }
     EXPECT_GE(hits.tiles, 1500) << name;
+    EXPECT_GE(hits.seconds, 300) << name;
     for (int rows = 1; rows <= Tile::most_rows; ++rows)
         EXPECT_GE(hits.rows[rows], 10) << name << ' ' << rows;
     EXPECT_GE(hits.at_border, 100) << name;
