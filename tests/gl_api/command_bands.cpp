@@ -144,8 +144,8 @@ class Frames {
         EGLint count = 0;
         eglChooseConfig(egl_, wish, &config_, 1, &count);
         expect(count == 1, "no config");
-        const EGLint window[] = {EGL_ACCUM_SIZE_SPANGLE, SPANGLE_FEATURE_ACCUM ? 16 : 0,
-                                 EGL_BAND_RECORD_SPANGLE, setting_.record, EGL_NONE};
+        const EGLint window[] = {EGL_BAND_RECORD_SPANGLE, setting_.record,
+                                 SPANGLE_FEATURE_ACCUM ? EGL_ACCUM_SIZE_SPANGLE : EGL_NONE, 16, EGL_NONE};
         window_ = eglCreateWindowSurface(egl_, config_, 0, window);
         expect(window_ != EGL_NO_SURFACE, "no window");
         if (setting_.way == Way::redrawn)
