@@ -23,13 +23,14 @@ import document  # noqa: E402
 import firmware  # noqa: E402
 import golden  # noqa: E402
 import look  # noqa: E402
+import profile  # noqa: E402
 import twin  # noqa: E402
 
 ROOT = firmware.ROOT
 HANDLER_STACK = 512  # beside the program's, hal/mcu/sections.ld
 FRAMES = 30
 LOOKED_AT = 3  # frames of each scene whose picture on the display is compared too
-FEATURES = re.findall(r"^spangle_feature\((\w+)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
+FEATURES, LIMITS = profile.features(), [f"SPANGLE_{limit}" for limit in profile.limits()]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,6 +42,7 @@ class Board:
     scenes: tuple
     features: tuple = None  # the optional systems its library has; all, where it does not say
     limits: dict = dataclasses.field(default_factory=dict)  # {"SPANGLE_TEXTURE_UNITS": 1}
+    small: bool = False  # nothing is built for speed
     left_out: dict = dataclasses.field(default_factory=dict)
     trace: dict = None  # where the display's lines are, for the trace of register writes
     screen: dict = None  # the emulator draws the display itself
@@ -53,6 +55,9 @@ class Board:
         unknown = set(self.features or ()) - set(FEATURES)
         if unknown:
             raise ValueError(f"{self.name}: no feature {', '.join(unknown)} in cmake/Features.cmake")
+        unknown = set(self.limits) - set(LIMITS)
+        if unknown:
+            raise ValueError(f"{self.name}: no limit {', '.join(unknown)} in cmake/Limits.cmake")
         off = [] if self.features is None else [f"-DSPANGLE_FEATURE_{f}=0" for f in FEATURES if f not in self.features]
         return off + [f"-D{name}={value}" for name, value in self.limits.items()]
 
@@ -84,7 +89,7 @@ def discover():
 def add_image(build, board, report):
     """The demo of a board as an ELF file; `report`: "semihosting" or "silent"."""
     variant = board.name if board.defines else ""
-    library = build.library(board.target, board.defines, variant)
+    library = build.library(board.target, board.defines, variant, hot=() if board.small else firmware.HOT)
     demo = [*board.defines, "-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in board.scenes)]
     paths = [ROOT / "boards/demo/main.cpp", ROOT / "boards/demo/demo.cpp", ROOT / f"boards/demo/report_{report}.cpp",
              *sorted(board.folder.glob("*.cpp")), *(ROOT / source for source in board.sources)]

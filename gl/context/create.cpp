@@ -61,9 +61,10 @@ void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names) {
 }
 
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
+    // The large ones first: what is looked for is rounded up most.
     void* const memory = arena.allocate(sizeof(Context));
-    void* const group_memory = share == nullptr ? arena.allocate(sizeof(ShareGroup)) : nullptr;
     void* const pipeline = arena.allocate(config.engine->pipeline_bytes);
+    void* const group_memory = share == nullptr ? arena.allocate(sizeof(ShareGroup)) : nullptr;
     if (memory == nullptr || pipeline == nullptr || (share == nullptr && group_memory == nullptr)) {
         arena.free(memory);
         arena.free(pipeline);

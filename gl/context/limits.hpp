@@ -26,8 +26,14 @@
 #ifndef SPANGLE_CLIP_SPARE
 #define SPANGLE_CLIP_SPARE 2
 #endif
+#ifndef SPANGLE_PRIMITIVES
+#define SPANGLE_PRIMITIVES 3
+#endif
 #ifndef SPANGLE_LINE_BATCH
 #define SPANGLE_LINE_BATCH 0
+#endif
+#ifndef SPANGLE_DISPLAYS
+#define SPANGLE_DISPLAYS 4
 #endif
 #ifndef SPANGLE_ARENA_LOG2
 #define SPANGLE_ARENA_LOG2 0
@@ -62,10 +68,17 @@ inline constexpr unsigned usual_vertex_cache = 8192;
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
 
+/// What is drawn beside polygons.
+inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0;
+static_assert(SPANGLE_PRIMITIVES < 4);
+
 /// Lines under way, even; with two they are drawn one by one.
 inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0   ? SPANGLE_LINE_BATCH
                                   : numeric::cheap_branches ? 8
                                                             : 16;
+
+inline constexpr int most_displays = SPANGLE_DISPLAYS;
+static_assert(most_displays >= 1);
 
 /// Blocks of the arena are smaller than 2^this.
 inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_LOG2

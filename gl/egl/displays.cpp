@@ -12,8 +12,7 @@ namespace egl {
 
 namespace {
 
-constexpr int most_displays = 4;
-constinit Display displays[most_displays] = {};
+constinit Display displays[gl::most_displays] = {};
 constinit gl::Arena memory_arena;
 constinit SPANGLE_THREAD_LOCAL Thread this_thread = {};
 

@@ -125,7 +125,7 @@ void compressed_image(Context& context, GLenum target, GLint level, GLenum inter
         return error(context, GL_INVALID_VALUE,
                      SPANGLE_TEXT("glCompressedTexImage2D: imageSize is not that of the format and sizes"));
     if (of.proxy) {
-        context.texture.proxy[index_of(of.kind)][first] = shape_of(from, 0);
+        context.texture.proxy(of.kind, first) = shape_of(from, 0);
         return;
     }
     if (data == nullptr)

@@ -37,7 +37,7 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
         return;
     const std::uint32_t stride = shape.size[0] * texel_size(shape.format), bytes = stride * shape.size[1];
     if (request.target.proxy) {
-        context.texture.proxy[index_of(request.target.kind)][request.level] = shape;
+        context.texture.proxy(request.target.kind, request.level) = shape;
         return;
     }
     if (request.border != 0 || size < 0 || static_cast<std::uint32_t>(size) != bytes || data == nullptr)

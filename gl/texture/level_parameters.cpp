@@ -81,7 +81,7 @@ void cmd::GetTexLevelParameter(Context& context, GLenum target, GLint level, GLe
         return error(context, GL_INVALID_VALUE);
     const LevelImage* const image =
         of.proxy ? nullptr : bound_texture(context, of.kind).image(of.face, level);
-    const LevelShape shape = of.proxy           ? context.texture.proxy[index_of(of.kind)][level]
+    const LevelShape shape = of.proxy           ? context.texture.proxy(of.kind, level)
                              : image != nullptr ? image->shape
                                                 : LevelShape{};
     std::uint32_t value = 0;

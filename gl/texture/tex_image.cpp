@@ -59,7 +59,7 @@ void tex_image(Context& context, const ImageRequest& request, const ClientImage&
         !goes_into(context, layout, shape.format))
         return;
     if (request.target.proxy)
-        context.texture.proxy[index_of(request.target.kind)][request.level] = shape;
+        context.texture.proxy(request.target.kind, request.level) = shape;
     else
         make_image(context, request, shape, layout, client.pixels);
 }

@@ -21,6 +21,16 @@ inline constexpr unsigned cube_faces = 6;
 constexpr std::size_t index_of(TextureKind kind) {
     return static_cast<std::size_t>(kind);
 }
+/// The kinds this build has, and how many of them come before one.
+inline constexpr bool texture_kind_is_there[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
+                                                              SPANGLE_FEATURE_TEXTURE_3D != 0,
+                                                              SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0};
+constexpr std::size_t kinds_before(std::size_t kind) {
+    std::size_t before = 0;
+    for (std::size_t k = 0; k < kind; ++k)
+        before += texture_kind_is_there[k] ? 1u : 0u;
+    return before;
+}
 /// How many of width, height and depth an image has; the others are 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
     return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;

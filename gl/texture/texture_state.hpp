@@ -62,7 +62,12 @@ struct TextureState {
 #if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
     CubeTexture default_cube;
 #endif
-    LevelShape proxy[texture_kinds][texture_levels]{}; ///< what PROXY_TEXTURE_... was last asked
+    LevelShape proxies[kinds_before(texture_kinds)][texture_levels]{};
+
+    /// What PROXY_TEXTURE_... of a kind there is was last asked.
+    LevelShape& proxy(TextureKind kind, GLint level) {
+        return proxies[kinds_before(index_of(kind))][level];
+    }
 
     TextureObject& default_texture(TextureKind kind) {
         switch (kind) {

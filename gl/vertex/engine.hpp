@@ -14,28 +14,42 @@ namespace spangle::gl {
 struct Context;
 struct Indices; // gl/vertex/array_element.hpp
 
+// Firmware has one engine: its functions are called by name, and those that a program never calls are not
+// linked. Hosts, which have references beside it, call through a table.
+#ifdef SPANGLE_FIRMWARE
+#define SPANGLE_ENGINE_MEMBER static
+template <class F> using EngineCall = F;
+#else
+#define SPANGLE_ENGINE_MEMBER
+template <class F> using EngineCall = F*;
+#endif
+
 struct Engine {
-    std::size_t pipeline_bytes; ///< what Context::pipeline points at
-    void (*construct)(void* memory);
-    void (*compile)(const raster::FragmentState&, const raster::Surface&, raster::DrawState& out);
-    void (*begin)(Context&, GLenum mode);
+    SPANGLE_ENGINE_MEMBER const std::size_t pipeline_bytes; ///< what Context::pipeline points at
+    SPANGLE_ENGINE_MEMBER EngineCall<void(void* memory)> construct;
+    SPANGLE_ENGINE_MEMBER
+    EngineCall<void(const raster::FragmentState&, const raster::Surface&, raster::DrawState& out)> compile;
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&, GLenum mode)> begin;
     /// A vertex with the current attributes.
-    void (*vertex)(Context&, Real x, Real y, Real z, Real w);
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&, Real x, Real y, Real z, Real w)> vertex;
     /// Elements of the enabled arrays, between begin and end.
-    void (*elements)(Context&, std::uint32_t count, const Indices&);
-    void (*end)(Context&);
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&, std::uint32_t count, const Indices&)> elements;
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&)> end;
     /// Before a material changes inside Begin/End: vertices given so far get their colours.
-    void (*settle_colors)(Context&);
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&)> settle_colors;
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
     /// Fragments of a pixel rectangle or a bitmap, with the values of the current raster position.
-    void (*pixels)(Context&, const raster::DrawState&, const raster::Surface& target,
-                   raster::PixelSource&) = nullptr;
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&, const raster::DrawState&, const raster::Surface& target,
+                                          raster::PixelSource&)>
+        pixels;
 #endif
 #if SPANGLE_FEATURE_RASTER_POS
     /// The current raster position from one in object space, with what is current.
-    void (*raster_position)(Context&, const Real (&position)[4]) = nullptr;
+    SPANGLE_ENGINE_MEMBER EngineCall<void(Context&, const Real (&position)[4])> raster_position;
 #endif
 };
+
+#undef SPANGLE_ENGINE_MEMBER
 
 /// The product's policy.
 extern const Engine fixed_engine;

@@ -25,47 +25,59 @@ FixedPipeline& pipeline(Context& context) {
     return *static_cast<FixedPipeline*>(context.pipeline);
 }
 
-void construct(void* memory) {
+#ifdef SPANGLE_FIRMWARE
+#define OF_ENGINE Engine::
+} // namespace
+#else
+#define OF_ENGINE
+#endif
+
+void OF_ENGINE construct(void* memory) {
     new (memory) FixedPipeline;
 }
 
-void compile(const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
+void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,
+                       raster::DrawState& out) {
     out = raster::compile<raster::FixedVertex>(fragment, target);
 }
 
-void begin(Context& context, GLenum mode) {
+void OF_ENGINE begin(Context& context, GLenum mode) {
     pipeline(context).begin(context, mode);
 }
 
-void vertex(Context& context, Real x, Real y, Real z, Real w) {
+void OF_ENGINE vertex(Context& context, Real x, Real y, Real z, Real w) {
     pipeline(context).vertex(context, x, y, z, w);
 }
 
-void elements(Context& context, std::uint32_t count, const Indices& indices) {
+void OF_ENGINE elements(Context& context, std::uint32_t count, const Indices& indices) {
     pipeline(context).elements(context, count, indices);
 }
 
-void end(Context& context) {
+void OF_ENGINE end(Context& context) {
     pipeline(context).end();
 }
 
-void settle_colors(Context& context) {
+void OF_ENGINE settle_colors(Context& context) {
     pipeline(context).settle_colors();
 }
 
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
-void pixels(Context& context, const raster::DrawState& state, const raster::Surface& target,
-            raster::PixelSource& source) {
+void OF_ENGINE pixels(Context& context, const raster::DrawState& state, const raster::Surface& target,
+                      raster::PixelSource& source) {
     draw_at_raster_position<FixedMath>(context, state, target, source);
 }
 #endif
 
 #if SPANGLE_FEATURE_RASTER_POS
-void raster_position(Context& context, const Real (&position)[4]) {
+void OF_ENGINE raster_position(Context& context, const Real (&position)[4]) {
     pipeline(context).raster_position(context, position);
 }
 #endif
 
+#ifdef SPANGLE_FIRMWARE
+const std::size_t Engine::pipeline_bytes = sizeof(FixedPipeline);
+const Engine fixed_engine{};
+#else
 } // namespace
 
 const Engine fixed_engine = {
@@ -84,5 +96,6 @@ const Engine fixed_engine = {
     raster_position,
 #endif
 };
+#endif
 
 } // namespace spangle::gl

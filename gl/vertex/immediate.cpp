@@ -46,8 +46,14 @@ void element(Context& context, std::uint32_t index) {
     context.engine->vertex(context, v[0], v[1], v[2], v[3]);
 }
 
-bool is_mode(GLenum mode) {
-    return mode <= GL_POLYGON;
+/// A primitive that this build draws; else the error is set.
+bool takes(Context& context, GLenum mode) {
+    const bool known = mode <= GL_POLYGON;
+    if (known && (mode == GL_POINTS ? has_points : mode > GL_LINE_STRIP || has_lines))
+        return true;
+    error(context, known ? GL_INVALID_OPERATION : GL_INVALID_ENUM,
+          known ? SPANGLE_TEXT("this build draws no such primitives (SPANGLE_PRIMITIVES)") : nullptr);
+    return false;
 }
 
 /// Draws `count` elements as one primitive, or as those between restarts.
@@ -66,8 +72,8 @@ void draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) 
 namespace cmd {
 
 void Begin(Context& context, GLenum mode) {
-    if (!is_mode(mode))
-        return error(context, GL_INVALID_ENUM);
+    if (!takes(context, mode))
+        return;
     set_gate(context, true);
     context.primitive = mode;
     context.engine->begin(context, mode);
@@ -148,8 +154,8 @@ void ArrayElement(Context& context, GLint i) {
 }
 
 void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
-    if (!is_mode(mode))
-        return error(context, GL_INVALID_ENUM);
+    if (!takes(context, mode))
+        return;
     if (first < 0 || count < 0)
         return error(context, GL_INVALID_VALUE);
     Indices found{.first = static_cast<std::uint32_t>(first)};
@@ -160,8 +166,8 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-    if (!is_mode(mode))
-        return error(context, GL_INVALID_ENUM);
+    if (!takes(context, mode))
+        return;
     if (count < 0)
         return error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
@@ -177,8 +183,8 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                        const void* indices) {
-    if (!is_mode(mode))
-        return error(context, GL_INVALID_ENUM);
+    if (!takes(context, mode))
+        return;
     if (end < start)
         return error(context, GL_INVALID_VALUE);
     DrawElements(context, mode, count, type, indices); // the range is a promise we do not need
@@ -187,8 +193,8 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
 /// A loop of draws; those without vertices are left out (GL 1.4, 2.8).
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
                      GLsizei primcount) {
-    if (!is_mode(mode))
-        return error(context, GL_INVALID_ENUM);
+    if (!takes(context, mode))
+        return;
     if (primcount < 0 || (primcount > 0 && (first == nullptr || count == nullptr)))
         return error(context, GL_INVALID_VALUE);
     for (GLsizei i = 0; i < primcount; ++i)
@@ -198,7 +204,9 @@ void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GL
 
 void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void** indices,
                        GLsizei primcount) {
-    if (!is_mode(mode) || (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT))
+    if (!takes(context, mode))
+        return;
+    if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return error(context, GL_INVALID_ENUM);
     if (primcount < 0 || (primcount > 0 && (count == nullptr || indices == nullptr)))
         return error(context, GL_INVALID_VALUE);

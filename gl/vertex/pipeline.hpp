@@ -80,7 +80,7 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
-        if (mode_ == GL_LINE_LOOP && held_ == 2)
+        if (has_lines && mode_ == GL_LINE_LOOP && held_ == 2)
             line(*corner_[1], *corner_[0]);
         if (mode_ == GL_POLYGON && (outlined() || gathers()))
             end_polygon();
@@ -414,7 +414,7 @@ template <class M, class L> class Pipeline {
     void kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                        const Indices& indices);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
-    bool has_lines() const;
+    bool draws_lines() const;
     bool is_usual(const ElementReader& reader) const;
     bool is_usual_texture(const ElementReader& reader) const;
     Vertex& cached(std::uint32_t index);

@@ -51,9 +51,9 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
     if (!is_usual(reader) || (reader.textured || units_ != 0) != textured)
         for (std::uint32_t i = 0; i < count; ++i)
             next(unusual_element(context, reader, indices.at(i)));
-    else if (has_lines())
+    else if (raster::has_shortcuts && draws_lines())
         line_elements(reader, count, indices, normals);
-    else if (mode_ == GL_TRIANGLE_STRIP && !whole_polygons_)
+    else if (raster::has_shortcuts && mode_ == GL_TRIANGLE_STRIP && !whole_polygons_)
         strip_of(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)
@@ -87,8 +87,8 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
         given_color_[c] = current.color[c];
 }
 
-template <class M, class L> inline bool Pipeline<M, L>::has_lines() const {
-    return mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
+template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
+    return has_lines && mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
 }
 
 /// Three floats each, and everything else, texture coordinates apart, is current.
@@ -102,7 +102,7 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
     bool others = false;
     for (int u = 1; u < texture_units; ++u)
         others = others || reader.tex_coord[u].on();
-    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !generates(0) && !has_lines();
+    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !generates(0) && !draws_lines();
 }
 
 template <class M, class L>

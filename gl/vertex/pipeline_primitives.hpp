@@ -6,6 +6,8 @@
 namespace spangle::gl {
 
 template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
+    if constexpr (!has_points)
+        return;
     if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || !project(v))
         return;
     color(v);
@@ -65,6 +67,8 @@ void Pipeline<M, L>::draw_modal_line(const Window& a, const Window& b, const Win
 }
 
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
+    if constexpr (!has_lines)
+        return;
     if (captures())
         return captured_line(a, b);
     Vertex* const ends[2] = {&a, &b};

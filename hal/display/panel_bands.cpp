@@ -10,6 +10,10 @@ Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) 
         return Error{Fault::bad_argument, "display: acquire before init succeeded"};
     if (config_.band == 0)
         return whole_frames();
+    return (this->*parts_.acquire_band)(first, rows);
+}
+
+Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) {
     const std::int32_t unit = band_unit(config_), left = picture_.height - first;
     if (first < 0 || rows <= 0 || rows > config_.band || rows > left || first % unit != 0 ||
         (rows % unit != 0 && rows != left))
@@ -39,13 +43,16 @@ Result<Frame> PanelDisplay::acquire_band(std::int32_t first, std::int32_t rows) 
 Result<void> PanelDisplay::present_band() {
     if (!ready_ || !band_.acquired)
         return Error{Fault::bad_argument, "display: a band is presented that was not acquired"};
+    return (this->*parts_.present_band)();
+}
+
+Result<void> PanelDisplay::present_rows() {
     if (const auto r = settle(); !r)
         return r;
     if (band_.first == 0 && !band_.complete)
         forget_content(); // which clear value is outside of it differs from band to band
     band_.acquired = false;
-    collect_band_damage();
-    if (const auto r = send(); !r) {
+    if (const auto r = (this->*parts_.send_band)(); !r) {
         forget_content();
         return r;
     }
@@ -57,6 +64,22 @@ Result<void> PanelDisplay::present_band() {
     else if (!config_.wire.converts())
         return settle();
     return {};
+}
+
+Result<void> PanelDisplay::send_changed_rows() {
+    collect_band_damage();
+    return send();
+}
+
+/// Nobody remembers what the panel shows. Columns end where bytes do; so do bands.
+Result<void> PanelDisplay::send_all_rows() {
+    const std::int32_t unit = shared().width;
+    begin_send();
+    if (const auto r =
+            append_windows({0, band_.first, (picture_.width + unit - 1) / unit * unit, band_.rows});
+        !r)
+        return r;
+    return end_send();
 }
 
 /// What differs between the panel's memory and the band: what was drawn, and what the panel shows there

@@ -12,8 +12,22 @@ std::uint32_t deadline(std::uint32_t expected, std::uint32_t late) {
 
 } // namespace
 
-PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory)
-    : bus_(bus), config_(config), memory_(memory) {}
+constexpr PanelDisplay::Parts PanelDisplay::every_part = {
+    &PanelDisplay::check_description,
+    check_identity,
+    &PanelDisplay::measure_refresh,
+    &PanelDisplay::append_sync,
+    &PanelDisplay::ops_of,
+    &PanelDisplay::acquire_frame,
+    &PanelDisplay::present_frame,
+    &PanelDisplay::show,
+    &PanelDisplay::acquire_rows,
+    &PanelDisplay::present_rows,
+    &PanelDisplay::send_changed_rows,
+};
+
+PanelDisplay::PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory, const Parts& parts)
+    : bus_(bus), config_(config), memory_(memory), parts_(parts) {}
 
 DisplayInfo PanelDisplay::info() const {
     const bool described = config_.panel != nullptr;
@@ -87,19 +101,19 @@ Result<void> PanelDisplay::settle() {
 Result<void> PanelDisplay::finish() {
     if (const auto r = settle(); !r)
         return r;
-    if (!owed_ || drawn_since())
+    if (parts_.show == nullptr || !owed_ || drawn_since())
         return {};
-    if (const auto r = show(true); !r)
+    if (const auto r = (this->*parts_.show)(true); !r)
         return r;
     return settle();
 }
 
 Result<void> PanelDisplay::poll() {
-    if (!owed_ || drawn_since() || (in_flight_ && !bus_.done(token_)))
+    if (parts_.show == nullptr || !owed_ || drawn_since() || (in_flight_ && !bus_.done(token_)))
         return {};
     if (const auto r = settle(); !r)
         return r;
-    return show(false);
+    return (this->*parts_.show)(false);
 }
 
 // --- Frames ---
@@ -109,6 +123,10 @@ Result<Frame> PanelDisplay::acquire() {
         return Error{Fault::bad_argument, "display: acquire before init succeeded"};
     if (config_.band != 0)
         return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
+    return (this->*parts_.acquire)();
+}
+
+Result<Frame> PanelDisplay::acquire_frame() {
     std::uint8_t* const pixels = buffers_[back_].to_draw(bus_);
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the frame"};
@@ -121,6 +139,10 @@ Result<void> PanelDisplay::present() {
         return Error{Fault::bad_argument, "display: present before init succeeded"};
     if (config_.band != 0)
         return Error{Fault::unsupported, "display: frames of this display are drawn in bands"};
+    return (this->*parts_.present)();
+}
+
+Result<void> PanelDisplay::present_frame() {
     if (put_off())
         return {};
     if (const auto r = settle(); !r)

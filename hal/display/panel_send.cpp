@@ -22,9 +22,8 @@ Result<void> PanelDisplay::send() {
             memory_.hash.code->plan(spans, hash_, cost);
         FramePlan plan(WindowPlan(sent_damage(), sent_rows(), cost, memory_.plan), apart ? &spans : nullptr,
                        memory_.hash.code);
-        // Two lists have a gap between them that nobody foresees, and the first is waited for.
-        const bool one_list = config_.buffers == 2 || config_.wire.converts() || tear_free();
-        if (!one_list || cost.window >= dearest_window || ops_of(plan) + sync_ops <= ops_.capacity())
+        if (parts_.count_ops == nullptr || !one_list(config_) || cost.window >= dearest_window ||
+            (this->*parts_.count_ops)(plan) + sync_ops <= ops_.capacity())
             return send_windows(plan);
         cost.window = 2 * cost.window + 1; // dearer windows are fewer
     }
@@ -34,17 +33,25 @@ Result<void> PanelDisplay::send_windows(FramePlan& plan) {
     Rect window;
     if (!plan.next(window))
         return {};
-    suspect_ = true; // until the last byte is known to be there
-    ops_.clear();
-    wire_end_ = 0;
-    if (tear_free()) {
-        append_sync(plan);
+    begin_send();
+    if (parts_.sync != nullptr && tear_free()) {
+        (this->*parts_.sync)(plan);
         plan.next(window);
     }
     do {
         if (const auto r = append_windows({window.x, band_.first + window.y, window.w, window.h}); !r)
             return r;
     } while (plan.next(window));
+    return end_send();
+}
+
+void PanelDisplay::begin_send() {
+    suspect_ = true; // until the last byte is known to be there
+    ops_.clear();
+    wire_end_ = 0;
+}
+
+Result<void> PanelDisplay::end_send() {
     if (const auto r = start(); !r)
         return r;
     sent_buffer().lend(token_);

@@ -12,21 +12,11 @@ constexpr std::size_t least_ops(const CommandSet& set) {
 
 } // namespace
 
-Result<void> PanelDisplay::check_config() const {
+/// What a Board was asked for when it was compiled.
+Result<void> PanelDisplay::check_description() const {
     const PanelDesc& panel = *config_.panel;
     if (const char* rule = flaw(panel))
         return Error{Fault::bad_argument, rule};
-    if (caps_.write_hz == 0)
-        return Error{Fault::unsupported, "display: the bus has no write clock"};
-    if (caps_.max_transfer != 0 && caps_.max_transfer < sizeof(OpParams))
-        return Error{Fault::unsupported,
-                     "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
-    if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
-        return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
-    if (!is_drawable(config_.format))
-        return Error{Fault::unsupported,
-                     "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
-                     "SPANGLE_FEATURE_COLOR_INDEX)"};
     if (is_indexed(config_.format) && memory_.palette == nullptr)
         return Error{Fault::bad_argument, "display: the storage has no room for the palette of indices"};
     if (!lies_as_it_travels(config_))
@@ -38,17 +28,7 @@ Result<void> PanelDisplay::check_config() const {
         return Error{Fault::unsupported, "display: the row hash serves rows, not pages"};
     if (config_.wait_te && panel.commands->tearing.empty())
         return Error{Fault::unsupported, "display: waiting for TE, but the controller has no such output"};
-    if (caps_.write_hz > fastest_write(panel, caps_.kind))
-        return Error{Fault::unsupported,
-                     "display: the bus's write clock is faster than this panel is known to take"};
-    if (config_.read_back && caps_.read_hz > fastest_read(panel, caps_.kind))
-        return Error{Fault::unsupported,
-                     "display: the bus's read clock is faster than the panel's datasheet allows"};
-    if (config_.wait_te && !caps_.has_te)
-        return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
     const Extent size = sent_size(config_);
-    if (config_.poll_line && caps_.read_hz == 0)
-        return Error{Fault::unsupported, "display: polling the scanned line, but the bus cannot read"};
     if (config_.scan_order && (config_.buffers != 2 || config_.wire.converts()))
         return Error{
             Fault::bad_argument,
@@ -72,6 +52,33 @@ Result<void> PanelDisplay::check_config() const {
         (memory_.content_height < picture_size(config_).height && !sent_whole) ||
         memory_.op_count < least_ops(*panel.commands))
         return Error{Fault::bad_argument, "display: the storage is smaller than the picture asks for"};
+    return {};
+}
+
+/// Whether this bus, in this build, can do what the description says.
+Result<void> PanelDisplay::check_bus() const {
+    const PanelDesc& panel = *config_.panel;
+    if (caps_.write_hz == 0)
+        return Error{Fault::unsupported, "display: the bus has no write clock"};
+    if (caps_.max_transfer != 0 && caps_.max_transfer < sizeof(OpParams))
+        return Error{Fault::unsupported,
+                     "display: the bus cannot carry the four bytes of CASET (2Ah) in one operation"};
+    if (!format_code(panel, caps_.kind, wire_format(config_)).taken)
+        return Error{Fault::unsupported, "display: the panel does not take this pixel format on this bus"};
+    if (!is_drawable(config_.format))
+        return Error{Fault::unsupported,
+                     "display: this build has no such surfaces (SPANGLE_FEATURE_NARROW_SURFACES, "
+                     "SPANGLE_FEATURE_COLOR_INDEX)"};
+    if (caps_.write_hz > fastest_write(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's write clock is faster than this panel is known to take"};
+    if (config_.read_back && caps_.read_hz > fastest_read(panel, caps_.kind))
+        return Error{Fault::unsupported,
+                     "display: the bus's read clock is faster than the panel's datasheet allows"};
+    if (config_.wait_te && !caps_.has_te)
+        return Error{Fault::unsupported, "display: waiting for TE, but the bus has no tearing-effect line"};
+    if (config_.poll_line && caps_.read_hz == 0)
+        return Error{Fault::unsupported, "display: polling the scanned line, but the bus cannot read"};
     return {};
 }
 
@@ -120,7 +127,10 @@ Result<void> PanelDisplay::init() {
     if (in_flight_)
         return Error{Fault::busy, "display: init while a transfer is still on the wire"};
     caps_ = bus_.caps();
-    if (const auto r = check_config(); !r)
+    if (parts_.check != nullptr)
+        if (const auto r = (this->*parts_.check)(); !r)
+            return r;
+    if (const auto r = check_bus(); !r)
         return r;
     turns_ = turns(config_);
     scan_ = scan_order(*config_.panel, config_.orientation);
@@ -162,8 +172,9 @@ Result<void> PanelDisplay::init() {
         return r;
     if (const auto r = complete(); !r)
         return r;
-    if (const auto r = measure_refresh(); !r)
-        return r;
+    if (parts_.measure != nullptr)
+        if (const auto r = (this->*parts_.measure)(); !r)
+            return r;
     ready_ = true;
     return {};
 }
@@ -180,7 +191,7 @@ Result<void> PanelDisplay::reset_panel() {
     if (const auto r = complete(); !r)
         return r;
     if (config_.read_back)
-        return check_identity(bus_, *config_.panel, scratch_);
+        return parts_.identify(bus_, *config_.panel, scratch_);
     return {};
 }
 

@@ -325,6 +325,11 @@ class LineBatch {
 template <>
 void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex* const* vertex,
                              int n, int step, const FixedVertex* painted, std::int32_t width) {
+    if constexpr (!has_shortcuts) {
+        for (int i = 0; i + 1 < n; i += step)
+            draw_line_of<Fixed>(state, target, *vertex[i], *vertex[i + 1], *vertex[i + 1], width);
+        return;
+    }
     LineBatch batch(state, target, width);
     const int most = step == 1 ? Paths::size + 1 : 2 * Paths::size;
     while (n > 1) {
@@ -338,6 +343,8 @@ void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, cons
 template <>
 void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
                             const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
+    if constexpr (!has_shortcuts)
+        return draw_line_of<Fixed>(state, target, a, b, provoking, width);
     const FixedVertex* const ends[2] = {&a, &b};
     LineBatch(state, target, width).draw(ends, 2, 1, nullptr, &provoking);
 }

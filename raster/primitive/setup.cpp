@@ -217,7 +217,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
     else if (bits == 0)
         constant_colors(painted);
     else if (kind == Kind::full)
-        Rgb&& state_.guesses ? guessed_colors(bits) : divided_colors();
+        Rgb&& has_fused_spans&& state_.guesses ? guessed_colors(bits) : divided_colors();
     else if constexpr (Rgb)
         varying_colors<Rgb>(bits);
     else
@@ -280,7 +280,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
     } else {
         in_plane(area2);
     }
-    if (state_.smooth_rgb)
+    if (has_shortcuts && state_.smooth_rgb)
         attributes_of<true>(provoking);
     else
         attributes(provoking);

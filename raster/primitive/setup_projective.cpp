@@ -49,7 +49,7 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
 void Setup<Fixed>::divided_colors() {
     span_.q_dy = add_projective(span_.q, span_.basis.q);
     projective_colors();
-    if (!state_.guesses)
+    if (!has_fused_spans || !state_.guesses)
         return;
     span_.guess.doubt(1u << 31);
     span_.guess.project = nullptr;

@@ -110,8 +110,9 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     Row* const begin = pen.rows();
     Row* const full = begin + pen.batch;
     const auto fill = [&] {
-        return pen.cuts() ? rows.template fill<true>(begin, pen.batch, pen.column_begin(), pen.column_end())
-                          : rows.template fill<false>(begin, pen.batch, 0, 0);
+        return !has_shortcuts || pen.cuts()
+                   ? rows.template fill<true>(begin, pen.batch, pen.column_begin(), pen.column_end())
+                   : rows.template fill<false>(begin, pen.batch, 0, 0);
     };
     Row* end = fill();
     if (end == begin)
@@ -189,6 +190,8 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
         return keep(state, Primitive::Shape::triangle, 0, nullptr, provoking, a, b, c);
     if (!pen.sees(left, right))
         return;
+    if constexpr (!has_shortcuts)
+        return detail::draw_rows<Edge>(pen, sorted(), provoking);
     if (detail::draw_tile(pen, sorted(), provoking, left, right))
         return;
     const std::int32_t width = most - least, height = high.y - low.y;

@@ -11,6 +11,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/context/limits.hpp"
+#include "tests/egl/fake_display.hpp"
 #include "tests/headless_gl.hpp"
 
 namespace spangle::test {
@@ -98,6 +99,13 @@ TEST_F(Limits, QueriesSayThem) {
 #if SPANGLE_FEATURE_LIGHTING
     EXPECT_EQ(get(GL_MAX_LIGHTS), static_cast<GLint>(gl::max_lights));
 #endif
+}
+
+/// The default display is one of them.
+TEST_F(Limits, DisplaysAsManyAsItSays) {
+    static FakeDisplay more[gl::most_displays];
+    for (int i = 0; i < gl::most_displays; ++i)
+        EXPECT_EQ(eglGetDisplay(native(more[i])) != EGL_NO_DISPLAY, i + 1 < gl::most_displays) << i;
 }
 
 TEST_F(Limits, StacksHoldAsMany) {

@@ -11,6 +11,7 @@
 #include <spangle/raster/fragment_state.hpp>
 
 #include "boards/scenes/models/rocket.hpp"
+#include "gl/context/limits.hpp"
 
 namespace {
 
@@ -132,6 +133,26 @@ void draws() {
         check(refused(GL_INVALID_OPERATION, "SPANGLE_FUSED") && drawn() == 0, "what has no span is refused");
 }
 
+void primitives() {
+    static constexpr GLfloat corner[2] = {};
+    glVertexPointer(2, GL_FLOAT, 0, corner);
+    for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
+        const bool there = mode == GL_POINTS ? gl::has_points : mode > GL_LINE_STRIP || gl::has_lines;
+        for (const bool array : {false, true}) {
+            said.clear();
+            if (array)
+                glDrawArrays(mode, 0, 1);
+            else
+                glBegin(mode);
+            check(there ? said.empty() : refused(GL_INVALID_OPERATION, "SPANGLE_PRIMITIVES"),
+                  "a kind of primitives");
+            if (there && !array)
+                glEnd();
+            check(glGetError() == GL_NO_ERROR, "primitives that there are");
+        }
+    }
+}
+
 } // namespace
 
 int main() {
@@ -142,6 +163,7 @@ int main() {
     open(display);
     textures();
     draws();
+    primitives();
     // A hint for a tier that is not there is one for the config's.
     glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
     check(glGetError() == GL_NO_ERROR, "hints are taken");

@@ -116,7 +116,10 @@ class BoardDisplay final
                            is_indexed(board.display.format)>,
       public PanelDisplay {
   public:
-    explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory()) {}
+    explicit BoardDisplay(Bus& bus) : PanelDisplay(bus, board.display, this->memory(), parts) {}
+
+  private:
+    static constexpr PanelDisplay::Parts parts = PanelDisplay::parts_of(board.display, Remembers);
 };
 
 } // namespace spangle::hal

@@ -78,10 +78,12 @@ constexpr std::int32_t band_unit(const PanelConfig& c) {
 /// The rule that bands of this display break, or null.
 constexpr const char* band_flaw(const PanelConfig& c) {
     if (c.band < 0 || c.band > INT16_MAX || c.band % band_unit(c) != 0)
-        return "display: bands end where bytes do; pages of eight rows ask for a multiple of 8";
+        return broken("display: bands end where bytes do; pages of eight rows ask for a multiple of 8",
+                      OnFlaw::tell);
     if (c.band != 0 && (c.wait_te || c.poll_line || c.scan_order || c.row_hash || c.pacing != Pacing::block))
-        return "display: bands go out as they are drawn: no waiting for the beam, no order of the scan, no "
-               "row hash, no frames put off";
+        return broken("display: bands go out as they are drawn: no waiting for the beam, no order of the "
+                      "scan, no row hash, no frames put off",
+                      OnFlaw::tell);
     return nullptr;
 }
 
@@ -177,7 +179,29 @@ struct PresentCounters {
 
 class PanelDisplay : public Display {
   public:
-    PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory);
+    /// Code that not every display runs. What nobody names is not linked.
+    struct Parts {
+        Result<void> (PanelDisplay::*check)() const = nullptr; ///< the description and the memory
+        Result<void> (*identify)(Bus&, const PanelDesc&, ReadScratch&) = nullptr;
+        Result<void> (PanelDisplay::*measure)() = nullptr;                  ///< the refresh,
+        void (PanelDisplay::*sync)(FramePlan&) = nullptr;                   ///< to lead or lag the beam
+        std::size_t (PanelDisplay::*count_ops)(FramePlan&) const = nullptr; ///< of frames that are one list
+        Result<Frame> (PanelDisplay::*acquire)() = nullptr;                 ///< whole frames
+        Result<void> (PanelDisplay::*present)() = nullptr;
+        Result<void> (PanelDisplay::*show)(bool in_place) = nullptr; ///< those that were put off
+        Result<Frame> (PanelDisplay::*acquire_band)(std::int32_t first, std::int32_t rows) = nullptr;
+        Result<void> (PanelDisplay::*present_band)() = nullptr;
+        Result<void> (PanelDisplay::*send_band)() = nullptr;
+    };
+    /// Of a display whose description and memory were checked when it was compiled. `remembers`: bands are
+    /// not sent whole.
+    static constexpr Parts parts_of(const PanelConfig& config, bool remembers);
+    /// Of one that is described at run time.
+    static const Parts every_part;
+
+    /// `parts` must stay.
+    PanelDisplay(Bus& bus, const PanelConfig& config, const PanelMemory& memory,
+                 const Parts& parts = every_part);
 
     DisplayInfo info() const override;
     /// Reset, identity, setup, a black glass, display on. May be called again, to recover a panel that lost
@@ -213,7 +237,14 @@ class PanelDisplay : public Display {
     /// Beyond two refreshes the scan-out is given this long to show itself.
     static constexpr std::uint32_t grace_us = 100000;
 
-    Result<void> check_config() const;
+    Result<void> check_description() const;
+    Result<void> check_bus() const;
+    Result<Frame> acquire_frame();
+    Result<void> present_frame();
+    Result<Frame> acquire_rows(std::int32_t first, std::int32_t rows);
+    Result<void> present_rows();
+    Result<void> send_changed_rows();
+    Result<void> send_all_rows();
     Result<void> take_buffers();
     Result<void> reset_panel();
     Result<void> append_setup();
@@ -240,6 +271,8 @@ class PanelDisplay : public Display {
     std::size_t ops_of(FramePlan& plan) const;
     std::size_t pixel_ops(const Rect& window) const;
     Result<void> send_windows(FramePlan& plan);
+    void begin_send();
+    Result<void> end_send();
     Result<void> read_turned(const Rect& area, std::uint8_t* rgb);
     void turn_damage();
     Result<void> show(bool in_place);
@@ -257,7 +290,12 @@ class PanelDisplay : public Display {
 
     std::uint32_t wire_bits() const { return wire_info(wire_format(config_)).bits; }
     std::size_t wire_bytes(const Extent& size) const;
-    bool tear_free() const { return config_.wait_te || config_.poll_line; }
+    static constexpr bool tear_free(const PanelConfig& c) { return c.wait_te || c.poll_line; }
+    bool tear_free() const { return tear_free(config_); }
+    /// Two lists have a gap between them that nobody foresees, and the first is waited for.
+    static constexpr bool one_list(const PanelConfig& c) {
+        return c.buffers == 2 || c.wire.converts() || tear_free(c);
+    }
     std::uint8_t canvases() const { return turns_ || config_.band != 0 ? 1 : config_.buffers; }
     /// Rows of what is drawn and sent at once.
     std::int32_t sent_rows() const { return config_.band != 0 ? band_.rows : placement_.size.height; }
@@ -275,6 +313,7 @@ class PanelDisplay : public Display {
     Bus& bus_;
     PanelConfig config_;
     PanelMemory memory_;
+    const Parts& parts_;
     BusCaps caps_;
     Placement placement_; ///< of the buffer that is sent
     ScanOrder scan_;
@@ -319,5 +358,28 @@ class PanelDisplay : public Display {
     bool waits_ = true; ///< the swap interval
     PresentCounters counters_;
 };
+
+constexpr PanelDisplay::Parts PanelDisplay::parts_of(const PanelConfig& config, bool remembers) {
+    Parts parts;
+    if (config.read_back)
+        parts.identify = check_identity;
+    if (tear_free(config)) {
+        parts.measure = &PanelDisplay::measure_refresh;
+        parts.sync = &PanelDisplay::append_sync;
+    }
+    if (one_list(config))
+        parts.count_ops = &PanelDisplay::ops_of;
+    if (config.band == 0) {
+        parts.acquire = &PanelDisplay::acquire_frame;
+        parts.present = &PanelDisplay::present_frame;
+        if (one_list(config))
+            parts.show = &PanelDisplay::show;
+    } else {
+        parts.acquire_band = &PanelDisplay::acquire_rows;
+        parts.present_band = &PanelDisplay::present_rows;
+        parts.send_band = remembers ? &PanelDisplay::send_changed_rows : &PanelDisplay::send_all_rows;
+    }
+    return parts;
+}
 
 } // namespace spangle::hal

@@ -3,6 +3,10 @@
 
 #include <cstdint>
 
+#ifndef SPANGLE_MESSAGES
+#define SPANGLE_MESSAGES 1 ///< 0 compiles every text out
+#endif
+
 namespace spangle::hal {
 
 enum class Fault : std::uint8_t {
@@ -21,8 +25,12 @@ enum class Fault : std::uint8_t {
 /// What went wrong and which rule it broke: a string that names device, operation and cause. It is static,
 /// or stays until the object that gave it fails often again or ends.
 struct Error {
+    constexpr Error() = default;
+    constexpr Error(Fault what, const char* text, std::uint32_t more = 0)
+        : fault(what), rule(SPANGLE_MESSAGES != 0 ? text : ""), detail(more) {}
+
     Fault fault = Fault::none;
-    const char* rule = "";
+    const char* rule = "";    ///< so it stays in builds without texts
     std::uint32_t detail = 0; ///< wrong_device: the bytes that answered, first byte highest; system
                               ///< errors: errno
 };

@@ -18,6 +18,9 @@
 #ifndef SPANGLE_FUSED_SPANS
 #define SPANGLE_FUSED_SPANS 1
 #endif
+#ifndef SPANGLE_SHORTCUTS
+#define SPANGLE_SHORTCUTS 1
+#endif
 #ifndef SPANGLE_CHAIN
 #define SPANGLE_CHAIN 1
 #endif
@@ -45,6 +48,8 @@ static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
+/// Ways that are only faster.
+inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;
 /// Without it a state that has no fused span is an error.
 inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
 static_assert(has_chain || has_fused_spans);

@@ -8,9 +8,10 @@
 namespace spangle::mcu::stellaris {
 
 inline constexpr std::uintptr_t system_control = 0x400FE000;
-inline constexpr std::uintptr_t clock_config = system_control + 0x060;  ///< RCC
-inline constexpr std::uintptr_t serial_clocks = system_control + 0x104; ///< RCGC1
-inline constexpr std::uintptr_t port_clocks = system_control + 0x108;   ///< RCGC2: bit 0 is port A
+inline constexpr std::uintptr_t raw_interrupts = system_control + 0x050; ///< RIS
+inline constexpr std::uintptr_t clock_config = system_control + 0x060;   ///< RCC
+inline constexpr std::uintptr_t serial_clocks = system_control + 0x104;  ///< RCGC1
+inline constexpr std::uintptr_t port_clocks = system_control + 0x108;    ///< RCGC2: bit 0 is port A
 
 /// A GPIO port: a PL061.
 struct Port {
@@ -43,6 +44,17 @@ struct Pin {
 inline void turn_on(std::uintptr_t clocks, std::uint32_t bits) {
     set_bits(clocks, bits);
     [[maybe_unused]] const std::uint32_t settled = reg(clocks);
+}
+
+/// From a crystal of 6 MHz: the PLL's 200 MHz / 16. LM3S811 data sheet, 5.3.
+inline void run_at_12500_khz() {
+    constexpr std::uint32_t divide_by_16 = 15u << 23, use_divider = 1u << 22, bypass_pll = 1u << 11,
+                            crystal_6_mhz = 0xBu << 6, pll_locked = 1u << 6;
+    reg(clock_config) = divide_by_16 | bypass_pll | crystal_6_mhz; // which also powers the PLL up
+    reg(clock_config) = divide_by_16 | use_divider | bypass_pll | crystal_6_mhz;
+    while ((reg(raw_interrupts) & pll_locked) == 0) {
+    }
+    reg(clock_config) = divide_by_16 | use_divider | crystal_6_mhz;
 }
 
 } // namespace spangle::mcu::stellaris
