@@ -23,7 +23,11 @@ void count_compile(const raster::FragmentState& fragment, const raster::Surface&
     ++compiles;
     out.fragment = fragment;
 }
-const Engine counting_engine = {0, nullptr, count_compile, nullptr, nullptr, nullptr, nullptr, nullptr};
+const Engine counting_engine = [] {
+    Engine engine{};
+    engine.compile = count_compile;
+    return engine;
+}();
 
 Real real(float v) {
     return numeric::from_float(v);
