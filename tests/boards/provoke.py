@@ -17,7 +17,7 @@ import firmware  # noqa: E402
 
 FAULTS = {"stack": r"panic: stack overflow at ", "instruction": r"panic: fault at [0-9a-f]*[1-9a-f]", "address": r"panic: fault at [0-9a-f]*[1-9a-f]"}
 # Machines of QEMU that answer reads of every address with 0.
-NO_BUS_ERRORS = ("lm3s6965evb", "vexpress_a9")
+NO_BUS_ERRORS = ("lm3s6965evb", "lm3s811evb", "vexpress_a9")
 # Boards that run out of memory: whole frames and bands, much memory and little.
 SHORT = ("mps2_an386", "lm3s6965evb", "netduinoplus2")
 SHORTAGE = """a panel that does not answer: eglInitialize
