@@ -1,13 +1,12 @@
 // A list of stages as one loop: eight lanes at a time where the host has them, one lane for the rest.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
+#include "raster/span/fused_divided.hpp"
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
-#include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_raw.hpp"
 
 namespace spangle::raster {
@@ -48,17 +47,6 @@ SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& spa
             fused_loop<false, N>(list, span, i, stop);
         i = stop;
     } while (List::runs && i != n);
-}
-
-/// Lanes [first, last) live.
-SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) {
-    constexpr std::uint16_t on = 0xFFFF;
-    static constexpr std::uint16_t at[24] = {0, 0, 0, 0, 0, 0, 0, 0, on, on, on, on, on, on, on, on};
-    using L = Lanes<8>;
-    const auto from = [](std::int32_t lane) {
-        return L::load(reinterpret_cast<const std::uint8_t*>(at + lane));
-    };
-    return from(8 - first) & ~from(8 - last);
 }
 
 /// n pixels from `begin`, eight at a time. What is left of a run is a group of its own in which other lanes
@@ -256,51 +244,25 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     }
 }
 
-/// Rows in groups of eight lanes, the last of them with lanes that are dead: these keep what they hold, and
-/// lie inside of the scissor rectangle, which has eight columns at least.
-template <class Case>
-SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
-    using N = typename Case::template System<8>;
-    const Surface& target = *span.target;
-    const Rect& clip = span.state->fragment.scissor;
-    const std::int32_t room = clip.x + clip.w - 8; // of the last group
-    PlaneRow at{span, nullptr, nullptr, row->first, row->y, row->first};
-    typename Case::template List<8> list(at, 0);
-    do {
-        at.x = row->first < room ? row->first : room;
-        at.y = row->y;
-        at.counted_from = at.x;
-        point_at(at.color, at.depth, target, at.x, at.y, format_info(Case::key.format).bytes_per_pixel, 1);
-        list.start(at, 0);
-        Px<N> p(at);
-        p.open = Lanes<8>::Mask{};
-        std::int32_t first = row->first - at.x;
-        const std::int32_t last = row->last - at.x, most = room - at.x;
-        for (p.i = 0;; p.i += 8) {
-            if (p.i > most) [[unlikely]] {
-                first = p.i - most;
-                p.i = most;
-                list.start(at, most);
-            }
-            p.live = some_lanes(first, last - p.i < 8 ? last - p.i : 8);
-            list(p);
-            if constexpr (Case::guessed)
-                if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
-                    divide_open<Case::key.format>(span, p.color_plane + 2 * p.i, p.open, at.x + p.i, at.y);
-            if (p.i + 8 >= last)
-                break;
-            list.step();
-            first = 0;
-        }
-    } while (++row != end);
-}
-
-/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, apart
-/// (the stages have no start()).
+/// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
+/// apart (the stages have no start()).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
-    if constexpr (Wide == 8 && Case::heavy) {
-        fused_rows<Case>(span, row, end);
+    if constexpr (Wide == 8 && Case::lit) {
+        if (span.state->fragment.scissor.w >= 8)
+            return fused_divided_rows<Case>(span, row, end, [](Span<Fixed>& at, const Row& piece) {
+                enter_fused<Case>(at, piece);
+                fused_narrow_row<Case>(at, piece);
+            });
+        fused_narrow_rows<Case>(span, row, end);
+    } else if constexpr (Wide == 8 && Case::heavy) {
+        using List = typename Case::template List<8>;
+        if constexpr (List::runs || List::rows)
+            fused_rows<Case>(span, row, end);
+        else if (span.state->fragment.scissor.w >= 8)
+            fused_plain_rows<Case>(span, row, end);
+        else
+            fused_narrow_rows<Case>(span, row, end);
     } else if constexpr (Case::plain) {
         if constexpr (Wide == 8 && Case::wide)
             if (span.state->fragment.scissor.w >= 8)

@@ -15,6 +15,7 @@
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_fogged.hpp"
 #include "raster/span/stage_guess.hpp"
+#include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_linear.hpp"
 #include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
@@ -72,6 +73,17 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// Coordinates, too, divide by what the fragment has been divided by.
     static constexpr bool shares_division =
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
+
+  public:
+    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
+    /// There are lanes for what is divided, which end in 16 bits.
+    static constexpr bool lit =
+        exact && divided && textured && K.unit[0].filter == Filter::nearest &&
+        K.unit[0].env == TexEnv::modulate &&
+        (K.unit[0].texels == TexelFormat::rgb565 || K.unit[0].texels == TexelFormat::rgb888) && K.color &&
+        !K.color_alpha && !K.blend && !K.dither && is_565(K.format) && !Apart;
+
+  private:
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
     using Runs =
@@ -123,7 +135,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             if constexpr (textured) {
                 using Texture =
                     TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-                if constexpr (shares_division && Apart)
+                if constexpr (K.unit[0].filter == Filter::nearest && L == 8 && K.kind == Kind::affine &&
+                              !Texture::loads_words)
+                    return std::type_identity<NearestLanes<Texture, 0>>{};
+                else if constexpr (shares_division && Apart)
                     return std::type_identity<Seq<N, CoordAlong<N, 0, DividedCoords>, Texture>>{};
                 else if constexpr (shares_division)
                     return std::type_identity<NearestDivided<Texture, 0>>{};
@@ -185,7 +200,6 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr Key key = K;
     static constexpr bool apart = Apart;
     static constexpr bool guessed = is_guessed(K);
-    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;
     /// Few fragments cost more one by one than eight with copies of what is stored.
@@ -198,6 +212,16 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
+    /// Parts of a LitPacket.
+    struct Lit {
+        static constexpr Key key = K;
+        using Texture =
+            TextureFixed<ExactLanes, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+        using Test = std::conditional_t<tested, Depth<ExactLanes, DepthFormat::z16, K.depth, K.depth_write>,
+                                        None<ExactLanes, 0>>;
+        using Planes = LitPlanes<full, Gray, K.fog>;
+        using Fragments = LitFragments<Texture, full, Gray, K.fog>;
+    };
     using PathList = typename Stages<1, true>::List;
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.

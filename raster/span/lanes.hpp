@@ -104,6 +104,7 @@ template <> struct Lanes<8> {
         SPANGLE_INLINE friend U32 operator^(const U32& a, const U32& b) {
             return {a.even ^ b.even, a.odd ^ b.odd};
         }
+        SPANGLE_INLINE friend U32 operator&(const U32& a, std::uint32_t v) { return {a.even & v, a.odd & v}; }
         SPANGLE_INLINE friend U32 operator>>(const U32& a, int n) {
             return {a.even >> static_cast<std::uint32_t>(n), a.odd >> static_cast<std::uint32_t>(n)};
         }
@@ -141,6 +142,10 @@ template <> struct Lanes<8> {
             return std::bit_cast<Words>((s & ~(s >> 31)) | over) >> 8;
         };
         return low_half({one(v.even), one(v.odd)});
+    }
+    SPANGLE_INLINE static U32 widened(U16 v) {
+        const auto w = std::bit_cast<Words>(v);
+        return {w & 0xFFFFu, w >> 16};
     }
     SPANGLE_INLINE static U16 low_half(const U32& v) {
         return std::bit_cast<U16>((v.even & 0xFFFFu) | (v.odd << 16));

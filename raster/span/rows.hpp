@@ -27,8 +27,8 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
         depth = target.depth + std::ptrdiff_t{y} * target.depth_stride + (std::ptrdiff_t{x} << depth_shift);
 }
 
-/// A row as the stages of a list see it that looks at depth and colours only: the planes are the span's, the
-/// place is in registers.
+/// A row as the stages of a list see it that works in no runs: the planes are the span's, the place is in
+/// registers.
 struct PlaneRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth; ///< of the fragment that the list counts from
@@ -36,9 +36,17 @@ struct PlaneRow {
     std::int32_t counted_from;   ///< and column of the fragment that the list counts from
     const Span<Fixed>::Affine& z = planes.z;
     const Span<Fixed>::Affine (&color_value)[4] = planes.color_value;
+    const Span<Fixed>::Affine& fog = planes.fog;
+    const Span<Fixed>::Affine (&s)[max_texture_units] = planes.s;
+    const Span<Fixed>::Affine (&t)[max_texture_units] = planes.t;
+    const Span<Fixed>::Projective& q = planes.q;
+    const Span<Fixed>::Projective (&color_q)[4] = planes.color_q;
+    const Span<Fixed>::Projective& fog_q = planes.fog_q;
+    const Span<Fixed>::Unit (&unit)[max_texture_units] = planes.unit;
+    const DrawState* state = planes.state;
     std::uint32_t flat_word = planes.flat_word;
 
-    std::uint32_t at(std::int32_t column, const Span<Fixed>::Affine& plane) const {
+    template <class T> T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - planes.anchor_x), y - planes.anchor_y);
     }
 };

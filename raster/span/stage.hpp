@@ -79,14 +79,17 @@ template <class L> class Ramp {
   public:
     typename L::U32 at;
     template <class S>
-    SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane)
+    SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
+                        std::uint32_t more = 0)
         : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
           row_(L::splat32(plane.dy)) {
-        start(span, x, plane);
+        start(span, x, plane, more);
     }
+    /// The plane and `more`.
     template <class S>
-    SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane) {
-        at = L::splat32(span.at(x, plane)) + offset_;
+    SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
+                              std::uint32_t more = 0) {
+        at = L::splat32(span.at(x, plane) + more) + offset_;
     }
     SPANGLE_INLINE void step() { at += by_; }
     SPANGLE_INLINE void next_row() { at += row_; }

@@ -37,7 +37,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     static constexpr unsigned in = field_color, out = field_color;
     static constexpr bool kill = true;
     using L = typename N::L;
-    SPANGLE_INLINE BlendAlpha(const Span<typename N::Policy>&, std::int32_t) {}
+    template <class S> SPANGLE_INLINE BlendAlpha(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const typename N::T a = s.a;

@@ -17,7 +17,8 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     Ramp<typename N::L> r, g, b;
     [[no_unique_address]] std::conditional_t<Alpha, Ramp<typename N::L>, StageBase> a;
 
-    SPANGLE_INLINE Gouraud(const Span<Fixed>& s, std::int32_t x)
+    template <class S>
+    SPANGLE_INLINE Gouraud(const S& s, std::int32_t x)
         : r(s, x, s.color_value[0]), g(s, x, s.color_value[1]), b(s, x, s.color_value[2]), a(alpha(s, x)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.r = N::from_affine(r.at);
@@ -36,7 +37,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
         if constexpr (Alpha)
             a.step();
     }
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         r.start(s, x, s.color_value[0]);
         g.start(s, x, s.color_value[1]);
         b.start(s, x, s.color_value[2]);
@@ -45,7 +46,7 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
     }
 
   private:
-    SPANGLE_INLINE static auto alpha(const Span<Fixed>& s, std::int32_t x) {
+    template <class S> SPANGLE_INLINE static auto alpha(const S& s, std::int32_t x) {
         if constexpr (Alpha)
             return Ramp<typename N::L>(s, x, s.color_value[3]);
         else
@@ -57,20 +58,22 @@ template <class N, bool Alpha> struct Gouraud : StageBase {
 template <class N> struct GouraudGray : StageBase {
     static constexpr unsigned out = field_color;
     Ramp<typename N::L> v;
-    SPANGLE_INLINE GouraudGray(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.color_value[0]) {}
+    template <class S> SPANGLE_INLINE GouraudGray(const S& s, std::int32_t x) : v(s, x, s.color_value[0]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T c = N::from_affine(v.at);
         p.color = {c, c, c, N::from_units(color_one)};
         return true;
     }
     SPANGLE_INLINE void step() { v.step(); }
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.color_value[0]); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        v.start(s, x, s.color_value[0]);
+    }
 };
 
 /// In place of a primary colour that a texture replaces.
 template <class N> struct White : StageBase {
     static constexpr unsigned out = field_color;
-    SPANGLE_INLINE White(const Span<typename N::Policy>&, std::int32_t) {}
+    template <class S> SPANGLE_INLINE White(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::T one = N::from_units(color_one);
         p.color = {one, one, one, one};
@@ -209,13 +212,13 @@ template <class N, bool Projective> struct FogCoord;
 template <class N> struct FogCoord<N, false> : StageBase {
     static constexpr unsigned out = field_fog;
     Ramp<typename N::L> v;
-    SPANGLE_INLINE FogCoord(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.fog) {}
+    template <class S> SPANGLE_INLINE FogCoord(const S& s, std::int32_t x) : v(s, x, s.fog) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.fog = v.at;
         return true;
     }
     SPANGLE_INLINE void step() { v.step(); }
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { v.start(s, x, s.fog); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { v.start(s, x, s.fog); }
 };
 
 template <class N> struct FogCoord<N, true> : StageBase {

@@ -27,7 +27,8 @@ template <class N> struct Fog : StageBase {
     static constexpr unsigned in = field_color | field_fog, out = field_color;
     FogMode mode;
     typename N::T r, g, b;
-    SPANGLE_INLINE Fog(const Span<typename N::Policy>& s, std::int32_t)
+    template <class S>
+    SPANGLE_INLINE Fog(const S& s, std::int32_t)
         : mode(s.state->fragment.fog_mode), r(N::from_units(s.state->fragment.fog_color[0])),
           g(N::from_units(s.state->fragment.fog_color[1])), b(N::from_units(s.state->fragment.fog_color[2])) {
     }

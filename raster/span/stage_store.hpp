@@ -37,7 +37,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using L = typename N::L;
-    SPANGLE_INLINE Store(const Span<typename N::Policy>&, std::int32_t) {}
+    template <class S> SPANGLE_INLINE Store(const S&, std::int32_t) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (is_565(Format)) {
@@ -91,9 +91,9 @@ template <> struct DitherRow<Lanes<8>> {
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
     detail::DitherRow<L> dither;
-    SPANGLE_INLINE StoreDithered(const Span<typename N::Policy>& s, std::int32_t x)
-        : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
-    SPANGLE_INLINE void start(const Span<typename N::Policy>& s, std::int32_t x) {
+    template <class S>
+    SPANGLE_INLINE StoreDithered(const S& s, std::int32_t x) : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         dither = detail::DitherRow<L>(s.x + x, s.y);
     }
 

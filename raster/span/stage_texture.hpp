@@ -1,6 +1,8 @@
 // The texture function of one unit: fetch, filter, environment.
 #pragma once
 
+#include <cstddef>
+
 #include "raster/span/draw_state.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage.hpp"
@@ -145,12 +147,14 @@ struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
     using System = N;
     using Color = typename N::Color;
+    static constexpr TexelFormat texel_format = Texels;
     static constexpr std::uint32_t bytes = texel_bytes(Texels);
     const std::uint8_t* texels;
     int log2_width, log2_height;
     [[no_unique_address]] std::conditional_t<Env == TexEnv::blend, Color, StageBase> constant;
 
-    SPANGLE_INLINE TextureFixed(const Span<typename N::Policy>& s, std::int32_t)
+    template <class S>
+    SPANGLE_INLINE TextureFixed(const S& s, std::int32_t)
         : texels(s.state->fragment.unit[Unit].texture->level[0].texels),
           log2_width(s.state->log2_width[Unit]), log2_height(s.state->log2_height[Unit]) {
         if constexpr (Env == TexEnv::blend) {
@@ -202,7 +206,7 @@ struct TextureFixed : StageBase {
         return texels + (j << log2_width) * bytes;
     }
     SPANGLE_INLINE static const std::uint8_t* texel(const std::uint8_t* row, std::uint32_t i) {
-        return row + i * bytes;
+        return row + std::size_t{i} * bytes;
     }
     /// Texels as they lie in memory, one per lane: scalar loads, then everything else in lanes.
     using Word = std::conditional_t<Texels == TexelFormat::rgb565, std::uint16_t, std::uint32_t>;

@@ -1,0 +1,64 @@
+// NEAREST of one REPEAT image in eight lanes, wherever in it these look. Fused spans only.
+#pragma once
+
+#include "raster/span/stage_texture.hpp"
+
+namespace spangle::raster {
+
+/// The texels of eight fragments from their coordinates, T a TextureFixed.
+template <class T> class TexelLanes : public T {
+  public:
+    using N = typename T::System;
+    using L = typename N::L;
+    static constexpr unsigned in = T::in & field_color, out = T::out;
+    using T::T;
+
+  protected:
+    /// The words of texels that lie so many behind the first.
+    SPANGLE_INLINE auto words_of(const typename L::U32& index) const {
+        // Addresses are scalars: what was stored at once is read again word by word.
+        alignas(16) std::uint32_t at[2][4];
+        __builtin_memcpy(at[0], &index.even, 16);
+        __builtin_memcpy(at[1], &index.odd, 16);
+        return T::words([&](std::uint32_t k) __attribute__((always_inline)) {
+            return T::texel(this->texels, at[k & 1][k >> 1]);
+        });
+    }
+    /// The same by s and t of repeats, nearest_bias() added; any value is inside.
+    SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
+        return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
+    }
+
+  private:
+    /// The shift is below 32 with one texel, too.
+    SPANGLE_INLINE static typename L::U32 texel(const typename L::U32& v, int log2_size) {
+        return v >> 1 >> (31 - log2_size);
+    }
+};
+
+/// Coordinates affine over the primitive.
+template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
+  public:
+    using N = typename T::System;
+    using L = typename N::L;
+    template <class S>
+    SPANGLE_INLINE NearestLanes(const S& span, std::int32_t x)
+        : TexelLanes<T>(span, x), s_(span, x, span.s[Unit], nearest_bias(this->log2_width)),
+          t_(span, x, span.t[Unit], nearest_bias(this->log2_height)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        return this->combine_words(p, this->words_at(s_.at, t_.at));
+    }
+    SPANGLE_INLINE void step() {
+        s_.step();
+        t_.step();
+    }
+    template <class S> SPANGLE_INLINE void start(const S& span, std::int32_t x) {
+        s_.start(span, x, span.s[Unit], nearest_bias(this->log2_width));
+        t_.start(span, x, span.t[Unit], nearest_bias(this->log2_height));
+    }
+
+  private:
+    Ramp<L> s_, t_;
+};
+
+} // namespace spangle::raster
