@@ -20,6 +20,7 @@ HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/lis
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
           "CUBE": "cube"}
+LTO = ("-flto=auto", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns")  # when an image is linked
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
 ENVIRONMENT = {**os.environ, "QEMU_AUDIO_DRV": "none"}
@@ -77,31 +78,34 @@ class Build:
                       "rule link", "  description = $out", "  command = $compiler $flags -nostartfiles -nostdlib -Wl,--gc-sections $in -lgcc -o $out"]
         self.known = set()
 
-    def compile(self, target, optimize, source, defines=(), variant=""):
-        """The object of one source; `variant` tells builds with other definitions apart."""
+    def compile(self, target, optimize, source, defines=(), variant="", lto=False):
+        """The object of one source; `variant` tells builds with other definitions apart. `lto`: it is optimized with the rest of its
+        image, but for start-up and mem*, which the compiler calls by itself."""
         chosen = TARGETS[target]
         name = str(source.relative_to(ROOT) if source.is_relative_to(ROOT) else source.name).replace("/", "_")
         out = self.folder / "objects" / target / variant / (name + ".o")
         if out not in self.known:
             self.known.add(out)
             flags = [*FLAGS, *chosen.machine, *chosen.headers, optimize, *defines]
+            if lto and not source.is_relative_to(ROOT / "hal/mcu"):
+                flags.append("-flto")
             self.lines += [f"build {out}: compile {source}", f"  compiler = {' '.join([*CCACHE, chosen.prefix + 'g++'])}",
                            "  flags = " + " ".join(f"'{flag}'" for flag in flags)]
         return out
 
-    def library(self, target, defines=(), variant="", hot=HOT):
+    def library(self, target, defines=(), variant="", hot=HOT, lto=False):
         """Objects of the core and the scenes. `hot`: rooms and files that are built for speed."""
-        objects = [self.compile(target, "-O2" if room in hot or f"{room}/{path.name}" in hot else "-Os", path, defines, variant) for room, path in sources()]
-        objects += [self.compile(target, "-O2", path, defines, variant) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
+        objects = [self.compile(target, "-O2" if room in hot or f"{room}/{path.name}" in hot else "-Os", path, defines, variant, lto) for room, path in sources()]
+        objects += [self.compile(target, "-O2", path, defines, variant, lto) for path in sorted((ROOT / "boards/scenes").glob("*.cpp"))]
         return objects
 
-    def image(self, target, objects, script, name):
+    def image(self, target, objects, script, name, lto=False):
         """An ELF file from these objects, laid out by a linker script."""
         out = self.folder / name
         chosen = TARGETS[target]
         inputs = " ".join(str(o) for o in objects)
         self.lines += [f"build {out}: link {inputs} | {script}", f"  compiler = {chosen.prefix}g++",
-                       f"  flags = {' '.join(chosen.machine)} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--cref -Wl,--no-warn-rwx-segments"]
+                       f"  flags = {' '.join([*chosen.machine, *(LTO if lto else ())])} -L {ROOT} -T {script} -Wl,-Map={out}.map -Wl,--cref -Wl,--no-warn-rwx-segments"]
         return out
 
     def run(self):

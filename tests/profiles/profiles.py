@@ -5,7 +5,7 @@ pictures against those of the whole library.
 usage: profiles.py [PROFILE...] [--update] [--build FOLDER]
 
 Text is .text with .rodata of the linked image with start-up, EGL, one panel and one bus, without the data of the model; -Os, fused
-spans at -O2, no messages. minimal: the demo of one scene. first_slice and whole: the same with every command that the profile
+spans at -O2, linked as one (-flto), no messages. minimal: the demo of one scene. first_slice and whole: the same with every command that the profile
 has. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
 """
 import argparse
@@ -49,17 +49,17 @@ def commands():
     return re.findall(r"^GLAPI .*GLAPIENTRY (gl\w+)\(", (ROOT / "gl/include/spangle/GL/gl.h").read_text(), re.M)
 
 
-def demo(build, name, library, scenes, report, subject, keep=()):
+def demo(build, name, library, scenes, report, subject, keep=(), lto=False):
     """The demo of these scenes as an image."""
     defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
                f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
     paths = [ROOT / path for path in ("boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp")]
     paths += [path for path in firmware.startup(TARGET) if report == "semihosting" or path.parent.name != "emulated"]
-    own = [build.compile(TARGET, "-Os", path, defines, name) for path in paths]
+    own = [build.compile(TARGET, "-Os", path, defines, name, lto) for path in paths]
     script = build.folder / f"{name}.ld"
     script.parent.mkdir(parents=True, exist_ok=True)
     script.write_text("".join(f"EXTERN({symbol})\n" for symbol in keep) + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
-    return build.image(TARGET, [*own, *library], script, f"{name}.elf")
+    return build.image(TARGET, [*own, *library], script, f"{name}.elf", lto)
 
 
 def frames(image):
@@ -108,10 +108,10 @@ def measure(names, folder):
     for name in names:
         subject = SUBJECTS[name]
         defines = [f"-D{definition}" for definition in profile.definitions(name)]
-        library = build.library(TARGET, defines, name, hot=HOT)
+        library = build.library(TARGET, defines, name, hot=HOT, lto=True)
         keep = commands() if subject.every_command else ()
-        images[name] = (demo(build, f"{name}_size", library, ("BAKED",), "silent", subject, keep),
-                        demo(build, f"{name}_pictures", library, subject.scenes, "semihosting", subject),
+        images[name] = (demo(build, f"{name}_size", library, ("BAKED",), "silent", subject, keep, lto=True),
+                        demo(build, f"{name}_pictures", library, subject.scenes, "semihosting", subject, lto=True),
                         demo(build, f"{name}_reference", everything, subject.scenes, "semihosting", subject))
     build.run()
     return {name: (text_of(size), frames(pictures), frames(reference))
