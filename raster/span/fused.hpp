@@ -132,29 +132,30 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
 
-/// Where a row ends in memory.
-struct RowEnd {
+/// Where a row begins or ends in memory.
+struct RowPlace {
     std::uint8_t *color, *depth;
 };
-template <class Case> SPANGLE_INLINE RowEnd end_of(const Surface& target, const Row& row) {
+template <class Case>
+SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int32_t column) {
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {
         // One word before the loop, not a sum in it.
-        return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{row.last} * bytes));
+        return numeric::factor32(base + (std::ptrdiff_t{row.y} * stride + std::ptrdiff_t{column} * bytes));
     };
     return {place(target.color, target.color_stride, format_info(Case::key.format).bytes_per_pixel),
             Case::tested ? place(target.depth, target.depth_stride, 2) : nullptr};
 }
 
-/// The same, where pixel 0 of the span becomes the first that is drawn.
-template <class Case> SPANGLE_INLINE RowEnd row_end(Span<Fixed>& span, const Row& row) {
+/// The place that fragments are counted from; pixel 0 of the span becomes the first that is drawn.
+template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, const Row& row) {
     span.x = row.first;
     span.y = row.y;
-    return end_of<Case>(*span.target, row);
+    return place_of<Case>(*span.target, row, Case::numbered ? row.first : row.last);
 }
 
 /// The fragments of a row one by one, counted up to 0: the last index needs no register.
 template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row) {
-    const RowEnd place = end_of<Case>(*span.target, row);
+    const RowPlace place = place_of<Case>(*span.target, row, row.last);
     PlaneRow at{span, place.color, place.depth, row.first, row.y, row.last};
     typename Case::template List<1> list(at, 0);
     fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
@@ -172,10 +173,13 @@ SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const R
     using List = typename Case::template List<1>;
     if constexpr (!List::runs && !List::rows) {
         // Counted up to 0: the last index needs no register.
-        const RowEnd first = row_end<Case>(span, *row);
+        const RowPlace first = enter_counted<Case>(span, *row);
         List list(span, 0);
-        for (RowEnd at = first;; at = row_end<Case>(span, *row), list.start(span, 0)) {
-            fused_loop<false, N>(list, at, row->first - row->last, 0);
+        for (RowPlace at = first;; at = enter_counted<Case>(span, *row), list.start(span, 0)) {
+            if constexpr (Case::numbered)
+                fused_loop<false, N>(list, at, 0, row->last - row->first);
+            else
+                fused_loop<false, N>(list, at, row->first - row->last, 0);
             if (++row == end)
                 return;
         }
@@ -245,7 +249,7 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
 }
 
 /// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
-/// apart (the stages have no start()).
+/// apart (the stages have no start()), numbered (they ask for the number of the fragment in its row).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Wide == 8 && Case::lit) {

@@ -198,7 +198,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
   public:
     static constexpr Key key = K;
-    static constexpr bool apart = Apart;
+    static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;

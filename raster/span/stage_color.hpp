@@ -119,7 +119,7 @@ SPANGLE_INLINE std::uint32_t projective_color(std::int32_t over_w, const Inverse
     const auto most = static_cast<std::int32_t>(inverse.q - (inverse.q >> 8) - 1); // 255/256 are one
     const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
     // v / q 2^28 = v mantissa 2^(zeros - 34), v < 2^(32 - zeros)
-    return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << (inverse.zeros - 1), inverse.mantissa) >> 1;
+    return numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa) >> 2;
 }
 
 } // namespace detail

@@ -8,18 +8,19 @@
 
 namespace spangle::raster {
 
-/// A projective interpolant along a row, its guard bits in a word of their own.
-class GuardedRamp {
+/// A projective interpolant along a row: unguarded(), i fragments from where it started. With words of 64
+/// bits it steps, and i is not looked at.
+template <bool Numbered> class GuardedRampOf {
   public:
-    SPANGLE_INLINE GuardedRamp(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
+    SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
+                                 const Span<Fixed>::Projective& plane)
         : by_(plane.dx << up) {
         start(span, x, plane);
     }
     SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane) {
         at_ = span.at(x, plane) << up;
     }
-    /// unguarded().
-    SPANGLE_INLINE std::int32_t value() const {
+    SPANGLE_INLINE std::int32_t value(std::int32_t) const {
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(at_ >> 32));
     }
     SPANGLE_INLINE void step() { at_ += by_; }
@@ -29,12 +30,51 @@ class GuardedRamp {
     std::uint64_t at_, by_;
 };
 
+/// With words of 32 bits a step would fetch four of them and put back two: the number of the fragment times
+/// two, value and guard bits, is less. The latter are summed with whatever they carry: columns and rows from
+/// the anchor are below 2^14 (clip guard band and surface), so a sum is below 2^31.
+template <> class GuardedRampOf<true> {
+  public:
+    SPANGLE_INLINE GuardedRampOf(const Span<Fixed>& span, std::int32_t x,
+                                 const Span<Fixed>::Projective& plane)
+        : origin_(plane.value), by_(plane.dx), down_(plane.dy) {
+        start(span, x, plane);
+    }
+    /// Of the plane it was made of.
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective&) {
+        const auto columns = static_cast<std::uint32_t>(x + (span.x - span.anchor_x)),
+                   rows = static_cast<std::uint32_t>(span.y - span.anchor_y);
+        const std::uint32_t guard = origin_.guard + columns * by_.guard + rows * down_.guard;
+        at_.value = origin_.value + columns * by_.value + rows * down_.value +
+                    static_cast<std::uint32_t>(static_cast<std::int32_t>(guard) >> guard_bits);
+        at_.guard = guard & guard_mask;
+    }
+    SPANGLE_INLINE std::int32_t value(std::int32_t i) const {
+        const auto steps = static_cast<std::uint32_t>(i);
+        const std::uint32_t guard = at_.guard + steps * by_.guard;
+        return static_cast<std::int32_t>(at_.value + steps * by_.value + (guard >> guard_bits));
+    }
+    SPANGLE_INLINE void step() {}
+
+  private:
+    static constexpr std::uint32_t guard_mask = (1u << guard_bits) - 1;
+    struct Parts {
+        std::uint32_t value, guard;
+        Parts() = default;
+        SPANGLE_INLINE explicit Parts(std::uint64_t v)
+            : value(static_cast<std::uint32_t>(v >> guard_bits)),
+              guard(static_cast<std::uint32_t>(v) & guard_mask) {}
+    };
+    Parts at_, origin_, by_, down_;
+};
+using GuardedRamp = GuardedRampOf<sizeof(void*) == 4>;
+
 /// 1/w, for the stages behind it.
 template <class N> struct Divide : StageBase {
     GuardedRamp q;
     SPANGLE_INLINE Divide(const Span<Fixed>& s, std::int32_t x) : q(s, x, s.q) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.inverse = Inverse(q.value());
+        p.inverse = Inverse(q.value(p.i));
         return true;
     }
     SPANGLE_INLINE void step() { q.step(); }
@@ -47,7 +87,7 @@ template <class N> struct GouraudGrayDivided : StageBase {
     GuardedRamp v;
     SPANGLE_INLINE GouraudGrayDivided(const Span<Fixed>& s, std::int32_t x) : v(s, x, s.color_q[0]) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::T c = N::from_units(detail::projective_color(v.value(), p.inverse));
+        const typename N::T c = N::from_units(detail::projective_color(v.value(p.i), p.inverse));
         p.color = {c, c, c, N::from_units(color_one)};
         return true;
     }
@@ -64,11 +104,11 @@ template <class N, bool Alpha> struct GouraudDivided : StageBase {
     SPANGLE_INLINE GouraudDivided(const Span<Fixed>& s, std::int32_t x)
         : r(s, x, s.color_q[0]), g(s, x, s.color_q[1]), b(s, x, s.color_q[2]), a(alpha(s, x)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.r = N::from_units(detail::projective_color(r.value(), p.inverse));
-        p.color.g = N::from_units(detail::projective_color(g.value(), p.inverse));
-        p.color.b = N::from_units(detail::projective_color(b.value(), p.inverse));
+        p.color.r = N::from_units(detail::projective_color(r.value(p.i), p.inverse));
+        p.color.g = N::from_units(detail::projective_color(g.value(p.i), p.inverse));
+        p.color.b = N::from_units(detail::projective_color(b.value(p.i), p.inverse));
         if constexpr (Alpha)
-            p.color.a = N::from_units(detail::projective_color(a.value(), p.inverse));
+            p.color.a = N::from_units(detail::projective_color(a.value(p.i), p.inverse));
         else
             p.color.a = N::from_units(color_one);
         return true;
@@ -105,7 +145,7 @@ template <class N> struct FogCoordDivided : StageBase {
     /// All fog coordinates of the primitive fit s7.24.
     SPANGLE_INLINE static bool serves(const Span<Fixed>& s) { return s.fog_exponent == exponent; }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.fog = coordinate(p.inverse);
+        p.fog = coordinate(f.value(p.i), p.inverse);
         return true;
     }
     SPANGLE_INLINE void step() { f.step(); }
@@ -113,9 +153,9 @@ template <class N> struct FogCoordDivided : StageBase {
 
   private:
     static constexpr int exponent = 6;
-    SPANGLE_INLINE std::uint32_t coordinate(const Inverse& inverse) const {
+    SPANGLE_INLINE static std::uint32_t coordinate(std::int32_t over_w, const Inverse& inverse) {
         const auto most = static_cast<std::int32_t>(inverse.q >> (exponent - 1));
-        const std::int32_t least = f.value() < 0 ? 0 : f.value(), v = least < most ? least : most;
+        const std::int32_t least = over_w < 0 ? 0 : over_w, v = least < most ? least : most;
         const std::uint32_t c =
             numeric::mul_high_u32(static_cast<std::uint32_t>(v) << inverse.zeros, inverse.mantissa);
         if (c >> (32 - exponent) != 0) // 2^(37 - zeros) is more than 32 v, and a mantissa 2^31 at most
@@ -132,7 +172,7 @@ template <class T, int Unit> class NearestDivided : public T {
 
     SPANGLE_INLINE NearestDivided(const Span<Fixed>& span, std::int32_t x)
         : T(span, x), s_(span, x, span.unit[Unit].s), t_(span, x, span.unit[Unit].t),
-          exponent_(span.unit[Unit].exponent),
+          up_(span.unit[Unit].exponent + 2),
           most_(19 - (this->log2_width > this->log2_height ? this->log2_width : this->log2_height)),
           width_(numeric::factor32(1u << this->log2_width)), bias_{nearest_bias(this->log2_width),
                                                                    nearest_bias(this->log2_height)} {}
@@ -142,7 +182,7 @@ template <class T, int Unit> class NearestDivided : public T {
                span.state->log2_height[Unit] != 0;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const std::uint32_t at = place(s_.value(), t_.value(), p.inverse);
+        const std::uint32_t at = place(s_.value(p.i), t_.value(p.i), p.inverse);
         return this->combine(p, [&](std::uint32_t) { return T::texel(this->texels, at); });
     }
     SPANGLE_INLINE void step() {
@@ -156,15 +196,15 @@ template <class T, int Unit> class NearestDivided : public T {
 
   private:
     GuardedRamp s_, t_;
-    int exponent_, most_;
+    int up_, most_; ///< least shift but for the zeros of 1/w; most in which the low word does not count
     std::uint32_t width_, bias_[2];
 
     /// The texel's number. Of repeat_fraction() the high word of the product alone counts, where the low one
     /// lies below the bias: `up` bits are all that the shift brings in.
     SPANGLE_INLINE std::uint32_t place(std::int32_t s, std::int32_t t, const Inverse& inverse) const {
-        const int up = inverse.zeros + exponent_ + 2;
+        const int up = inverse.zeros + up_;
         if (up > most_) [[unlikely]]
-            return far_place(s, t, inverse.mantissa, inverse.zeros, exponent_, this->log2_width,
+            return far_place(s, t, inverse.mantissa, inverse.zeros, up_ - 2, this->log2_width,
                              this->log2_height);
         const auto repeats = [&](std::int32_t v, int axis) {
             const std::int64_t product = std::int64_t{v} * inverse.mantissa;

@@ -1,0 +1,51 @@
+// Projective interpolants along rows, by steps and by numbers: the bits of the plane.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "raster/span/stage_divided.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+template <class Ramp> void expect_plane(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    Span<Fixed> span{};
+    span.anchor_x = static_cast<std::int32_t>(random() % 16384) - 8192;
+    span.anchor_y = static_cast<std::int32_t>(random() % 16384) - 8192;
+    const auto slope = [&] { return random() >> (18 + random() % 40) << (random() % 2) * 16; };
+    const Span<Fixed>::Projective plane = {random() >> 18, seed % 2 == 0 ? slope() : 0 - slope(),
+                                           seed % 3 == 0 ? slope() : 0 - slope()};
+    span.x = static_cast<std::int32_t>(random() % 2048);
+    span.y = static_cast<std::int32_t>(random() % 2048);
+    Ramp ramp(span, 3, plane);
+    for (int row = 0; row < 3; ++row, span.x += 7, ++span.y) {
+        const std::int32_t first = row - 1;
+        if (row != 0)
+            ramp.start(span, first, plane);
+        for (std::int32_t i = 0; i < 2048; ++i, ramp.step())
+            ASSERT_EQ(ramp.value(i), unguarded(span.at((row == 0 ? 3 : first) + i, plane)))
+                << seed << " row " << row << " fragment " << i;
+    }
+}
+
+TEST(GuardedRamp, IsItsPlane) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        expect_plane<GuardedRampOf<false>>(seed);
+        expect_plane<GuardedRampOf<true>>(seed);
+    }
+}
+
+/// The furthest columns and rows, all guard bits set: nothing wraps that is summed with a sign.
+TEST(GuardedRamp, GuardBitsReachTheCornersOfTheBand) {
+    Span<Fixed> span{};
+    for (const std::int32_t anchor : {-8192, 8191 + 2048}) {
+        span.anchor_x = span.anchor_y = anchor;
+        span.x = span.y = anchor < 0 ? 2047 : 0;
+        const Span<Fixed>::Projective plane = {0xFFFF, 0xFFFF, 0xFFFF};
+        ASSERT_EQ((GuardedRampOf<true>(span, 0, plane).value(0)), unguarded(span.at(0, plane)));
+    }
+}
+
+} // namespace
+} // namespace spangle::raster::test
