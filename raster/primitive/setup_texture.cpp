@@ -21,6 +21,12 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(m) << up);
 }
 
+/// The same of a word, in line where nothing can saturate: |m| 2^30 is at most 2^61.
+SPANGLE_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
+    const int up = exponent + 32;
+    return up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
+}
+
 std::int64_t least_of(const std::int64_t v[3]) {
     const std::int64_t ab = v[0] < v[1] ? v[0] : v[1];
     return ab < v[2] ? ab : v[2];
@@ -40,8 +46,8 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     const auto halves = state_.halves[unit];
     for (int i = 0; i < 3; ++i) {
         const auto& c = v(i).tex[unit];
-        s[i] = to_fixed(c.s, c.exponent - halves.s, 32);
-        t[i] = to_fixed(c.t, c.exponent - halves.t, 32);
+        s[i] = to_repeats(c.s, c.exponent - halves.s);
+        t[i] = to_repeats(c.t, c.exponent - halves.t);
     }
     // Whole repeats come off first: they would take bits from the fraction.
     constexpr std::int64_t repeat = std::int64_t{1} << 32;
@@ -225,7 +231,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     colors(color_bits, painted);
     if (has_fog && needs.fog) {
         if (span_.kind == Kind::affine) {
-            add_affine(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
+            add_steep(span_.fog, static_cast<std::uint32_t>(fog[0]), fog[1] - fog[0], fog[2] - fog[0], 0);
         } else {
             for (int i = 0; i < 3; ++i)
                 fog[i] = mul30(fog[i], q(i));
