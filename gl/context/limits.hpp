@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "raster/numeric/bits.hpp"
+#include <spangle/raster/limits.hpp>
 
 #ifndef SPANGLE_LIGHTS
 #define SPANGLE_LIGHTS 8
@@ -28,9 +28,6 @@
 #endif
 #ifndef SPANGLE_PRIMITIVES
 #define SPANGLE_PRIMITIVES 3
-#endif
-#ifndef SPANGLE_LINE_BATCH
-#define SPANGLE_LINE_BATCH 0
 #endif
 #ifndef SPANGLE_DISPLAYS
 #define SPANGLE_DISPLAYS 4
@@ -72,10 +69,7 @@ inline constexpr unsigned vertex_cache =
 inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0;
 static_assert(SPANGLE_PRIMITIVES < 4);
 
-/// Lines under way, even; with two they are drawn one by one.
-inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0   ? SPANGLE_LINE_BATCH
-                                  : numeric::cheap_branches ? 8
-                                                            : 16;
+using raster::line_batch;
 
 inline constexpr int most_displays = SPANGLE_DISPLAYS;
 static_assert(most_displays >= 1);
@@ -88,6 +82,6 @@ inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_L
 static_assert(modelview_stack_entries >= 1 && projection_stack_entries >= 1 && texture_stack_entries >= 1 &&
               name_stack_entries >= 1 && max_list_nesting >= 2);
 static_assert(max_lights >= 1 && max_lights <= 8, "the tokens GL_LIGHTi there are");
-static_assert(clip_spare >= 0 && line_batch % 2 == 0 && arena_log2 >= 7 && arena_log2 <= 37);
+static_assert(clip_spare >= 0 && arena_log2 >= 7 && arena_log2 <= 37);
 
 } // namespace spangle::gl

@@ -55,10 +55,16 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     return r + static_cast<std::uint32_t>(step);
 }
 
+/// For those that will all be set.
+struct EachIsSet {};
+inline constexpr EachIsSet each_is_set;
+
 /// N reciprocals under way together: no step waits for the one before it, as those of one alone do, and
 /// compilers make vectors of them. The same integers as reciprocal()'s.
 template <int N> class Reciprocals {
   public:
+    Reciprocals() : a_{}, r_{} {}
+    explicit Reciprocals(EachIsSet) {}
     /// The i-th is to be that of a.
     SPANGLE_INLINE void set(int i, std::uint32_t a) {
         a_[i] = a;
@@ -85,8 +91,8 @@ template <int N> class Reciprocals {
 
   private:
     static constexpr bool in_words = cheap_branches || N == 1; ///< no vectors, and few registers
-    alignas(16) std::uint32_t a_[N] = {};
-    alignas(16) std::uint32_t r_[N] = {};
+    alignas(16) std::uint32_t a_[N];
+    alignas(16) std::uint32_t r_[N];
 };
 
 struct Quotient {

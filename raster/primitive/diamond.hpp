@@ -40,24 +40,53 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         const Int a = L::select(along_x, ax, ay), a_minor = L::select(along_x, ay, ax) - shift;
         const Int b = L::select(along_x, bx, by), b_minor = L::select(along_x, by, bx) - shift;
         ascends = L::no(L::less(b, a));
-        find(a, a_minor, b, b_minor);
+        const Int high_minor = order(a, a_minor, b, b_minor);
+        major = first_past(along_x, ascends, low, low_minor);
+        count = first_past(along_x, ascends, high, high_minor) - major;
     }
-    /// Ends by major and minor coordinate.
-    SPANGLE_INLINE Diamond(X x, Up up, Int a, Int a_minor, Int b, Int b_minor) : along_x(x), ascends(up) {
-        find(a, a_minor, b, b_minor);
+    /// Ends by major and minor coordinate; `past`: first_past() of the first of them.
+    SPANGLE_INLINE Diamond(X x, Up up, Int a, Int a_minor, Int past, Int b, Int b_minor)
+        : along_x(x), ascends(up) {
+        order(a, a_minor, b, b_minor);
+        const Int past_b = first_past(x, up, b, b_minor);
+        major = L::select(up, past, past_b);
+        count = L::select(up, past_b, past) - major;
     }
 
     SPANGLE_INLINE static Mask is_along_x(Int ax, Int ay, Int bx, Int by) {
         return L::no(L::less(absolute(bx - ax), absolute(by - ay)));
     }
 
+    /// Whether a line that goes so far along the major and minor axis may have these (one that goes nowhere
+    /// may have any).
+    SPANGLE_INLINE static Mask goes(X x, Up up, Int along, Int aside) {
+        const Int forward = L::select(up, along, Int(-along)), sideways = absolute(aside);
+        return L::select(x, L::no(L::less(forward, sideways)), L::less(sideways, forward));
+    }
+
+    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
+    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
+    /// last but one that lies before the end. With lanes without branches: they would be taken at random.
+    SPANGLE_INLINE static Int first_past(X x, Up up, Int end, Int end_minor) {
+        const Int f = from_center(end);
+        if constexpr (L::count == 1)
+            if ((f > 0) != up) // the diamond has no say
+                return own(end) + (f > 0 ? 1 : 0);
+        const Int g = from_center(end_minor);
+        const Mask out = outside(L::select(x, f, g), L::select(x, g, f));
+        const Mask above = L::less(Int{}, f);
+        return own(end) + L::one(L::select(up, Mask(out & above), Mask(L::no(out) | above)));
+    }
+    /// That of the second end.
+    SPANGLE_INLINE Int second_past() const { return L::select(ascends, major + count, major); }
+
     Int length() const { return high - low; }
 
     /// A value on the boundary of two fragments belongs to the upper one only if the shifted line lies above
-    /// it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does.
-    SPANGLE_INLINE Int lower_tie() const {
-        const Mask rises = L::less(rise ^ rise, rise);
-        return L::one(L::no(along_x & rises));
+    /// it: y(x + e) - e^2 on x-major lines with a rising slope. x(y + e^2) - e never does. 0, or -1: below.
+    SPANGLE_INLINE Int tie() const {
+        const Int not_rising = (rise - 1) >> 31;
+        return L::select(along_x, not_rising, Int(~(rise ^ rise)));
     }
 
     /// The minor coordinate of the first fragment, and the remainder of the division by 256 length. Its
@@ -66,7 +95,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE Int first(Int& remainder) const {
         constexpr std::int32_t bias = 2;
         const Int inside = low_minor & (subpixel_one - 1);
-        remainder = (center(major) - low) * rise + (inside + bias * subpixel_one) * length() - lower_tie();
+        remainder = (center(major) - low) * rise + (inside + bias * subpixel_one) * length() + tie();
         return (low_minor >> subpixel_bits) - bias + L::divide_small(remainder, length() * subpixel_one);
     }
 
@@ -74,14 +103,14 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE static Int center(Int i) { return i * subpixel_one + subpixel_one / 2; }
 
   private:
-    SPANGLE_INLINE void find(Int a, Int a_minor, Int b, Int b_minor) {
+    /// The upper end's other coordinate.
+    SPANGLE_INLINE Int order(Int a, Int a_minor, Int b, Int b_minor) {
         low = L::select(ascends, a, b);
         high = L::select(ascends, b, a);
         low_minor = L::select(ascends, a_minor, b_minor);
         const Int high_minor = L::select(ascends, b_minor, a_minor);
         rise = high_minor - low_minor;
-        major = first_past(low, low_minor);
-        count = first_past(high, high_minor) - major;
+        return high_minor;
     }
     SPANGLE_INLINE static Int absolute(Int v) {
         const Int sign = v >> 31;
@@ -100,20 +129,6 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
         const Int before = x - 1, distance = (before ^ (before >> 31)) + absolute(y);
         return L::no(L::less(distance, Int{} + subpixel_one / 2));
-    }
-
-    /// The first fragment along the major axis that lies past an end: of its own column, or the next where
-    /// the end has left that behind, past the centre line and outside of the diamond. Going down it is the
-    /// last but one that lies before the end. With lanes without branches: they would be taken at random.
-    SPANGLE_INLINE Int first_past(Int end, Int end_minor) const {
-        const Int f = from_center(end);
-        if constexpr (L::count == 1)
-            if ((f > 0) != ascends) // the diamond has no say
-                return own(end) + (f > 0 ? 1 : 0);
-        const Int g = from_center(end_minor);
-        const Mask out = outside(L::select(along_x, f, g), L::select(along_x, g, f));
-        const Mask above = L::less(Int{}, f);
-        return own(end) + L::one(L::select(ascends, Mask(out & above), Mask(L::no(out) | above)));
     }
 };
 
@@ -141,7 +156,7 @@ class DiamondWalk {
         low_minor_ = line.low_minor;
         length_ = line.length();
         rise_ = line.rise;
-        lower_tie_ = line.lower_tie();
+        tie_ = line.tie();
         denominator_ = length_ * subpixel_one;
         if (length_ <= One::small_length)
             minor = line.first(remainder_);
@@ -182,14 +197,13 @@ class DiamondWalk {
     void place() {
         const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
         const std::int32_t inside = low_minor_ & (subpixel_one - 1);
-        const std::int64_t numerator =
-            std::int64_t{from_low} * rise_ + std::int64_t{inside} * length_ - lower_tie_;
+        const std::int64_t numerator = std::int64_t{from_low} * rise_ + std::int64_t{inside} * length_ + tie_;
         const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
         remainder_ = static_cast<std::int32_t>(q.remainder);
         minor = (low_minor_ >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);
     }
 
-    std::int32_t low_, low_minor_, length_, rise_, denominator_, remainder_, lower_tie_;
+    std::int32_t low_, low_minor_, length_, rise_, denominator_, remainder_, tie_;
 };
 
 } // namespace spangle::raster

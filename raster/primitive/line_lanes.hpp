@@ -34,6 +34,7 @@ template <> struct LineLanes<1> {
 template <> struct LineLanes<4> {
     static constexpr int count = 4;
     using Int [[gnu::vector_size(16)]] = std::int32_t;
+    using Word [[gnu::vector_size(16)]] = std::uint32_t;
     using Mask = Int; ///< all ones: yes
     SPANGLE_INLINE static Int load(const std::int32_t* at) {
         Int v;
@@ -54,6 +55,7 @@ template <> struct LineLanes<4> {
     /// n / d and the remainder, of 0 <= n < 5 d; anything where d is 0.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = n ^ n;
+#pragma GCC unroll 4
         for (int i = 0; i < 4; ++i) {
             const Mask fits = ~(n < d);
             n -= d & fits;

@@ -62,8 +62,8 @@ SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
 }
 
 /// z (2^bits - 1) 2^(32 - bits) of a vertex' z, for a depth buffer of that many bits; 1 is 2^32 less one
-/// code.
-SPANGLE_INLINE std::uint32_t depth_code(std::uint32_t z, int bits) {
+/// code. T: a word without sign, or a vector of them.
+template <class T> SPANGLE_INLINE T depth_code(T z, int bits) {
     return (z << 2) - (z >> (bits - 2));
 }
 

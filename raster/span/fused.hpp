@@ -301,38 +301,41 @@ struct PathPlace {
     PathPlace() = default;
     /// `row`: pixels from row to row.
     PathPlace(const Paths& paths, int i, std::int32_t row) {
-        const std::int32_t pixel = paths.first.at[i], y = (row > 0 ? pixel : pixel + row + 1) / row;
+        const std::int32_t pixel = paths.at(Paths::first, i), y = (row > 0 ? pixel : pixel + row + 1) / row;
         first = DitheredWord::place(pixel - y * row, y);
-        const bool along_x = paths.along.at[i] == 1;
+        const bool along_x = paths.at(Paths::along, i) == 1;
         along = along_x ? DitheredWord::column : 1;
         const std::uint32_t across = along_x ? 1 : DitheredWord::column;
-        aside = paths.aside.at[i] == (along_x ? row : 1) ? across : 0 - across;
+        aside = paths.at(Paths::aside, i) == (along_x ? row : 1) ? across : 0 - across;
     }
 };
 
 /// The fragments of path i; the list and the pixel are at the first.
 template <class List, class N>
 SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i, PathPlace place) {
-    const std::int32_t along = paths.along.at[i], aside = paths.aside.at[i], rise = paths.rise.at[i],
-                       denominator = paths.denominator.at[i];
-    std::int32_t count = paths.count.at[i], rest = paths.rest.at[i];
+    const std::int32_t along = paths.at(Paths::along, i), aside = paths.at(Paths::aside, i),
+                       rise = paths.at(Paths::rise, i), denominator = paths.at(Paths::denominator, i);
+    std::int32_t count = paths.at(Paths::count, i), rest = paths.at(Paths::rest, i);
+    if constexpr (!numeric::cheap_branches)
+        rest += denominator;
     do {
         list(p);
         list.step();
-        rest += rise;
-        p.i += along;
-        p.place += place.along;
         if constexpr (numeric::cheap_branches) {
+            rest += rise;
+            p.i += along;
+            p.place += place.along;
             if (rest >= 0) {
                 rest -= denominator;
                 p.i += aside;
                 p.place += place.aside;
             }
         } else {
-            const std::int32_t reached = ~(rest >> 31);
-            rest -= denominator & reached;
-            p.i += aside & reached;
-            p.place += place.aside & static_cast<std::uint32_t>(reached);
+            rest += rise - denominator;               // which is 0 <= rest < denominator here
+            const std::int32_t straight = rest >> 31; // all ones: not yet
+            rest += denominator & straight;
+            p.i += along + aside - (aside & straight);
+            p.place += place.along + place.aside - (place.aside & static_cast<std::uint32_t>(straight));
         }
     } while (--count != 0);
 }
@@ -354,14 +357,15 @@ template <class Case>
     p.live = true;
     p.selects = !numeric::cheap_branches; // a test goes either way, at random
     for (int i = 0; i < count; ++i) {
-        if (paths.count.at[i] <= 0)
+        if (paths.at(Paths::count, i) <= 0)
             continue;
-        span.flat_word = paths.word[i];
-        span.z = {paths.z.value[i], paths.z.step[i], 0};
+        span.flat_word = static_cast<std::uint32_t>(paths.at(Paths::flat, i));
+        span.z = {static_cast<std::uint32_t>(paths.at(Paths::depth, i)),
+                  static_cast<std::uint32_t>(paths.at(Paths::depth_step, i)), 0};
         for (int c = 0; c < 3; ++c)
-            span.color_value[c] = {paths.color[c].value[i], paths.color[c].step[i], 0};
+            span.color_value[c] = {paths.color[c], paths.color_step[c], 0};
         typename Case::PathList list(span, 0);
-        p.i = paths.first.at[i];
+        p.i = paths.at(Paths::first, i);
         PathPlace place{};
         if constexpr (Case::key.dither)
             place = PathPlace(paths, i, target.color_stride / 2);

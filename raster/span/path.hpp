@@ -2,6 +2,7 @@
 // Several at a time, so that what finds them and what draws them each run without waiting for the other.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/numeric/bits.hpp"
@@ -12,22 +13,40 @@ namespace spangle::raster {
 
 /// Each fragment is `along` from the one before it, and `aside` further whenever `rest`, grown by `rise`, is
 /// no longer negative; then `denominator` is taken off. Pixels, in planes whose rows have the same stride.
-/// Element by element, for vectors.
-struct Paths {
-    static constexpr int size = numeric::cheap_branches ? 8 : 16;
-    struct alignas(16) Word {
-        std::int32_t at[size];
+class Paths {
+  public:
+    /// Vectors of them are stored whole.
+    static constexpr int size = !numeric::cheap_branches ? 16 : line_batch > 2 ? line_batch : 1;
+    enum Word {
+        /// Of fragments; none if not positive.
+        count,
+        /// From the pixel of window (0, 0).
+        first,
+        along,
+        aside,
+        /// -denominator <= rest < 0 <= rise <= denominator
+        rest,
+        rise,
+        denominator,
+        /// The word of Kind::flat.
+        flat,
+        /// At the first fragment, and from one to the next.
+        depth,
+        depth_step,
+        words
     };
-    /// An attribute: at the first fragment, and from one to the next.
-    struct Ramp {
-        Fixed::Affine value[size], step[size];
-    };
-    Word count; ///< of fragments; none if not positive
-    Word first; ///< from the pixel of window (0, 0)
-    Word along, aside;
-    Word rest, rise, denominator; ///< -denominator <= rest < 0 <= rise <= denominator
-    Ramp z, color[3];
-    std::uint32_t word[size]; ///< Kind::flat
+    /// The word of path i; where there are vectors, those of the paths after it follow.
+    SPANGLE_INLINE std::int32_t& at(Word word, int i) { return words_[place(word, i)]; }
+    SPANGLE_INLINE std::int32_t at(Word word, int i) const { return words_[place(word, i)]; }
+    /// Of the only path whose colour varies, as its depth is given.
+    Fixed::Affine color[3], color_step[3];
+
+  private:
+    /// Without vectors the words of a path lie together, and are loaded by two.
+    static constexpr std::ptrdiff_t place(Word word, std::ptrdiff_t i) {
+        return numeric::cheap_branches ? i * words + word : std::ptrdiff_t{word} * size + i;
+    }
+    alignas(16) std::int32_t words_[words * size];
 };
 
 /// Draws the first `count` paths.

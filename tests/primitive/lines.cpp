@@ -116,7 +116,7 @@ TEST(Lines, WidthsReplicateAlongTheMinorAxis) {
     CountingTarget wide(size, size);
     for (int n = 0; n < 4000; ++n) {
         const Line l = fuzz_line(random, n % 6, size);
-        const int width = 2 + static_cast<int>(random() % 6);
+        const int width = 2 + static_cast<int>(random() % 15);
         wide.clear();
         wide.line(l.ax, l.ay, l.bx, l.by, width);
         const bool along_x = std::abs(l.bx - l.ax) >= std::abs(l.by - l.ay);

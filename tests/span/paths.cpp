@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/line_batch.hpp"
 #include "raster/primitive/setup_math.hpp"
 #include "raster/span/stage_raw.hpp"
 #include "tests/span/sweep.hpp"
@@ -29,6 +30,17 @@ struct Drawn {
     }
     void line(const FixedVertex& a, const FixedVertex& b) {
         draw_line<FixedVertex>(state, canvas.surface, a, b, b, 1);
+    }
+    /// As processors without vectors do.
+    void line_in_turn(const FixedVertex& a, const FixedVertex& b) {
+        draw_line_by<LineLanes<1>>(state, canvas.surface, a, b, b, 1);
+    }
+    void expect(const Drawn& other, int i) const {
+        EXPECT_EQ(canvas.color, other.canvas.color) << "line " << i;
+        EXPECT_EQ(canvas.depth, other.canvas.depth) << "line " << i;
+        EXPECT_EQ(touched, other.touched) << "line " << i;
+        EXPECT_EQ(counters.fragments, other.counters.fragments) << "line " << i;
+        EXPECT_EQ(counters.triangles, other.counters.triangles) << "line " << i;
     }
     void forget() { touched.assign(touched.size(), RowSpan{}); }
 };
@@ -63,7 +75,7 @@ long compare(const Case& c, bool& walks) {
     fragment.depth_test = c.depth;
     fragment.depth_func = Compare::less;
     const DepthFormat format = c.depth ? DepthFormat::z16 : DepthFormat::none;
-    Drawn path(fragment, format, true), rows(fragment, format, false);
+    Drawn path(fragment, format, true), in_turn(fragment, format, true), rows(fragment, format, false);
     walks = path.state.paths.w != 0;
     std::mt19937 random(21);
     for (int i = 0; i < 2000; ++i) {
@@ -74,17 +86,15 @@ long compare(const Case& c, bool& walks) {
         if (i % 7 == 0)
             b.y = a.y;
         if (i % 16 == 0) // some lines find their columns touched already, all or some of them
-            path.forget(), rows.forget();
+            path.forget(), in_turn.forget(), rows.forget();
         path.line(a, b);
+        in_turn.line_in_turn(a, b);
         rows.line(a, b);
-        EXPECT_EQ(path.canvas.color, rows.canvas.color) << "line " << i;
-        EXPECT_EQ(path.canvas.depth, rows.canvas.depth) << "line " << i;
-        EXPECT_EQ(path.touched, rows.touched) << "line " << i;
+        path.expect(rows, i);
+        in_turn.expect(rows, i);
         if (testing::Test::HasFailure())
             break;
     }
-    EXPECT_EQ(path.counters.fragments, rows.counters.fragments);
-    EXPECT_EQ(path.counters.triangles, rows.counters.triangles);
     return path.counters.fragments;
 }
 
@@ -140,6 +150,51 @@ TEST(Paths, ManyAreOneAfterTheOther) {
         EXPECT_EQ(many.touched, single.touched);
         EXPECT_EQ(many.counters.fragments, single.counters.fragments);
         EXPECT_EQ(many.counters.triangles, single.counters.triangles);
+    }
+}
+
+/// Strips that go on in one direction and turn, as curves do; from steps of a subpixel to half the picture.
+TEST(Paths, StripsInTurnAreTheirRows) {
+    std::mt19937 random(23);
+    FragmentState fragment;
+    fragment.scissor = {0, 0, width, height};
+    fragment.tier = Tier::balanced;
+    fragment.depth_test = true;
+    fragment.depth_func = Compare::less;
+    const auto noise = [&](int most) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * most + 1)) - most;
+    };
+    for (const int step : {1, 2}) {
+        Drawn in_turn(fragment, DepthFormat::z16, true), rows(fragment, DepthFormat::z16, false);
+        long fragments = 0;
+        for (int round = 0; round < 1600; ++round) {
+            std::vector<FixedVertex> v(20);
+            std::vector<const FixedVertex*> at;
+            const int longest = 1 << (round % 13), turn = 1 + longest / (1 + round % 5);
+            std::int32_t dx = noise(longest), dy = noise(longest);
+            for (std::size_t i = 0; i < v.size(); ++i) {
+                const FixedVertex& last = i == 0 ? random_end(random, true, -8) : v[i - 1];
+                v[i] = last;
+                v[i].x = std::clamp(last.x + dx, 2 * 256, (width - 2) * 256);
+                v[i].y = std::clamp(last.y + dy, 2 * 256, (height - 2) * 256);
+                v[i].z = i % 4 == 0 ? random() >> 1 : last.z + static_cast<std::uint32_t>(noise(1 << 12));
+                v[i].z = std::min(v[i].z, depth_one);
+                std::copy_n(v[0].color, 4, v[i].color);
+                dx += noise(turn), dy += noise(turn);
+                at.push_back(&v[i]);
+            }
+            const FixedVertex* const painted = round % 2 == 0 ? at[0] : nullptr;
+            draw_lines_by<LineLanes<1>>(in_turn.state, in_turn.canvas.surface, at.data(), 20, step, painted,
+                                        1);
+            for (std::size_t i = 0; i + 1 < v.size(); i += static_cast<std::size_t>(step))
+                rows.line(v[i], v[i + 1]);
+            in_turn.expect(rows, round);
+            ASSERT_FALSE(HasFailure());
+            fragments = in_turn.counters.fragments;
+            if (round % 16 == 0) // depths to be nearer than
+                in_turn.canvas.noise(9), rows.canvas.noise(9);
+        }
+        EXPECT_GT(fragments, 10000);
     }
 }
 

@@ -15,6 +15,9 @@
 #ifndef SPANGLE_PACKET
 #define SPANGLE_PACKET 16
 #endif
+#ifndef SPANGLE_LINE_BATCH
+#define SPANGLE_LINE_BATCH 0
+#endif
 #ifndef SPANGLE_FUSED_SPANS
 #define SPANGLE_FUSED_SPANS 1
 #endif
@@ -58,6 +61,10 @@ static_assert(has_chain || has_fused_spans);
 /// hands to its span function at once. They lie on the stack.
 inline constexpr int packet = SPANGLE_PACKET;
 static_assert(packet == 2 || packet == 4 || packet == 8 || packet == 16);
+
+/// Lines under way, even; with two they are drawn one by one. They lie on the stack, 50 bytes each.
+inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0 ? SPANGLE_LINE_BATCH : 16;
+static_assert(line_batch >= 2 && line_batch % 2 == 0);
 
 /// Bits of the formats from the first to the last.
 constexpr unsigned formats_between(PixelFormat first, PixelFormat last) {

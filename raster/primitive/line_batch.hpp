@@ -1,0 +1,192 @@
+// Lines of width 1 as paths, where nothing is cut off: one loop draws all fragments. Others as rows.
+#pragma once
+
+#include <type_traits>
+
+#include "raster/primitive/line.hpp"
+#include "raster/primitive/lines_in_turn.hpp"
+#include "raster/primitive/lines_together.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// Somebody asks for rows.
+inline bool observed([[maybe_unused]] const Counters* counters) {
+#ifndef SPANGLE_FIRMWARE
+    return counters != nullptr && counters->observer != nullptr;
+#else
+    return false;
+#endif
+}
+
+/// As far as a path may show.
+SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
+    return ((a.color[0] ^ b.color[0]) | (a.color[1] ^ b.color[1]) | (a.color[2] ^ b.color[2])) == 0;
+}
+
+/// Widens the touched columns by those of a line, if they are not all among them: rows between the ends', and
+/// one more pixel, hold it.
+inline void touch_line(const Surface& target, const FixedVertex& a, const FixedVertex& b) {
+    const auto low = [](std::int32_t v, std::int32_t w) {
+        return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;
+    };
+    const auto high = [](std::int32_t v, std::int32_t w) {
+        return ((v < w ? w : v) + subpixel_one / 2) >> subpixel_bits;
+    };
+    const std::int32_t left = low(a.x, b.x), right = high(a.x, b.x) + 1, bottom = low(a.y, b.y),
+                       top = high(a.y, b.y);
+    const RowSpan* row = target.touched + std::ptrdiff_t{bottom} * target.touched_step;
+    for (std::int32_t y = bottom; y <= top; ++y, row += target.touched_step)
+        if (left < row->begin || right > row->end) {
+            for (DiamondWalk walk(a.x, a.y, b.x, b.y, 0); walk.count > 0; walk.step()) {
+                const std::int32_t x = walk.along_x ? walk.major : walk.minor;
+                touch(target, walk.along_x ? walk.minor : walk.major, x, x + 1);
+            }
+            return;
+        }
+}
+
+} // namespace detail
+
+/// Lines on their way to one loop: as many as a set of paths holds. L: side by side, or one at a time.
+template <class L> class LineBatch {
+  public:
+    LineBatch(const DrawState& state, const Surface& target, std::int32_t width)
+        : state_(state), target_(target), width_(width),
+          area_(width == 1 && !detail::observed(state.counters) ? state.paths : DrawState::Area{}) {}
+
+    /// From vertices i to i + 1, i = 0, step, ... Their colours are those of `painted`, or where that is null
+    /// of the latter when state.flat. The only line may have another provoking vertex.
+    void draw(const FixedVertex* const* v, int n, int step, const FixedVertex* painted,
+              const FixedVertex* provoking) {
+        vertex_ = v;
+        step_ = step;
+        provoking_ = provoking;
+        count_ = step == 1 ? n - 1 : n / 2;
+        const bool inside = set_up_.take(v, n, step, area_);
+        if (!inside || walk_of(Kind::flat) == nullptr || (painted == nullptr && !one_color_each())) {
+            if (count_ != 1)
+                return one_by_one(v, n, step, painted);
+            if (!inside)
+                return rows();
+            return walk(set_up_colored());
+        }
+        if (painted != nullptr)
+            paint(flat_word(state_, painted->color));
+        else
+            paint();
+        set_up(state_.needs.z);
+        walk(Kind::flat);
+    }
+
+  private:
+    AnyFunction walk_of(Kind kind) const { return state_.variant[static_cast<unsigned>(kind)].walk; }
+
+    const FixedVertex& first(int i) const { return *vertex_[i * step_]; }
+    const FixedVertex& second(int i) const { return *vertex_[i * step_ + 1]; }
+
+    bool one_color_each() const {
+        bool one = true;
+        for (int i = 0; i < count_ && !state_.fragment.flat; ++i)
+            one = one & detail::same_color(first(i), second(i));
+        return one;
+    }
+    SPANGLE_INLINE void paint(std::uint32_t word) {
+        for (int i = 0; i < count_; ++i)
+            paths_.at(Paths::flat, i) = static_cast<std::int32_t>(word);
+    }
+    void paint() {
+        for (int i = 0; i < count_; ++i)
+            paths_.at(Paths::flat, i) =
+                static_cast<std::int32_t>(flat_word(state_, (count_ == 1 ? provoking() : second(i)).color));
+    }
+
+    [[gnu::noinline]] void one_by_one(const FixedVertex* const* v, int n, int step,
+                                      const FixedVertex* painted) {
+        for (int i = 0; i + 1 < n; i += step)
+            draw(v + i, 2, 1, painted, nullptr);
+    }
+
+    /// One colour leaves one plane, and that has one direction.
+    SPANGLE_INLINE PathInterval<std::int32_t> set_up(bool depth) {
+        return set_up_.set_up(paths_, target_.color_stride / 2, depth);
+    }
+
+    const FixedVertex& provoking() const { return provoking_ != nullptr ? *provoking_ : *vertex_[1]; }
+
+    /// The only line, of several colours.
+    [[gnu::noinline]] Kind set_up_colored() {
+        const PathInterval<std::int32_t> at = set_up(false);
+        Span<Fixed> span;
+        span.state = &state_;
+        span.target = &target_;
+        Setup<Fixed>(span, *vertex_[0], *vertex_[1], provoking(), true, at.begin, at.end);
+        if (state_.needs.z) {
+            paths_.at(Paths::depth, 0) = static_cast<std::int32_t>(span.z.at(at.from_begin, 0));
+            paths_.at(Paths::depth_step, 0) = static_cast<std::int32_t>(span.z.dx);
+        }
+        if (span.kind == Kind::flat)
+            paint(span.flat_word);
+        else if (state_.needs.rgb)
+            for (int c = 0; c < 3; ++c) {
+                paths_.color[c] = span.color_value[c].at(at.from_begin, 0);
+                paths_.color_step[c] = span.color_value[c].dx;
+            }
+        return span.kind;
+    }
+
+    /// Draws what was set up.
+    void walk(Kind kind) {
+        const AnyFunction draw = walk_of(kind);
+        if (draw == nullptr)
+            return rows();
+        if (target_.touched != nullptr)
+            for (int i = 0; i < count_; ++i)
+                detail::touch_line(target_, first(i), second(i));
+        if (Counters* const counters = state_.counters; counters != nullptr)
+            for (int i = 0; i < count_; ++i)
+                if (paths_.at(Paths::count, i) > 0) { // NOLINT(clang-analyzer-*): set_up() stored each
+                    ++counters->triangles;
+                    counters->fragments += static_cast<std::uint32_t>(paths_.at(Paths::count, i));
+                }
+        reinterpret_cast<PathFunction>(draw)(state_, target_, paths_, count_);
+    }
+
+    /// The only line.
+    [[gnu::noinline]] void rows() const {
+        draw_line_of<Fixed>(state_, target_, *vertex_[0], *vertex_[1], provoking(), width_);
+    }
+
+    const DrawState& state_;
+    const Surface& target_;
+    const std::int32_t width_;
+    const DrawState::Area area_;
+    const FixedVertex* const* vertex_ = nullptr;
+    const FixedVertex* provoking_ = nullptr; ///< of the only line; or null
+    int step_ = 1, count_ = 0;
+    std::conditional_t<L::count == 1, LinesInTurn, LinesTogether<L>> set_up_;
+    Paths paths_;
+};
+
+/// draw_lines and draw_line, in batches of this kind.
+template <class L>
+void draw_lines_by(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
+                   int step, const FixedVertex* painted, std::int32_t width) {
+    LineBatch<L> batch(state, target, width);
+    const int most = step == 1 ? Paths::size + 1 : 2 * Paths::size;
+    while (n > 1) {
+        const int now = n < most ? n : most, left = step == 1 ? 1 : 0;
+        batch.draw(vertex, now, step, painted, nullptr);
+        vertex += now - left;
+        n -= now - left;
+    }
+}
+template <class L>
+void draw_line_by(const DrawState& state, const Surface& target, const FixedVertex& a, const FixedVertex& b,
+                  const FixedVertex& provoking, std::int32_t width) {
+    const FixedVertex* const ends[2] = {&a, &b};
+    LineBatch<L>(state, target, width).draw(ends, 2, 1, nullptr, &provoking);
+}
+
+} // namespace spangle::raster

@@ -1,0 +1,55 @@
+// What becomes a path: where its fragments lie, and its depth. Lines side by side or one alone.
+#pragma once
+
+#include "raster/primitive/diamond.hpp"
+#include "raster/primitive/setup_math.hpp"
+#include "raster/span/path.hpp"
+
+namespace spangle::raster {
+
+/// Where attributes run along the major axis, subpixels: from one end of the line to the other; where the
+/// centre of the first or last fragment lies beyond the end, the end is moved there (detail::LineInterval).
+template <class Int> struct PathInterval {
+    Int begin, end;
+    Int from_begin; ///< from the pixel of `begin` to the first fragment
+};
+
+/// Path i, and those beside it, of a line that has fragments. `row`: pixels from row to row.
+template <class L, class Line>
+SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const Line& line,
+                                                      std::int32_t pixels_per_row) {
+    using Int = typename L::Int;
+    Int remainder;
+    const Int minor = line.first(remainder), denominator = line.length() * subpixel_one;
+    const auto falls = L::less(line.rise, Int{});
+    const Int row = Int{} + pixels_per_row, one = Int{} + 1;
+    const Int along = L::select(line.along_x, one, row), across = L::select(line.along_x, row, one);
+    const Int x = L::select(line.along_x, line.major, minor), y = L::select(line.along_x, minor, line.major);
+    const auto store = [&](Paths::Word word, Int v) { L::store(&paths.at(word, i), v); };
+    store(Paths::first, y * row + x);
+    store(Paths::along, along);
+    store(Paths::aside, L::select(falls, Int(-across), across));
+    store(Paths::rest, L::select(falls, Int(-1 - remainder), Int(remainder - denominator)));
+    store(Paths::rise, L::select(falls, Int(-line.rise), line.rise) * subpixel_one);
+    store(Paths::denominator, denominator);
+    const Int first = line.center(line.major), last = line.center(line.major + line.count - 1);
+    const Int low = L::select(L::less(first, line.low), first, line.low),
+              high = L::select(L::less(line.high, last), last, line.high);
+    const Int begin = L::select(line.ascends, low, high);
+    return {begin, L::select(line.ascends, high, low), line.major - (begin >> subpixel_bits)};
+}
+
+/// Its depth, from the code of the first end and half the difference to the second's: what Setup finds, in a
+/// few steps.
+SPANGLE_INLINE void set_path_depth(Paths& paths, int i, std::uint32_t from, std::int32_t difference,
+                                   const PerPixel& per_pixel, std::int32_t begin, std::int32_t from_begin) {
+    const auto part = [&](std::int32_t coefficient) {
+        return scaled_word(numeric::mul_s32(difference, coefficient), per_pixel.exponent - 1);
+    };
+    const std::uint32_t step = part(per_pixel.coefficient);
+    paths.at(Paths::depth_step, i) = static_cast<std::int32_t>(step);
+    paths.at(Paths::depth, i) = static_cast<std::int32_t>(
+        from + (1u << 15) + part(per_pixel.to_center(begin)) + static_cast<std::uint32_t>(from_begin) * step);
+}
+
+} // namespace spangle::raster

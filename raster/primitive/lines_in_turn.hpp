@@ -1,0 +1,125 @@
+// Lines one after the other, for words of 32 bits: nothing is selected, and a strip's line knows from the one
+// before it what their common vertex says.
+#pragma once
+
+#include <type_traits>
+
+#include "raster/primitive/line_path.hpp"
+
+namespace spangle::raster {
+
+class LinesInTurn {
+  public:
+    /// Lines from vertex 0 to 1, from `step` to step + 1, ... True: all lie in the area.
+    SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
+        vertex_ = vertex;
+        step_ = step;
+        count_ = step == 1 ? n - 1 : n / 2;
+        const DrawState::Area where = area; // in registers
+        for (const FixedVertex* const* const end = vertex + n; vertex != end; ++vertex)
+            if (!where.holds((*vertex)->x, (*vertex)->y))
+                return false;
+        return true;
+    }
+
+    /// All that the paths of one colour need but that. Without depth: the interval of the last.
+    [[gnu::noinline]] PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t row, bool depth) const {
+        constexpr std::true_type yes;
+        constexpr std::false_type no;
+        PathInterval<std::int32_t> at{};
+        for (int i = 0; i < count_;) {
+            const FixedVertex &a = *vertex_[i * step_], &b = *vertex_[i * step_ + 1];
+            const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
+                return this->follow(along_x, ascends, i, paths, row, depth, at);
+            };
+            if (Diamond<L>::is_along_x(a.x, a.y, b.x, b.y))
+                i = a.x <= b.x ? follow(yes, yes) : follow(yes, no);
+            else
+                i = a.y <= b.y ? follow(no, yes) : follow(no, no);
+        }
+        return at;
+    }
+
+  private:
+    using L = LineLanes<1>;
+
+    /// Line i, which goes this way, and those of a strip that go on so. The line after them.
+    template <class X, class Up>
+    SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
+                              PathInterval<std::int32_t>& at) const {
+        using Line = Diamond<L, X, Up>;
+        const FixedVertex* const* const first = vertex_ + i * step_;
+        const FixedVertex* const* const last = step_ == 1 ? vertex_ + (count_ - 1) : first;
+        std::int32_t a = major<X>(**first), a_minor = minor<X>(**first);
+        std::int32_t past = Line::first_past(x, up, a, a_minor);
+        const FixedVertex* const* vertex = first;
+        for (int path = i;; ++path, ++vertex) {
+            const std::int32_t b = major<X>(*vertex[1]), b_minor = minor<X>(*vertex[1]);
+            const Line line(x, up, a, a_minor, past, b, b_minor);
+            paths.at(Paths::count, path) = line.count;
+            if (line.count > 0) {
+                const PathInterval<std::int32_t> interval = set_path<L>(paths, path, line, row);
+                if (depth)
+                    set_depth<Up>(paths, path, vertex, interval);
+                else
+                    at.begin = interval.begin, at.end = interval.end, at.from_begin = interval.from_begin;
+            }
+            if (vertex == last)
+                break;
+            a = b, a_minor = b_minor, past = line.second_past();
+            if (!Line::goes(x, up, major<X>(*vertex[2]) - a, minor<X>(*vertex[2]) - a_minor))
+                break;
+        }
+        return i + 1 + static_cast<int>(vertex - first);
+    }
+    template <class X> SPANGLE_INLINE static std::int32_t major(const FixedVertex& v) {
+        return X::value ? v.x : v.y;
+    }
+    template <class X> SPANGLE_INLINE static std::int32_t minor(const FixedVertex& v) {
+        return X::value ? v.y : v.x;
+    }
+
+    /// set_path_depth(), in high words where the difference is small enough for its length: up to eight
+    /// pixels, and longer ones never.
+    template <class Up>
+    SPANGLE_INLINE void set_depth(Paths& paths, int i, const FixedVertex* const* ends,
+                                  const PathInterval<std::int32_t>& at) const {
+        const std::uint32_t from = depth_code(ends[0]->z, 16);
+        const std::int32_t difference = half_difference(ends);
+        const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
+        const int zeros = numeric::clz32(length);
+        const PerPixel per_pixel(numeric::reciprocal(length << zeros), zeros, !Up::value);
+        const std::int32_t coefficient = per_pixel.coefficient;
+        const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 bits less than its exponent - 1
+        if (lift >= static_cast<std::uint32_t>(numeric::clz32(
+                        static_cast<std::uint32_t>(difference ^ (difference >> 31))))) [[unlikely]]
+            return set_any_depth(paths, ends, per_pixel, at.begin, at.from_begin);
+        const std::int32_t high = lifted(difference, lift);
+        // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: of begin
+        const auto to_center =
+            static_cast<std::int32_t>((static_cast<std::uint32_t>(at.begin) << 24) ^ 0x80000000u);
+        const std::int32_t step = numeric::mul_high_s32(high, coefficient);
+        paths.at(Paths::depth_step, i) = step;
+        paths.at(Paths::depth, i) = static_cast<std::int32_t>(
+            from + (1u << 15) +
+            static_cast<std::uint32_t>(
+                numeric::mul_high_s32(high, numeric::mul_high_s32(to_center, -coefficient))) +
+            static_cast<std::uint32_t>(at.from_begin) * static_cast<std::uint32_t>(step));
+    }
+    [[gnu::noinline]] void set_any_depth(Paths& paths, const FixedVertex* const* ends, PerPixel per_pixel,
+                                         std::int32_t begin, std::int32_t from_begin) const {
+        const auto from_first = static_cast<int>(ends - vertex_);
+        set_path_depth(paths, step_ == 1 ? from_first : from_first / 2, depth_code(ends[0]->z, 16),
+                       half_difference(ends), per_pixel, begin, from_begin);
+    }
+    /// Of the codes of two ends.
+    SPANGLE_INLINE static std::int32_t half_difference(const FixedVertex* const* ends) {
+        return static_cast<std::int32_t>(depth_code(ends[1]->z, 16) >> 1) -
+               static_cast<std::int32_t>(depth_code(ends[0]->z, 16) >> 1);
+    }
+
+    const FixedVertex* const* vertex_ = nullptr;
+    int step_ = 1, count_ = 0;
+};
+
+} // namespace spangle::raster
