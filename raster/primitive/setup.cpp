@@ -130,10 +130,30 @@ void Setup<Fixed>::steep_colors(std::uint32_t bias) {
 
 /// Colours that differ in `bits`.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
+    const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
     if (span_.kind == Kind::full)
         projective_colors();
+    else if (variant.steps)
+        stepped_colors(bits);
     else
-        affine_colors<Rgb>(bits, state_.variant[static_cast<unsigned>(span_.kind)].color_bias);
+        affine_colors<Rgb>(bits, variant.color_bias);
+}
+
+/// Only red, green and blue are dithered. Their differences take no more bits than they did.
+void Setup<Fixed>::stepped_colors(std::uint32_t bits) {
+    const Coefficients& by = this->by();
+    const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
+    const bool lifts = liftable(bits, lift);
+    for (int i = 0; i < 3; ++i) {
+        const auto steps = [&](int k) { return color_in_steps(v(k).color[i], i); };
+        const std::uint32_t s0 = steps(0), first = s0 << color_up;
+        const auto d1 = static_cast<std::int32_t>(steps(1) - s0),
+                   d2 = static_cast<std::int32_t>(steps(2) - s0);
+        if (lifts)
+            add_lifted(span_.color_value[i], first, d1, d2, lift, by);
+        else
+            add_steep(span_.color_value[i], first, d1, d2, color_up);
+    }
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {

@@ -3,6 +3,7 @@
 #include "raster/numeric/real.hpp"
 #include "raster/span/assemble.hpp"
 #include "raster/span/fused_table.hpp"
+#include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
 
 namespace spangle::raster {
@@ -53,7 +54,9 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         return chain.add<Store>();
     }
     if (!unit.on && key.dither)
-        return chain.add<Seq<Raw, FlatDithered<host_lanes>, Store>>();
+        return chain
+            .choose<Seq<Raw, FlatDithered<host_lanes>, Store>, Seq<Raw, GouraudDithered<host_lanes>, Store>>(
+                key.kind == Kind::flat);
     if (!unit.on)
         return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
             key.kind == Kind::flat);
@@ -90,7 +93,8 @@ void assemble_chain(Variant& variant, const Key& key, const FragmentState& state
 
 /// True where colours are guessed.
 bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
-    variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
+    variant.steps = key.number == Number::raw565 && key.dither;
+    variant.color_bias = key.number != Number::raw565 ? 1u << 15 : variant.steps ? 0 : 1u << 23;
     if constexpr (has_chain)
         assemble_chain(variant, key, state);
     const FusedSpan* const fused = find_fused(key);

@@ -45,18 +45,12 @@ constexpr bool is_guessed(const Key& key) {
            !key.blend && !key.dither && is_565(key.format);
 }
 
-/// Affine colours that nothing is done with but to dither them.
-constexpr bool is_dithered(const Key& key) {
-    return key.number == Number::exact && key.kind == Kind::affine && key.color && !key.unit[0].on &&
-           !key.fog && !key.blend && key.dither;
-}
-
 /// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
 /// chain, for primitives that the stages of stage_divided.hpp do not serve.
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
-    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || is_dithered(K),
+    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K),
                           exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
@@ -116,7 +110,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>, std::conditional_t<Path, PathDithered, FlatDithered<L>>>>{};
-            else if constexpr (is_dithered(K))
+            else if constexpr (raw && K.dither)
                 return std::type_identity<GouraudDithered<L>>{};
             else if constexpr (is_guessed(K))
                 return std::type_identity<GouraudGuessed<L>>{};
@@ -226,14 +220,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (plain && !guessed && !is_dithered(K))
+        if constexpr (plain && !guessed && !(K.dither && K.kind == Kind::affine))
             return &fused_paths<FusedCase>;
         else
             return nullptr;
     }
 
     static constexpr TileFunction tile() {
-        if constexpr (plain && wide && !K.dither && host_lanes == 8)
+        if constexpr (plain && wide && host_lanes == 8)
             return &fused_tile<FusedCase>;
         else
             return nullptr;

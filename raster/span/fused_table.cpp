@@ -97,9 +97,9 @@ constexpr FusedSpan table[] = {
     entry<smooth>(),
     entry<smooth.depth(less)>(),
     entry<smooth.depth(lequal)>(),
-    entry<affine.dither()>(),
-    entry<affine.depth(less).dither()>(),
-    entry<affine.depth(lequal).dither()>(),
+    entry<smooth.dither()>(),
+    entry<smooth.depth(less).dither()>(),
+    entry<smooth.depth(lequal).dither()>(),
     // Texels as they are (S4, S4r).
     entry<straight.texture(t565, rgb, nearest, replace)>(),
     entry<bent.texture(t565, rgb, nearest, replace)>(),
@@ -160,9 +160,6 @@ constexpr FusedSpan table[] = {
     entry<fine_full.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
     entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
     // The same dithered.
-    entry<fine_affine.dither()>(),
-    entry<fine_affine.depth(less).dither()>(),
-    entry<fine_affine.depth(lequal).dither()>(),
     entry<fine.texture(t888, rgb, linear, replace).dither()>(),
     entry<fine.texture(t565, rgb, linear, replace).dither()>(),
     entry<fine_affine.texture(t8888, rgba, nearest, replace).blend().dither()>(),

@@ -88,7 +88,7 @@ bool raw(const Key& key, const FragmentState& state) {
     if (!unit.on && !key.second_unit())
         return key.pixels
                    ? key.kind <= Kind::affine && (!state.dither || state.colors == Colors::of_pixels_565)
-                   : key.kind == Kind::flat || (key.kind == Kind::affine && !state.dither);
+                   : key.kind <= Kind::affine;
     if (key.second_unit() || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
         unit.base != BaseFormat::rgb)
         return false;
@@ -164,7 +164,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     if (raw(key, state)) {
         key.number = Number::raw565;
         key.color_alpha = false;
-        key.dither = state.dither && key.kind == Kind::flat && !key.pixels; // else dithering changes nothing
+        key.dither = state.dither && key.color; // else dithering changes nothing
         key.cubic = key.unit[0].on && key.kind == Kind::textured && drawn(state.tier) == Tier::exact;
     } else {
         // One copy of the code for narrow formats, which are those of small displays: the exact one.

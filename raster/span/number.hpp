@@ -203,7 +203,22 @@ template <int Count> struct Raw565 {
     /// Rounded to 8 bits (half a 255th was added in set-up), then the top bits.
     SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
                                             const typename L::U32& b) {
-        return {(L::high_half(r) & 0xF800) | ((L::high_half(g) >> 5) & 0x07E0) | (L::high_half(b) >> 11)};
+        return word(L::high_half(r), L::high_half(g), L::high_half(b));
+    }
+    /// Of steps (Variant::steps): floor(step + t), t in 32nds. 31 and 63 steps and 31/32 are below 2^16; what
+    /// set-up made a little less than 0 wraps.
+    SPANGLE_INLINE static Color dithered(const typename L::U32& r, const typename L::U32& g,
+                                         const typename L::U32& b, T threshold32) {
+        const T t = threshold32 << 6;
+        T blue = L::high_half(b) + t;
+        if constexpr (Count == 1) // whose T has more bits
+            blue &= 0xFFFF;
+        return word(L::high_half(r) + t, L::high_half(g) + (threshold32 << 5), blue);
+    }
+
+  private:
+    SPANGLE_INLINE static Color word(T r, T g, T b) {
+        return {(r & 0xF800) | ((g >> 5) & 0x07E0) | (b >> 11)};
     }
 };
 

@@ -87,16 +87,18 @@ template <class N> class Fragment {
         colors(ShadowStage::primary);
     }
 
-    /// Before the low bits go: 8.24, with the half that rounds to 8 bits.
+    /// Before the low bits go: steps, or 8.24 with the half that rounds to 8 bits.
     void raw_primary() {
         const Gouraud<N, false> fixed(fixed_, x_);
         run<Gouraud<N, false>, Gouraud<Reference, false>>();
-        const auto one = [&](std::uint32_t v, double exact) {
-            report_[ShadowStage::primary].add((v * 0x1p-24 - 0.5) / 255.0, exact, 1.0);
+        const bool steps = fixed_.state->variant[static_cast<unsigned>(Kind::affine)].steps;
+        const auto one = [&](std::uint32_t v, double most, double exact) {
+            const double c = steps ? v * 0x1p-24 / most : (v * 0x1p-24 - 0.5) / 255.0;
+            report_[ShadowStage::primary].add(c, exact, 1.0);
         };
-        one(fixed.r.at, d_.color.r);
-        one(fixed.g.at, d_.color.g);
-        one(fixed.b.at, d_.color.b);
+        one(fixed.r.at, 31 * 8, d_.color.r);
+        one(fixed.g.at, 63 * 4, d_.color.g);
+        one(fixed.b.at, 31 * 8, d_.color.b);
     }
 
     template <int Unit> void coord(const DrawState& state, ShadowStage stage) {

@@ -1,8 +1,7 @@
 // Lists whose colour is 16 bits from its source to the surface: the two ends of them.
 #pragma once
 
-#include "raster/span/stage.hpp"
-#include <spangle/dither.hpp>
+#include "raster/span/stage_thresholds.hpp"
 
 namespace spangle::raster {
 
@@ -69,19 +68,30 @@ template <int Count> struct FlatDithered : StageBase {
 template <> struct FlatDithered<8> : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<8>;
+    N::L::U32 r, g, b; ///< steps
+    detail::DitherPlace<N::L> dither;
     N::T words;
-    template <class S> SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x) { start(s, x); }
+    template <class S>
+    SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
+        : r(N::L::splat32(s.flat_word >> 21 << 22)), g(N::L::splat32((s.flat_word >> 10 & 0x7FF) << 21)),
+          b(N::L::splat32((s.flat_word & 0x3FF) << 22)), dither(s.x + x, s.y) {
+        mix();
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words;
         return true;
     }
-    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        const DitheredWord word{s.flat_word};
-        std::uint16_t of[4];
-        for (std::int32_t i = 0; i < 4; ++i)
-            of[i] = static_cast<std::uint16_t>(word.at(DitheredWord::place(s.x + x + i, s.y)));
-        words = N::T{of[0], of[1], of[2], of[3], of[0], of[1], of[2], of[3]};
+    SPANGLE_INLINE void next_row() {
+        dither.next_row();
+        mix();
     }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        dither = detail::DitherPlace<N::L>(s.x + x, s.y);
+        mix();
+    }
+
+  private:
+    SPANGLE_INLINE void mix() { words = N::dithered(r, g, b, dither.threshold()).word; }
 };
 /// Along paths, which say where the fragment lies.
 struct PathDithered : StageBase {

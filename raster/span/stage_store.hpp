@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "raster/span/draw_state.hpp"
-#include "raster/span/stage.hpp"
+#include "raster/span/stage_thresholds.hpp"
 #include "raster/surface/quantize.hpp"
 
 namespace spangle::raster {
@@ -58,34 +58,6 @@ template <class N, PixelFormat Format> struct Store : StageBase {
         return true;
     }
 };
-
-namespace detail {
-
-/// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
-template <class L> struct DitherRow;
-
-template <> struct DitherRow<Lanes<1>> {
-    std::uint32_t row;
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(std::rotr(dither_row(y), 8 * (x & 3))) {}
-    SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
-    SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
-};
-
-/// Eight columns are two periods: nothing to walk.
-template <> struct DitherRow<Lanes<8>> {
-    Lanes<8>::U16 row;
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) {
-        const std::uint32_t r = std::rotr(dither_row(y), 8 * (x & 3));
-        std::uint16_t v[8];
-        for (int i = 0; i < 8; ++i)
-            v[i] = static_cast<std::uint16_t>((r >> (8 * (i & 3))) & 0xFF);
-        row = Lanes<8>::gather(v);
-    }
-    SPANGLE_INLINE Lanes<8>::U16 threshold() const { return row; }
-    SPANGLE_INLINE void step() {}
-};
-
-} // namespace detail
 
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {

@@ -1,55 +1,96 @@
-// Eight dithered colours of the exact tier at a time: the steps that one alone has.
+// Smooth colours that are dithered: counted in steps by set-up, and stored with one sum.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
+#include "raster/primitive/setup_math.hpp"
 #include "raster/span/stage_dithered.hpp"
 
 namespace spangle::raster::test {
 namespace {
 
-constexpr std::uint32_t bias = 1u << 15, most = (255u << 24) + bias; ///< as set-up adds it
+constexpr int components[] = {0, 1, 2};
 
-template <unsigned Bits> void expect_same(std::uint32_t at, std::uint32_t t) {
-    using Words = detail::DitheredLanes::Words;
-    const Words step = detail::DitheredLanes(Words{t, t, t, t}).step<Bits>(Words{at, at, at, at});
-    ASSERT_EQ(step[0], Exact::dithered<Bits>(Exact::from_affine(at), t)) << Bits << ' ' << at << ' ' << t;
+std::uint32_t levels(int component) {
+    return component == 1 ? 63 : 31;
+}
+/// Fraction bits of a step.
+int step_bits(int component) {
+    return color_fraction_bits + (component == 1 ? 2 : 3);
 }
 
-/// On both sides of each place where a step begins, where rounding tells.
-template <unsigned Bits> void steps_begin_alike() {
-    constexpr std::uint32_t levels = (1u << Bits) - 1;
-    for (std::uint32_t t = 1; t < 32; t += 2)
-        for (std::uint64_t k = 1; k <= levels; ++k) {
-            const auto begin = static_cast<std::uint32_t>((255 * (32 * k - t) << 24) / (32 * levels)); // 8.24
-            for (std::uint32_t at = begin + bias - 64; at <= begin + bias + 64; ++at)
-                expect_same<Bits>(at, t);
+/// A 255th of 20 fraction bits and one more have rounding to nearest, and a bit of the factor's.
+TEST(Dithered, ColorsInStepsAreRounded) {
+    std::mt19937 random(4);
+    for (const int component : components)
+        for (int i = 0; i < 1000000; ++i) {
+            const std::uint32_t c = i == 0 ? color_one : random() % (color_one + 1);
+            const double exact = static_cast<double>(c) / color_one * levels(component);
+            const double steps = std::ldexp(color_in_steps(c, component), -step_bits(component));
+            ASSERT_LE(std::fabs(steps - exact), std::ldexp(0.5626, -step_bits(component))) << c;
         }
 }
 
-TEST(Dithered, StepsBeginAlike) {
-    steps_begin_alike<5>();
-    steps_begin_alike<6>();
+TEST(Dithered, DifferencesTakeNoMoreBits) {
+    std::mt19937 random(5);
+    for (const int component : components)
+        for (int i = 0; i < 1000000; ++i) {
+            const std::uint32_t a = random() % (color_one + 1), d = random() >> (random() % 32);
+            if (d > color_one - a)
+                continue;
+            ASSERT_LE(color_in_steps(a + d, component) - color_in_steps(a, component), d) << a;
+        }
 }
 
-TEST(Dithered, AnyColor) {
-    std::mt19937 random(4);
-    for (int i = 0; i < 1000000; ++i) {
-        const auto at = static_cast<std::uint32_t>(bias + random() % (most - bias));
-        const std::uint32_t t = 1 + 2 * (random() & 15);
-        expect_same<5>(at, t);
-        expect_same<6>(at, t);
-    }
-}
-
-/// What set-up may be off by at both ends.
-TEST(Dithered, EndsHold) {
+/// floor(step + t) of 31 and 63 steps, and what set-up may be off by at both ends.
+TEST(Dithered, SumsAreStepsAndThresholds) {
+    std::mt19937 random(6);
+    using One = Raw565<1>;
     for (std::uint32_t t = 1; t < 32; t += 2)
-        for (std::uint32_t off = 0; off <= 1u << 14; ++off)
-            for (const std::uint32_t at : {bias - off, bias + off, most - off, most + off}) {
-                expect_same<5>(at, t);
-                expect_same<6>(at, t);
+        for (int i = 0; i < 20000; ++i) {
+            const std::uint32_t off = random() & 0x3FFF;
+            const auto word = [&](int component) {
+                const std::uint32_t top = levels(component) << (component == 1 ? 26 : 27);
+                return i < 100 ? (i & 1 ? top + off : 0u - off) : random() % top;
+            };
+            const std::uint32_t r = word(0), g = word(1), b = word(2);
+            const auto step = [&](std::uint32_t v, int bits) {
+                return static_cast<std::uint32_t>(static_cast<std::int64_t>(
+                    std::floor((v > 0xFFFF0000u ? static_cast<double>(v) - 0x1p32 : static_cast<double>(v)) *
+                                   std::ldexp(1, -bits) +
+                               t / 32.0)));
+            };
+            ASSERT_EQ(One::dithered(r, g, b, t).word, step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27))
+                << r << ' ' << g << ' ' << b << ' ' << t;
+        }
+}
+
+/// Colours that the format has stay, whatever the threshold.
+TEST(Dithered, StepsStay) {
+    for (const int component : components)
+        for (std::uint32_t k = 0; k <= levels(component); ++k) {
+            const auto c = static_cast<std::uint32_t>((std::uint64_t{k} * color_one + levels(component) / 2) /
+                                                      levels(component));
+            const std::uint32_t v = color_in_steps(c, component) << (24 - color_fraction_bits);
+            for (std::uint32_t t = 1; t < 32; t += 2) {
+                const std::uint32_t word = Raw565<1>::dithered(v, v, v, t).word;
+                const std::uint32_t of[] = {word >> 11, (word >> 5) & 63, word & 31};
+                ASSERT_EQ(of[component], k) << component << ' ' << t;
             }
+        }
+}
+
+TEST(Dithered, EightColumnsFromAnyPlace) {
+    for (std::int32_t y = -5; y < 5; ++y)
+        for (std::int32_t x = -5; x < 5; ++x) {
+            detail::DitherRow<Lanes<1>> one(x, y);
+            const detail::DitherRow<Lanes<8>> eight(x, y);
+            for (int i = 0; i < 8; ++i, one.step()) {
+                ASSERT_EQ(one.threshold(), dither_threshold(dither_row(y), x + i));
+                ASSERT_EQ(eight.threshold()[i], one.threshold());
+            }
+        }
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 // Dithering as a surface shows it (GL 1.3, 4.1.8): what a fragment becomes depends on its colour and its
 // place in the window, on nothing else; between the two codes around a value all places agree on the mean.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/stages/canvas.hpp"
@@ -77,6 +79,32 @@ TEST(Dither, DependsOnThePlaceAlone) {
                                                    fixed_vertex(from), 1);
                     }
                 ASSERT_EQ(whole.color, apart.color) << int(format) << ' ' << k;
+            }
+}
+
+/// Smooth shading, large and small triangles, in both tiers: what doubles give, but where a colour lies on a
+/// step's threshold.
+TEST(Dither, SmoothColorsAreThoseOfDoubles) {
+    for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
+        for (const Tier tier : {Tier::exact, Tier::balanced})
+            for (const double size : {6.5, 11.25, 59.0}) {
+                Canvas fixed(format, 64, 64, DepthFormat::none), exact = fixed;
+                FragmentState state = plain_state(fixed);
+                state.dither = true;
+                state.tier = tier;
+                Point corner[4];
+                for (int i = 0; i < 4; ++i) {
+                    corner[i].x = i == 1 || i == 2 ? 3 + size : 3.375;
+                    corner[i].y = i >= 2 ? 2.25 + size : 2.125;
+                    const double colors[4][4] = {
+                        {1, 0, 0.25, 1}, {0, 1, 0.75, 1}, {0, 0, 1, 1}, {0.9, 0.7, 0.1, 1}};
+                    std::copy_n(colors[i], 4, corner[i].color);
+                }
+                quad<FixedVertex>(state, fixed, corner);
+                quad<DoubleVertex>(state, exact, corner);
+                const Difference d = difference(fixed, exact);
+                EXPECT_LE(d.largest, 1) << size;
+                EXPECT_LE(d.pixels, 2) << size;
             }
 }
 

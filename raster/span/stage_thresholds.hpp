@@ -1,0 +1,49 @@
+// Thresholds of ordered dithering along rows of the window (GL 1.3, 4.1.10).
+#pragma once
+
+#include <bit>
+
+#include "raster/span/stage.hpp"
+#include <spangle/dither.hpp>
+
+namespace spangle::raster::detail {
+
+/// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
+template <class L> struct DitherRow;
+
+template <> struct DitherRow<Lanes<1>> {
+    std::uint32_t row;
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(std::rotr(dither_row(y), 8 * (x & 3))) {}
+    SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
+    SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
+};
+
+/// Eight columns from any of a period's first, for each row of it.
+struct DitherColumns {
+    std::uint16_t of[4][11];
+    constexpr DitherColumns() : of{} {
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 11; ++x)
+                of[y][x] = static_cast<std::uint16_t>(dither_threshold(dither_row(y), x));
+    }
+};
+inline constexpr DitherColumns dither_columns;
+
+/// Eight columns are two periods: nothing to walk.
+template <> struct DitherRow<Lanes<8>> {
+    Lanes<8>::U16 row;
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
+        : row(Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(dither_columns.of[y & 3] + (x & 3)))) {}
+    SPANGLE_INLINE Lanes<8>::U16 threshold() const { return row; }
+    SPANGLE_INLINE void step() {}
+};
+
+/// The same that knows where it is, for stages that walk from row to row.
+template <class L> struct DitherPlace : DitherRow<L> {
+    std::int32_t x, y;
+    SPANGLE_INLINE DitherPlace(std::int32_t column, std::int32_t line)
+        : DitherRow<L>(column, line), x(column), y(line) {}
+    SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + 1); }
+};
+
+} // namespace spangle::raster::detail
