@@ -59,8 +59,8 @@ struct Variant {
     TileFunction tile = nullptr;            ///< or null: tiles are drawn as rows
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
     bool gray = false;                      ///< `run` asks Span::gray
-    std::uint32_t color_bias = 0;           ///< what set-up adds to affine colours (8.24) so that they round
-    bool steps = false; ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
+    bool steps = false;           ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
+    std::uint32_t color_bias = 0; ///< what set-up adds to affine colours (8.24) so that they round
 };
 
 /// Attributes set-up interpolates: nothing that no stage reads.
