@@ -337,7 +337,7 @@ template <class M, class L> class Pipeline {
     }
     /// Sizes of antialiased points and lines come in eighths of a pixel, 1 to 64 (GL 1.3, 3.3).
     static std::int32_t eighths(Real size) {
-        return numeric::clamp<std::int32_t>((numeric::to_fixed(size, 16) + (1 << 12)) >> 13, 8, 512);
+        return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
     }
     bool captures() const {
         return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;

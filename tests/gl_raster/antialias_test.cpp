@@ -1,6 +1,7 @@
 // Rows D02, D07, D13, D14: antialiased points, lines and polygons; alpha is multiplied by what is covered.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gl/egl/reference.hpp"
@@ -355,6 +356,24 @@ TEST_F(Antialias, AlphaIsMultipliedBeforeTheTests) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     got = drawn(draw);
     EXPECT_NEAR(at(20)[2], 255 * 0.375, 1);
+}
+
+/// The largest size there is stands for any larger one.
+TEST_F(Antialias, SizesOfAnyMagnitude) {
+    constexpr int middle = size / 2 * size + size / 2;
+    for (const bool lines : {false, true}) {
+        const auto figure = [&](GLfloat across) {
+            return drawn([&] {
+                lines ? glLineWidth(across) : glPointSize(across);
+                const std::array<Corner, 2> ends{{{size / 2, size / 2}, {size / 2 + 1, size / 2}}};
+                give(lines ? GL_LINES : GL_POINTS, ends);
+            });
+        };
+        const std::vector<Rgba> largest = figure(64);
+        EXPECT_EQ(largest[middle + 12 * size][3], 255) << "it is large";
+        for (const GLfloat across : {65.0f, 32767.5f, 32768.0f, 1e9f, std::numeric_limits<GLfloat>::max()})
+            EXPECT_EQ(figure(across), largest) << across;
+    }
 }
 
 } // namespace
