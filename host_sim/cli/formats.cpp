@@ -8,6 +8,7 @@
 #include <spangle/format.hpp>
 
 #include "boards/scenes/torus.hpp"
+#include "host_sim/cli/offscreen.hpp"
 
 namespace spangle::cli {
 
@@ -143,28 +144,17 @@ EGLConfig config_of(EGLDisplay display, PixelFormat format) {
 /// False where this build has no such surfaces: the cell stays black.
 bool draw_cell(EGLDisplay display, PixelFormat format, sim::Image& out, int left, int top) {
     const EGLConfig config = config_of(display, format);
-    const EGLint size[] = {EGL_WIDTH, cell_width, EGL_HEIGHT, cell_height, EGL_NONE};
-    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-    const bool current = eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
-    if (current) {
+    const std::vector<GLubyte> rgba = drawn_offscreen(display, config, cell_width, cell_height, [] {
         glClear(GL_DEPTH_BUFFER_BIT);
         draw_background();
         draw_torus();
         set_pixel_maps();
-        std::vector<GLubyte> rgba(4 * cell_width * cell_height);
-        glReadPixels(0, 0, cell_width, cell_height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-        for (int y = 0; y < cell_height; ++y)
-            for (int x = 0; x < cell_width; ++x)
-                std::copy_n(&rgba[static_cast<std::size_t>(4 * ((cell_height - 1 - y) * cell_width + x))], 3,
-                            out.at(left + x, top + y));
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
-    if (context != EGL_NO_CONTEXT)
-        eglDestroyContext(display, context);
-    if (surface != EGL_NO_SURFACE)
-        eglDestroySurface(display, surface);
-    return current;
+    });
+    for (int y = 0; !rgba.empty() && y < cell_height; ++y)
+        for (int x = 0; x < cell_width; ++x)
+            std::copy_n(&rgba[static_cast<std::size_t>(4 * ((cell_height - 1 - y) * cell_width + x))], 3,
+                        out.at(left + x, top + y));
+    return !rgba.empty();
 }
 
 } // namespace

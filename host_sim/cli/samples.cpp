@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "host_sim/cli/offscreen.hpp"
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
 
@@ -128,27 +129,17 @@ bool draw_cell(EGLDisplay display, const Cell& cell, sim::Image& out, int left, 
     EGLint count = 0;
     if (eglChooseConfig(display, wish, &config, 1, &count) == EGL_FALSE || count == 0)
         return false;
-    const EGLint size[] = {EGL_WIDTH, cell_width, EGL_HEIGHT, cell_height, EGL_NONE};
-    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-    const bool current = eglMakeCurrent(display, surface, surface, context) != EGL_FALSE;
-    if (current) {
+    const std::vector<GLubyte> rgba = drawn_offscreen(display, config, cell_width, cell_height, [&cell] {
         glClearColor(0.07f, 0.08f, 0.12f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         glMatrixMode(GL_PROJECTION);
         glOrtho(0, cell_width, 0, cell_height, -1, 1);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         cell.draw();
-        std::vector<GLubyte> rgba(4 * cell_width * cell_height);
-        glReadPixels(0, 0, cell_width, cell_height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    });
+    if (!rgba.empty())
         enlarge(rgba, out, left, top);
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
-    if (context != EGL_NO_CONTEXT)
-        eglDestroyContext(display, context);
-    if (surface != EGL_NO_SURFACE)
-        eglDestroySurface(display, surface);
-    return current;
+    return !rgba.empty();
 }
 
 } // namespace

@@ -60,6 +60,14 @@ class Faults : public testing::TestWithParam<Transport> {
         rig.module.controller().forget_violations();
         EXPECT_EQ(rig.glass_difference(), "");
     }
+    /// A frame whose first call returns when the kernel is released.
+    static bool draw_and_stall(Rig& rig) {
+        Verdict stall;
+        stall.stall = true;
+        const bool drawn = rig.draw(2);
+        inject(rig, stall, 0, 1);
+        return drawn;
+    }
     static void expect_unharmed_frame(Rig& rig) {
         ASSERT_TRUE(rig.draw(2));
         const auto sent = rig.display->present();
@@ -128,10 +136,7 @@ TEST_P(Faults, AHangingTransferEndsInATimeoutAndIsOverLater) {
     options.asynchronous = true;
     Rig rig(GetParam(), options);
     rig.start();
-    ASSERT_TRUE(rig.draw(2));
-    Verdict stall;
-    stall.stall = true;
-    inject(rig, stall, 0, 1);
+    ASSERT_TRUE(draw_and_stall(rig));
     const auto start = std::chrono::steady_clock::now();
     const auto late = rig.display->present();
     EXPECT_EQ(late.error().fault, Fault::timeout) << late.error().rule;
@@ -149,10 +154,7 @@ TEST_P(Faults, ATransferThatABusyMachineDelaysIsNoFault) {
     options.asynchronous = true;
     Rig rig(GetParam(), options);
     rig.start();
-    ASSERT_TRUE(rig.draw(2));
-    Verdict stall;
-    stall.stall = true;
-    inject(rig, stall, 0, 1);
+    ASSERT_TRUE(draw_and_stall(rig));
     std::thread processor([&rig] {
         for (int i = 0; i < 2000 && !rig.machine.kernel.stalled(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
