@@ -7,8 +7,12 @@
 #include <limits>
 #include <type_traits>
 
-/// For kernels whose call would cost more than their body.
+/// For kernels whose call would cost more than their body; where size counts (-Os) the compiler decides.
+#ifdef __OPTIMIZE_SIZE__
+#define SPANGLE_INLINE inline
+#else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
+#endif
 
 namespace spangle::numeric {
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Seeds each small defect of tests/mutants/*.txt into a copy of the tree and shows that the tests catch it.
 
-usage: ./dev mutants [--only TEXT] [--since COMMIT] [--workers N] [--list] [--write]
+usage: ./dev mutants [--only TEXT] [--new | --since COMMIT] [--workers N] [--list] [--write]
 
 A mutant is one replaced line. It is caught when its test program fails (or no longer ends); a mutant that does not
 compile, whose line is not found exactly once, or whose row does not exist, is an error of the list. --write records
 the outcome in tests/mutants/caught.txt, from which the feature matrix takes its "works"; what was not tried keeps its
-record. --since tries those that are not recorded, or whose file or tests have changed since that commit.
+record. --new tries those that are not recorded, --since also those whose file or tests have changed since that commit.
 """
 import argparse
 import concurrent.futures
@@ -136,13 +136,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="mutants whose id contains this text")
     parser.add_argument("--since", metavar="COMMIT", help="mutants not recorded as caught, or touched since then")
+    parser.add_argument("--new", action="store_true", help="mutants not recorded as caught")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="check the lists, run nothing")
     parser.add_argument("--write", action="store_true", help="record the outcome in tests/mutants/caught.txt")
     arguments = parser.parse_args()
     every = read_lists()
     mutants = touched_since(arguments.since, every) if arguments.since else every
-    mutants = [m for m in mutants if arguments.only in m.id]
+    known = recorded() if arguments.new else ()
+    mutants = [m for m in mutants if arguments.only in m.id and m.id not in known]
     bad = [(m, m.problem()) for m in mutants if m.problem()]
     for mutant, problem in bad:
         print(f"{mutant.source}: {mutant.id}: {problem}")
