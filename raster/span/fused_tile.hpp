@@ -1,4 +1,4 @@
-// A list of stages over a tile: one group of eight lanes per row.
+// A list of stages over a tile: one group of eight lanes per row, or per two rows of a narrow one.
 #pragma once
 
 #include "raster/span/rows.hpp"
@@ -8,33 +8,45 @@
 
 namespace spangle::raster {
 
-template <class Case> [[gnu::noinline]] void fused_tile(Span<Fixed>& span, const Tile& tile) {
-    using N = typename Case::template System<8>;
+/// Wide: 8 or two_rows.
+template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& span, const Tile& tile) {
+    using N = typename Case::template System<Wide>;
+    using L = Lanes<Wide>;
     const Surface& target = *span.target;
     PlaneRow at{span, nullptr, nullptr, tile.x, tile.y, tile.x};
     point_at(at.color, at.depth, target, tile.x, tile.y, format_info(Case::key.format).bytes_per_pixel, 1);
-    typename Case::template List<8> list(at, 0);
-    Px<N> p(at);
+    typename Case::template List<Wide> list(at, 0);
+    Px<N> p(at, target.color_stride, target.depth_stride);
     p.i = 0;
-    TileLanes lanes(tile);
-    const std::ptrdiff_t color_stride = target.color_stride, depth_stride = target.depth_stride;
-    [[maybe_unused]] Lanes<8>::Mask open[Tile::most_rows], any_open{};
-    for (std::int32_t row = 0; row != tile.rows; ++row) {
+    TileLanes<L> lanes(tile);
+    const std::ptrdiff_t color_step = L::rows * std::ptrdiff_t{target.color_stride},
+                         depth_step = L::rows * std::ptrdiff_t{target.depth_stride};
+    constexpr int most = (L::rows == 2 ? Tile::most_narrow_rows : Tile::most_rows) / L::rows;
+    [[maybe_unused]] Lanes<8>::Mask open[most], any_open{};
+    for (std::int32_t n = 0, row = 0; row != tile.rows; ++n, row += L::rows) {
         p.live = lanes.alive();
         list.all(p);
         if constexpr (Case::guessed)
-            any_open |= open[row] = p.open & p.live;
+            any_open |= open[n] = p.open & p.live;
         list.next_row();
         lanes.next_row();
-        p.color_plane += color_stride;
+        p.color_plane += color_step;
         if constexpr (Case::tested)
-            p.depth_plane += depth_stride;
+            p.depth_plane += depth_step;
     }
     if constexpr (Case::guessed)
         if (Lanes<8>::any(any_open))
-            for (std::int32_t row = 0; row != tile.rows; ++row)
-                divide_open<Case::key.format>(span, at.color + row * color_stride, open[row], tile.x,
-                                              tile.y + row);
+            for (std::int32_t n = 0, row = 0; row != tile.rows; ++n, row += L::rows)
+                divide_open<Case::key.format, L>(
+                    span, L::place(at.color + row * std::ptrdiff_t{target.color_stride}, target.color_stride),
+                    open[n], tile.x, tile.y + row);
+}
+
+template <class Case> [[gnu::noinline]] void fused_tile(Span<Fixed>& span, const Tile& tile) {
+    if (tile.narrow)
+        tile_in_lanes<Case, two_rows>(span, tile);
+    else
+        tile_in_lanes<Case, 8>(span, tile);
 }
 
 } // namespace spangle::raster

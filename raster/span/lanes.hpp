@@ -21,7 +21,8 @@ inline constexpr int host_lanes = 1;
 #endif
 
 template <> struct Lanes<1> {
-    static constexpr int count = 1;
+    static constexpr int count = 1, rows = 1;
+    using Place = std::uint8_t*; ///< of the first lane's pixel
     using U16 = std::uint32_t;
     using U32 = std::uint32_t;
     using Mask = bool;
@@ -31,6 +32,8 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U32 splat32(std::uint32_t v) { return v; }
     /// start, start + step, ... one per lane.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t) { return start; }
+    /// What a plane has more than in the first lane.
+    SPANGLE_INLINE static U32 offsets(std::uint32_t, std::uint32_t) { return 0; }
     SPANGLE_INLINE static U16 high_half(U32 v) { return v >> 16; }
     SPANGLE_INLINE static U16 low_half(U32 v) { return v & 0xFFFF; }
     /// floor(a b / 2^16).
@@ -48,6 +51,7 @@ template <> struct Lanes<1> {
     SPANGLE_INLINE static U16 swap_bytes(U16 v) { return __builtin_bswap16(static_cast<std::uint16_t>(v)); }
     SPANGLE_INLINE static bool any(Mask m) { return m; }
     SPANGLE_INLINE static Mask less(U16 a, U16 b) { return a < b; }
+    SPANGLE_INLINE static Mask at_most(U16 a, U16 b) { return a <= b; }
     SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return a == b; }
     SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a && b; }
     SPANGLE_INLINE static Mask negate(Mask m) { return !m; }
@@ -81,7 +85,8 @@ template <> struct Lanes<1> {
 /// Little-endian hosts only (draw_state.hpp decides). Even and odd lanes of a U32 lie in two vectors, so that
 /// the high halves of all eight are a shift, a mask and an or.
 template <> struct Lanes<8> {
-    static constexpr int count = 8;
+    static constexpr int count = 8, columns = 8, rows = 1;
+    using Place = std::uint8_t*;
     using U16 [[gnu::vector_size(16)]] = std::uint16_t;
     using Words [[gnu::vector_size(16)]] = std::uint32_t;
     using Signed [[gnu::vector_size(16)]] = std::int16_t;
@@ -126,11 +131,16 @@ template <> struct Lanes<8> {
     /// By masks: words put together one by one would take twice as long.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
-        const U32 by = splat32(step);
-        const Words two = by.even + by.even, four = two + two;
-        const Words even = splat32(start).even + (two & Words{0, on, 0, on}) + (four & Words{0, 0, on, on});
-        return {even, even + by.even};
+        const Words by = splat32(step).even, one = by & Words{0, on, 0, on}, two = by & Words{0, 0, on, on};
+        const Words even = splat32(start).even + (one + one) + (two << 2);
+        return {even, even + by};
     }
+    SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t) { return ramp(0, dx); }
+    SPANGLE_INLINE static U16 offsets16(std::uint32_t dx, std::uint32_t) {
+        return splat(dx) * U16{0, 1, 2, 3, 4, 5, 6, 7};
+    }
+    SPANGLE_INLINE static Place place(std::uint8_t* first, std::ptrdiff_t) { return first; }
+    SPANGLE_INLINE static std::uint8_t* pixel(Place at, int lane, int bytes) { return at + bytes * lane; }
     SPANGLE_INLINE static U16 high_half(const U32& v) {
         return std::bit_cast<U16>((v.even >> 16) | (v.odd & 0xFFFF0000u));
     }
@@ -174,6 +184,7 @@ template <> struct Lanes<8> {
         return (halves[0] | halves[1]) != 0;
     }
     SPANGLE_INLINE static Mask less(U16 a, U16 b) { return std::bit_cast<Mask>(a < b); }
+    SPANGLE_INLINE static Mask at_most(U16 a, U16 b) { return std::bit_cast<Mask>(a <= b); }
     SPANGLE_INLINE static Mask equal(U16 a, U16 b) { return std::bit_cast<Mask>(a == b); }
     SPANGLE_INLINE static Mask both(Mask a, Mask b) { return a & b; }
     SPANGLE_INLINE static Mask negate(Mask m) { return ~m; }
@@ -224,6 +235,48 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static void kill(Mask& m, int i) { m[i] = 0; }
     SPANGLE_INLINE static Mask first(std::int32_t n) {
         return less(U16{0, 1, 2, 3, 4, 5, 6, 7}, splat(n < 0 ? 0 : static_cast<std::uint32_t>(n)));
+    }
+};
+
+/// Eight lanes that are four columns of two rows: what Lanes<> is asked for, and how many there are, differ.
+inline constexpr int two_rows = 42;
+
+template <> struct Lanes<two_rows> : Lanes<8> {
+    static constexpr int columns = 4, rows = 2;
+    struct Place {
+        std::uint8_t* first;
+        std::ptrdiff_t stride; ///< to the second row
+        SPANGLE_INLINE Place& operator+=(std::ptrdiff_t bytes) {
+            first += bytes;
+            return *this;
+        }
+        SPANGLE_INLINE friend Place operator+(Place at, std::ptrdiff_t bytes) { return at += bytes; }
+    };
+    SPANGLE_INLINE static Place place(std::uint8_t* first, std::ptrdiff_t stride) { return {first, stride}; }
+    SPANGLE_INLINE static std::uint8_t* pixel(Place at, int lane, int bytes) {
+        return at.first + (lane / columns) * at.stride + bytes * (lane % columns);
+    }
+    SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t dy) {
+        constexpr std::uint32_t on = 0xFFFFFFFF;
+        const Words by = splat32(dx).even;
+        const Words one = by & Words{0, on, 0, on};
+        const Words even = one + one + (splat32(dy).even & Words{0, 0, on, on});
+        return {even, even + by};
+    }
+    SPANGLE_INLINE static U16 offsets16(std::uint32_t dx, std::uint32_t dy) {
+        constexpr std::uint16_t on = 0xFFFF;
+        return splat(dx) * U16{0, 1, 2, 3, 0, 1, 2, 3} + (splat(dy) & U16{0, 0, 0, 0, on, on, on, on});
+    }
+    SPANGLE_INLINE static U16 load(const Place& at) {
+        std::uint64_t row[2];
+        __builtin_memcpy(row, at.first, 8);
+        __builtin_memcpy(row + 1, at.first + at.stride, 8);
+        return halves(row[0], row[1]);
+    }
+    SPANGLE_INLINE static void store(const Place& at, U16 v) {
+        const std::uint64_t row[2] = {half(v, 0), half(v, 1)};
+        __builtin_memcpy(at.first, row, 8);
+        __builtin_memcpy(at.first + at.stride, row + 1, 8);
     }
 };
 

@@ -192,8 +192,8 @@ template <int Count> inline constexpr std::uint32_t weight_one<Balanced<Count>> 
 /// Colour that nothing combines: it is the 16 bits R5 G6 B5 from its source to the surface.
 template <int Count> struct Raw565 {
     using Policy = Fixed;
-    static constexpr int lanes = Count;
     using L = Lanes<Count>;
+    static constexpr int lanes = L::count;
     using T = typename L::U16;
     struct Color {
         T word;

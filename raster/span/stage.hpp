@@ -44,8 +44,8 @@ enum Field : unsigned {
 /// The fragment(s) a list works on. Locals only: registers in a fused span, loaded and stored by field in the
 /// chain.
 template <class N> struct Px {
-    std::uint8_t *color_plane, *depth_plane; ///< where pixel 0 of the group's count lies
-    std::int32_t i;                          ///< first pixel of the group
+    typename N::L::Place color_plane, depth_plane; ///< where pixel 0 of the group's count lies
+    std::int32_t i;                                ///< first pixel of the group
     typename N::L::Mask live;
     typename N::L::Mask open; ///< colours that a guess did not decide, dead ones among them (stage_guess.hpp)
     bool row = false;         ///< Seq::row said so; a constant of the loop
@@ -60,9 +60,13 @@ template <class N> struct Px {
     Inverse inverse;                               ///< GouraudQ's, for stages fused behind it
 
     Px() = default;
-    /// Of a span, or what stands for one row of it.
+    /// Of a span, or what stands for one row of it; the strides are those from row to row.
     template <class S>
     SPANGLE_INLINE explicit Px(const S& span) : color_plane(span.color), depth_plane(span.depth) {}
+    template <class S>
+    SPANGLE_INLINE Px(const S& span, std::ptrdiff_t color_stride, std::ptrdiff_t depth_stride)
+        : color_plane(N::L::place(span.color, color_stride)),
+          depth_plane(N::L::place(span.depth, depth_stride)) {}
 };
 
 /// Defaults of a stage.
@@ -81,8 +85,9 @@ template <class L> class Ramp {
     template <class S>
     SPANGLE_INLINE Ramp(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
                         std::uint32_t more = 0)
-        : offset_(L::ramp(0, plane.dx)), by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
-          row_(L::splat32(plane.dy)) {
+        : offset_(L::offsets(plane.dx, plane.dy)),
+          by_(L::splat32(plane.dx * static_cast<std::uint32_t>(L::count))),
+          row_(L::splat32(plane.dy * static_cast<std::uint32_t>(L::rows))) {
         start(span, x, plane, more);
     }
     /// The plane and `more`.

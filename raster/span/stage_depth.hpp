@@ -73,7 +73,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { this->z.start(s, x, s.z); }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        std::uint8_t* const at = p.depth_plane + 2 * p.i;
+        const auto at = p.depth_plane + 2 * p.i;
         const typename L::U16 incoming = L::high_half(this->z.at);
         if constexpr (N::lanes == 1) {
             const typename L::U16 stored = L::load(at);
@@ -107,13 +107,13 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
         case Compare::equal:
             return L::equal(incoming, stored);
         case Compare::lequal:
-            return L::negate(L::less(stored, incoming));
+            return L::at_most(incoming, stored);
         case Compare::greater:
             return L::less(stored, incoming);
         case Compare::notequal:
             return L::negate(L::equal(incoming, stored));
         case Compare::gequal:
-            return L::negate(L::less(incoming, stored));
+            return L::at_most(stored, incoming);
         case Compare::always:
             return L::all;
         }

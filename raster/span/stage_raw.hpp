@@ -46,31 +46,13 @@ struct DitheredWord {
     }
 };
 
-/// The same as a stage along rows.
+/// The same as a stage along rows: eight columns are two periods, nothing to walk.
 template <int Count> struct FlatDithered : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
-    DitheredWord word;
-    std::uint32_t place;
-    template <class S>
-    SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
-        : word{s.flat_word}, place(DitheredWord::place(s.x + x, s.y)) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.word = word.at(place);
-        return true;
-    }
-    SPANGLE_INLINE void step() { place += DitheredWord::column; }
-    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        place = DitheredWord::place(s.x + x, s.y);
-    }
-};
-/// Eight columns are two periods: nothing to walk.
-template <> struct FlatDithered<8> : StageBase {
-    static constexpr unsigned out = field_color;
-    using N = Raw565<8>;
-    N::L::U32 r, g, b; ///< steps
-    detail::DitherPlace<N::L> dither;
-    N::T words;
+    typename N::L::U32 r, g, b; ///< steps
+    detail::DitherPlace<typename N::L> dither;
+    typename N::T words;
     template <class S>
     SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
         : r(N::L::splat32(s.flat_word >> 21 << 22)), g(N::L::splat32((s.flat_word >> 10 & 0x7FF) << 21)),
@@ -86,12 +68,29 @@ template <> struct FlatDithered<8> : StageBase {
         mix();
     }
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        dither = detail::DitherPlace<N::L>(s.x + x, s.y);
+        dither = detail::DitherPlace<typename N::L>(s.x + x, s.y);
         mix();
     }
 
   private:
     SPANGLE_INLINE void mix() { words = N::dithered(r, g, b, dither.threshold()).word; }
+};
+template <> struct FlatDithered<1> : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<1>;
+    DitheredWord word;
+    std::uint32_t place;
+    template <class S>
+    SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
+        : word{s.flat_word}, place(DitheredWord::place(s.x + x, s.y)) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = word.at(place);
+        return true;
+    }
+    SPANGLE_INLINE void step() { place += DitheredWord::column; }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        place = DitheredWord::place(s.x + x, s.y);
+    }
 };
 /// Along paths, which say where the fragment lies.
 struct PathDithered : StageBase {
@@ -116,7 +115,7 @@ template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
         (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     template <class S> SPANGLE_INLINE StoreRaw(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        std::uint8_t* const at = p.color_plane + 2 * p.i;
+        const auto at = p.color_plane + 2 * p.i;
         typename L::U16 word = p.color.word;
         if constexpr (swaps)
             word = L::swap_bytes(word);

@@ -38,12 +38,20 @@ template <> struct DitherRow<Lanes<8>> {
     SPANGLE_INLINE void step() {}
 };
 
+/// Four columns are one.
+template <> struct DitherRow<Lanes<two_rows>> : DitherRow<Lanes<8>> {
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : DitherRow<Lanes<8>>(x, y) {
+        using L = Lanes<8>;
+        row = L::halves(L::half(row, 0), L::half(DitherRow<L>(x, y + 1).row, 0));
+    }
+};
+
 /// The same that knows where it is, for stages that walk from row to row.
 template <class L> struct DitherPlace : DitherRow<L> {
     std::int32_t x, y;
     SPANGLE_INLINE DitherPlace(std::int32_t column, std::int32_t line)
         : DitherRow<L>(column, line), x(column), y(line) {}
-    SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + 1); }
+    SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
 
 } // namespace spangle::raster::detail

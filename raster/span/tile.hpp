@@ -10,9 +10,11 @@
 namespace spangle::raster {
 
 /// Eight columns of a few rows, all of them inside of the scissor rectangle: lanes that are dead keep what
-/// they hold. Triangles of more columns are two of them side by side.
+/// they hold. Triangles of more columns are two of them side by side. Narrow ones have four columns, of which
+/// eight lanes are two rows, and an even number of rows.
 struct Tile {
     static constexpr std::int32_t columns = 8, most_rows = 12, most_rows_of_two = 6;
+    static constexpr std::int32_t narrow_columns = 4, most_narrow_rows = 22;
 
     /// Twice the signed area that the centre of a lane spans with an edge, in units of 2^-8 pixels, rounded
     /// down: negative outside. A pixel further it is `dx` more, a row further `dy`.
@@ -21,6 +23,8 @@ struct Tile {
     };
     std::int32_t x, y; ///< window position of lane 0 of the first row
     std::int32_t rows;
+    std::int32_t dead_rows; ///< the first ones, that make them even
+    bool narrow;
     Edge edge[3];
 
     /// On to the one right of it.
@@ -31,8 +35,8 @@ struct Tile {
     }
 };
 
-/// The lanes of a tile that its edges leave, row by row.
-class TileLanes {
+/// The lanes of a tile that its edges leave, row by row or by two of them. L: Lanes<8> or Lanes<two_rows>.
+template <class L> class TileLanes {
   public:
     SPANGLE_INLINE explicit TileLanes(const Tile& tile)
         : a_(tile.edge[0]), b_(tile.edge[1]), c_(tile.edge[2]) {}
@@ -50,10 +54,9 @@ class TileLanes {
     struct Side {
         Lanes<8>::U16 at, by;
         SPANGLE_INLINE explicit Side(const Tile::Edge& e)
-            : at(splat(e.value) + splat(e.dx) * Lanes<8>::U16{0, 1, 2, 3, 4, 5, 6, 7}), by(splat(e.dy)) {}
-        SPANGLE_INLINE static Lanes<8>::U16 splat(std::int16_t v) {
-            return Lanes<8>::splat(static_cast<std::uint16_t>(v));
-        }
+            : at(L::splat(word(e.value)) + L::offsets16(word(e.dx), word(e.dy))),
+              by(L::splat(word(e.dy) * static_cast<std::uint32_t>(L::rows))) {}
+        SPANGLE_INLINE static std::uint32_t word(std::int16_t v) { return static_cast<std::uint16_t>(v); }
     } a_, b_, c_;
 };
 

@@ -14,6 +14,7 @@ constexpr int width = 40, height = 40;
 
 struct Hits {
     int tiles = 0, seconds = 0, rows[Tile::most_rows + 1] = {}, at_border = 0;
+    int narrow_rows[Tile::most_narrow_rows + 1] = {}, above_dead = 0;
     Tile last{}; ///< of the triangle
 };
 Hits hits;
@@ -21,15 +22,17 @@ TileFunction under_test;
 
 void note_and_draw(Span<Fixed>& span, const Tile& tile) {
     const Rect& clip = span.state->fragment.scissor;
+    const std::int32_t columns = tile.narrow ? Tile::narrow_columns : Tile::columns;
     EXPECT_GE(tile.x, clip.x);
-    EXPECT_LE(tile.x + Tile::columns, clip.x + clip.w);
+    EXPECT_LE(tile.x + columns, clip.x + clip.w);
     EXPECT_GE(tile.y, clip.y);
     EXPECT_LE(tile.y + tile.rows, clip.y + clip.h);
     ++hits.tiles;
     hits.seconds += tile.x == hits.last.x + Tile::columns && tile.y == hits.last.y ? 1 : 0;
     hits.last = tile;
-    ++hits.rows[tile.rows];
-    hits.at_border += tile.x == clip.x + clip.w - Tile::columns ? 1 : 0;
+    ++(tile.narrow ? hits.narrow_rows : hits.rows)[tile.rows];
+    hits.above_dead += tile.dead_rows;
+    hits.at_border += tile.x == clip.x + clip.w - columns ? 1 : 0;
     under_test(span, tile);
 }
 
@@ -44,10 +47,14 @@ Triangle small_triangle(RandomVertices& source, Kind kind) {
             from * subpixel_one + static_cast<std::int32_t>(source.below(pixels * 256 / step) * step);
         return v < most * subpixel_one ? v : most * subpixel_one;
     };
-    const bool wide = source.below(2) == 0;
+    struct Size {
+        std::uint32_t columns, rows;
+    };
+    static constexpr Size sizes[] = {{17, 7}, {9, 14}, {5, 27}, {5, 5}};
+    const Size& size = sizes[source.below(4)];
     for (FixedVertex& v : t.v) {
-        v.x = place(left, wide ? 17 : 9, width);
-        v.y = place(low, wide ? 7 : 13, height);
+        v.x = place(left, size.columns, width);
+        v.y = place(low, size.rows, height);
     }
     if (kind == Kind::full && source.below(2) == 0) // 1/w varies little
         for (FixedVertex& v : t.v)
@@ -73,7 +80,7 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
     state.variant[static_cast<unsigned>(fused.key.kind)].tile = &note_and_draw;
     hits = {};
     RandomVertices source(31);
-    for (int round = 0; round < 4000; ++round) {
+    for (int round = 0; round < 6000; ++round) {
         chain_canvas.noise(static_cast<std::uint32_t>(round));
         tile_canvas.noise(static_cast<std::uint32_t>(round));
         const Rect cut = {static_cast<int>(source.below(16)), static_cast<int>(source.below(16)),
@@ -100,6 +107,9 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
     EXPECT_GE(hits.seconds, 300) << name;
     for (int rows = 1; rows <= Tile::most_rows; ++rows)
         EXPECT_GE(hits.rows[rows], 10) << name << ' ' << rows;
+    for (int rows = 2; rows <= Tile::most_narrow_rows; rows += 2)
+        EXPECT_GE(hits.narrow_rows[rows], 10) << name << ' ' << rows;
+    EXPECT_GE(hits.above_dead, 100) << name;
     EXPECT_GE(hits.at_border, 100) << name;
 }
 
