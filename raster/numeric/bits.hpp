@@ -97,19 +97,111 @@ template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_a
     return static_cast<std::uint32_t>(down < 0 ? 0 : down > most ? most : down);
 }
 
+namespace detail {
+
+/// v mod 2^16. Of a cast GCC 12 makes two shifts where there is an instruction.
+SPANGLE_INLINE constexpr std::uint32_t low_half(std::uint32_t v) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r;
+        asm("uxth %0, %1" : "=l"(r) : "l"(v)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    return v & 0xFFFF;
+}
+
+/// a * b from products of halves, where there are no long ones: 22 instructions on a Cortex-M0+, in place of
+/// 50 for 64 by 64 bits. No sum of two overflows: (2^16 - 1)^2 + 2^16 - 1 < 2^32, and of signed halves they
+/// are smaller.
+template <class A, class B> struct HalvesOf {
+    std::uint32_t low; ///< of the lower halves
+    B middle;
+    std::uint32_t high;
+    SPANGLE_INLINE constexpr HalvesOf(A a, B b) {
+        const std::uint32_t a0 = low_half(static_cast<std::uint32_t>(a)),
+                            b0 = low_half(static_cast<std::uint32_t>(b));
+        const A a1 = a >> 16;
+        const B b1 = b >> 16;
+        low = a0 * b0;
+        const A first = a1 * static_cast<A>(b0) + static_cast<A>(low >> 16);
+        middle = static_cast<B>(a0) * b1 + static_cast<B>(low_half(static_cast<std::uint32_t>(first)));
+        high = static_cast<std::uint32_t>(a1) * static_cast<std::uint32_t>(b1) +
+               static_cast<std::uint32_t>(first >> 16) + static_cast<std::uint32_t>(middle >> 16);
+    }
+    SPANGLE_INLINE constexpr std::uint64_t product() const {
+        return std::uint64_t{high} << 32 | (static_cast<std::uint32_t>(middle) << 16 | low_half(low));
+    }
+};
+
+template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint64_t mul_halves(A a, B b) {
+    return HalvesOf<A, B>(a, b).product();
+}
+template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint32_t mul_halves_high(A a, B b) {
+    return HalvesOf<A, B>(a, b).high;
+}
+
+/// Of factors that compilers know they make shifts and sums.
+template <class A, class B> SPANGLE_INLINE constexpr bool by_halves(A a, B b) {
+    return !long_products && !__builtin_constant_p(a) && !__builtin_constant_p(b);
+}
+
+} // namespace detail
+
 SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return detail::mul_halves(a, b);
     return std::uint64_t{factor32(a)} * factor32(b);
 }
 SPANGLE_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32_t b) {
+    if (detail::by_halves(a, b))
+        return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{factor32(a)} * factor32(b);
+}
+/// The same without factor32().
+SPANGLE_INLINE constexpr std::int64_t mul_long(std::int32_t a, std::int32_t b) {
+    if (detail::by_halves(a, b))
+        return static_cast<std::int64_t>(detail::mul_halves(a, b));
+    return std::int64_t{a} * b;
+}
+SPANGLE_INLINE constexpr std::int64_t mul_s32_u32(std::int32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return static_cast<std::int64_t>(detail::mul_halves(a, b));
+    return std::int64_t{a} * b;
 }
 
 /// floor(a * b / 2^32).
 SPANGLE_INLINE constexpr std::uint32_t mul_high_u32(std::uint32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return detail::mul_halves_high(a, b);
     return static_cast<std::uint32_t>(mul_u32(a, b) >> 32);
 }
 SPANGLE_INLINE constexpr std::int32_t mul_high_s32(std::int32_t a, std::int32_t b) {
+    if (detail::by_halves(a, b))
+        return static_cast<std::int32_t>(detail::mul_halves_high(a, b));
     return static_cast<std::int32_t>(mul_s32(a, b) >> 32);
+}
+SPANGLE_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return static_cast<std::int32_t>(detail::mul_halves_high(a, b));
+    return static_cast<std::int32_t>(mul_s32_u32(a, b) >> 32);
+}
+
+namespace detail {
+
+constexpr std::uint64_t times_by_words(std::uint64_t v, std::int32_t n) {
+    const std::uint32_t high = static_cast<std::uint32_t>(v >> 32) * static_cast<std::uint32_t>(n);
+    return static_cast<std::uint64_t>(mul_s32_u32(n, static_cast<std::uint32_t>(v))) +
+           (std::uint64_t{high} << 32);
+}
+
+} // namespace detail
+
+/// v * n mod 2^64.
+SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
+    if (detail::by_halves(static_cast<std::uint32_t>(v), n))
+        return detail::times_by_words(v, n);
+    return v * static_cast<std::uint64_t>(std::int64_t{n});
 }
 
 /// The high word of v, nearest, halves up, mod 2^32.

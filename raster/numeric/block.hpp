@@ -313,9 +313,9 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     // v / sqrt(square) = v * (r * 2^-30) * 2^((zeros - 64) / 2); in Q2.30 that is v * r >> (32 - zeros / 2).
     const int shift = 32 - zeros / 2;
     const std::int64_t half = std::int64_t{1} << (shift - 1);
-    return {{static_cast<std::int32_t>((v.m[0] * std::int64_t{r} + half) >> shift),
-             static_cast<std::int32_t>((v.m[1] * std::int64_t{r} + half) >> shift),
-             static_cast<std::int32_t>((v.m[2] * std::int64_t{r} + half) >> shift)}};
+    return {{static_cast<std::int32_t>((mul_s32_u32(v.m[0], r) + half) >> shift),
+             static_cast<std::int32_t>((mul_s32_u32(v.m[1], r) + half) >> shift),
+             static_cast<std::int32_t>((mul_s32_u32(v.m[2], r) + half) >> shift)}};
 }
 
 /// The same with one Newton step: within 2^-17 (design 3, fast tier).
@@ -327,9 +327,9 @@ SPANGLE_INLINE constexpr Unit3 normalize_fast(const Block3& v) {
     const int zeros = clz64(square) & ~1;
     const std::uint32_t r = rsqrt_1(static_cast<std::uint32_t>((square << zeros) >> 32));
     const int shift = 32 - zeros / 2;
-    return {{static_cast<std::int32_t>((v.m[0] * std::int64_t{r}) >> shift),
-             static_cast<std::int32_t>((v.m[1] * std::int64_t{r}) >> shift),
-             static_cast<std::int32_t>((v.m[2] * std::int64_t{r}) >> shift)}};
+    return {{static_cast<std::int32_t>((mul_s32_u32(v.m[0], r)) >> shift),
+             static_cast<std::int32_t>((mul_s32_u32(v.m[1], r)) >> shift),
+             static_cast<std::int32_t>((mul_s32_u32(v.m[2], r)) >> shift)}};
 }
 
 /// Dot product of unit vectors, Q2.30 rounded, within 2^-29 of the exact one and never outside +-1.

@@ -164,7 +164,10 @@ SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int
                                               std::int64_t sum) {
 #pragma GCC unroll 4
     for (int j = 0; j < N; ++j)
-        sum += std::int64_t{row[j]} * v[j];
+        if constexpr (sizeof(Element) == sizeof(v[0]))
+            sum += mul_long(row[j], v[j]);
+        else
+            sum += row[j] * v[j];
     return sum;
 }
 /// Its high word, rounded, below 2^29.

@@ -197,7 +197,8 @@ class DiamondWalk {
     void place() {
         const std::int32_t from_low = major * subpixel_one + subpixel_one / 2 - low_;
         const std::int32_t inside = low_minor_ & (subpixel_one - 1);
-        const std::int64_t numerator = std::int64_t{from_low} * rise_ + std::int64_t{inside} * length_ + tie_;
+        const std::int64_t numerator =
+            numeric::mul_long(from_low, rise_) + numeric::mul_long(inside, length_) + tie_;
         const auto q = numeric::floor_divide(numerator, static_cast<std::uint32_t>(denominator_));
         remainder_ = static_cast<std::int32_t>(q.remainder);
         minor = (low_minor_ >> subpixel_bits) + static_cast<std::int32_t>(q.quotient);

@@ -63,7 +63,7 @@ inline Edge Edge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int
     e.denominator_ = dy * subpixel_one;
     // column = vertex's column + ceil(numerator / denominator); the floor of -numerator keeps one kind of
     // division.
-    const std::int64_t numerator = -(std::int64_t{above} * dx + std::int64_t{inside} * dy);
+    const std::int64_t numerator = -(numeric::mul_long(above, dx) + numeric::mul_long(inside, dy));
     const auto down = numeric::floor_divide(numerator, static_cast<std::uint32_t>(e.denominator_));
     const auto slope = numeric::floor_divide(dx, static_cast<std::uint32_t>(dy));
     e.x_ = (x0 >> subpixel_bits) - static_cast<std::int32_t>(down.quotient);

@@ -18,7 +18,7 @@ SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
     const std::int32_t oy = subpixel_one / 2 - (y & (subpixel_one - 1));
     for (int i = 0; i < 2; ++i) // |dx ox + dy oy| <= 2^30 256
         by().center[i] = static_cast<std::int32_t>(
-            (std::int64_t{by().dx[i]} * ox + std::int64_t{by().dy[i]} * oy) >> subpixel_bits);
+            (numeric::mul_long(by().dx[i], ox) + numeric::mul_long(by().dy[i], oy)) >> subpixel_bits);
 }
 
 void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin,

@@ -123,7 +123,7 @@ struct PerPixel {
 
 /// a * b / 2^30, rounded.
 SPANGLE_INLINE std::int32_t mul30(std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>((std::int64_t{a} * b + (1 << 29)) >> 30);
+    return static_cast<std::int32_t>((numeric::mul_long(a, b) + (1 << 29)) >> 30);
 }
 
 /// The highest bit of the differences that this is the union of is the highest bit in which one of them
@@ -142,7 +142,7 @@ SPANGLE_INLINE std::int32_t lifted(std::int32_t d, std::uint32_t lift) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << lift);
 }
 SPANGLE_INLINE std::uint32_t lifted_word(std::int32_t d1, std::int32_t d2, const std::int32_t (&c)[2]) {
-    return static_cast<std::uint32_t>((std::int64_t{d1} * c[0] + std::int64_t{d2} * c[1]) >> 32);
+    return static_cast<std::uint32_t>((numeric::mul_long(d1, c[0]) + numeric::mul_long(d2, c[1])) >> 32);
 }
 
 } // namespace spangle::raster

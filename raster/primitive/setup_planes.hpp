@@ -9,9 +9,9 @@ namespace spangle::raster {
 /// Differences counted in 2^(exponent - up) of the unit of d.
 SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients& by, std::int32_t d1,
                                                              std::int32_t d2) {
-    return {std::int64_t{d1} * by.dx[0] + std::int64_t{d2} * by.dx[1],
-            std::int64_t{d1} * by.dy[0] + std::int64_t{d2} * by.dy[1],
-            std::int64_t{d1} * by.center[0] + std::int64_t{d2} * by.center[1]};
+    return {numeric::mul_long(d1, by.dx[0]) + numeric::mul_long(d2, by.dx[1]),
+            numeric::mul_long(d1, by.dy[0]) + numeric::mul_long(d2, by.dy[1]),
+            numeric::mul_long(d1, by.center[0]) + numeric::mul_long(d2, by.center[1])};
 }
 
 /// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state

@@ -24,14 +24,14 @@ struct HomogeneousRow {
 
   private:
     SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
-        return unguarded(v + static_cast<std::uint64_t>(std::int64_t{x}) * dv);
+        return unguarded(v + numeric::times(dv, x));
     }
 };
 
 /// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
 /// (then |s| is beyond 2^10 repeats and its fraction means nothing).
 SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
-    const std::int64_t product = std::int64_t{s} * inverse.mantissa;
+    const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
     if (down >= 0)
         return product >> (down < 63 ? down : 63);
@@ -43,7 +43,7 @@ SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inve
     if constexpr (sizeof(void*) == 4) { // two words, shifted as such
         const int down = 30 - inverse.zeros - exponent;
         if (down > 0 && down < 32) [[likely]] {
-            const std::int64_t product = std::int64_t{s} * inverse.mantissa;
+            const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
             return static_cast<std::uint32_t>(product) >> down | static_cast<std::uint32_t>(product >> 32)
                                                                      << (32 - down);
         }

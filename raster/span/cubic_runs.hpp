@@ -96,7 +96,7 @@ class CubicRuns {
         }
         /// d / q.
         SPANGLE_INLINE std::int32_t ratio(std::int32_t d) const {
-            return static_cast<std::int32_t>(std::int64_t{d} * mantissa >> (62 - ratio_bits - zeros));
+            return static_cast<std::int32_t>(numeric::mul_s32_u32(d, mantissa) >> (62 - ratio_bits - zeros));
         }
     };
 

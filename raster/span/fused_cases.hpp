@@ -45,12 +45,20 @@ constexpr bool is_guessed(const Key& key) {
            !key.blend && !key.dither && is_565(key.format);
 }
 
+/// Four words of a texture become one (filter_words.hpp).
+constexpr bool filters_words(const Key& key) {
+    return !numeric::long_products && key.number == Number::exact && !key.fog && !key.blend && !key.dither &&
+           is_565(key.format) &&
+           key.unit[0] ==
+               UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
+}
+
 /// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
 /// chain, for primitives that the stages of stage_divided.hpp do not serve.
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
-    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K),
+    static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || filters_words(K),
                           exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
     static constexpr bool packed =
@@ -80,10 +88,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
   private:
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
     static constexpr bool laned = (!exact || packed) && !divided && is_565(K.format);
-    using Runs =
-        std::conditional_t<!projective, NoRuns,
-                           std::conditional_t<exact && divided, DividedCoords,
-                                              std::conditional_t<exact || K.cubic, CubicRuns, CoordRuns>>>;
+    using Runs = std::conditional_t<
+        !projective, NoRuns,
+        std::conditional_t<exact && divided, DividedCoords,
+                           std::conditional_t<K.number == Number::exact || K.cubic, CubicRuns, CoordRuns>>>;
     template <int L>
     using ExactSystem =
         std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>, Exact>;

@@ -198,7 +198,7 @@ namespace detail {
 
 /// The fog coordinate from fog * q and 1/q.
 inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
-    const std::int64_t product = std::int64_t{over_w} * inverse.mantissa; // f/q 2^(62 - zeros)
+    const std::int64_t product = numeric::mul_s32_u32(over_w, inverse.mantissa); // f/q 2^(62 - zeros)
     const int down = 38 - inverse.zeros - exponent;
     return static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
                                                 : numeric::scale_saturate(product, -down));

@@ -207,8 +207,8 @@ template <class T, int Unit> class NearestDivided : public T {
             return far_place(s, t, inverse.mantissa, inverse.zeros, up_ - 2, this->log2_width,
                              this->log2_height);
         const auto repeats = [&](std::int32_t v, int axis) {
-            const std::int64_t product = std::int64_t{v} * inverse.mantissa;
-            return (static_cast<std::uint32_t>(product >> 32) << up) + bias_[axis];
+            const std::int32_t high = numeric::mul_high_s32_u32(v, inverse.mantissa);
+            return (static_cast<std::uint32_t>(high) << up) + bias_[axis];
         };
         return (repeats(t, 1) >> (32 - this->log2_height)) * width_ +
                numeric::mul_high_u32(repeats(s, 0), width_);

@@ -232,7 +232,7 @@ struct TextureFixed : StageBase {
         return true;
     }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {
-        if constexpr (Env == TexEnv::replace && Base == BaseFormat::rgba)
+        if constexpr (is_raw<N> || (Env == TexEnv::replace && Base == BaseFormat::rgba))
             p.color = s; // of systems that combine nothing but this with what is stored, too
         else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/span/filter.hpp"
+#include "raster/span/filter_words.hpp"
 #include "raster/span/texel.hpp"
 
 namespace spangle::raster {
@@ -37,12 +38,16 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
         std::uint32_t b;
         SPANGLE_INLINE explicit Exactly(std::uint32_t weight) : b(weight) {}
     };
-    using Weights = std::conditional_t<std::is_same_v<N, Exact>, Exactly,
-                                       std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>;
+    using Weights = std::conditional_t<
+        is_raw<N>, FilterWords,
+        std::conditional_t<std::is_same_v<N, Exact>, Exactly,
+                           std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>;
     template <class V, class W>
     SPANGLE_INLINE static Color mix(const Weights& weights, const V& c00, const V& c10, const V& c01,
                                     const V& c11, const W& a) {
-        if constexpr (std::is_same_v<N, Exact>)
+        if constexpr (is_raw<N>)
+            return {weights(c00, c10, c01, c11, a)};
+        else if constexpr (std::is_same_v<N, Exact>)
             return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
         else if constexpr (Is565)
             return weights(c00, c10, c01, c11, a);

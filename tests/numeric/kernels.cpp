@@ -1,6 +1,8 @@
 // Reciprocal, root, division and powers against their bounds.
 #include "tests/numeric/kernels.hpp"
 
+#include <vector>
+
 #include "raster/numeric/power.hpp"
 #include "raster/numeric/trigonometry.hpp"
 #include "tests/numeric/random.hpp"
@@ -40,6 +42,35 @@ TEST(Kernels, SaturationStaysInItsBits) {
     for (int round = 0; round < 10'000; ++round)
         check(static_cast<std::int32_t>(random.word() >> (round % 20)));
     static_assert(saturated_after<8, 16>(-1) == 0);
+}
+TEST(Kernels, ProductsOfHalvesAreLongOnes) {
+    const auto check = [](std::uint32_t u, std::uint32_t v) {
+        const auto a = static_cast<std::int32_t>(u), b = static_cast<std::int32_t>(v);
+        const std::uint64_t plain = std::uint64_t{u} * v,
+                            mixed = static_cast<std::uint64_t>(std::int64_t{a} * v),
+                            both = static_cast<std::uint64_t>(std::int64_t{a} * b);
+        ASSERT_EQ(detail::mul_halves(u, v), plain) << u << ' ' << v;
+        ASSERT_EQ(detail::mul_halves(a, v), mixed) << a << ' ' << v;
+        ASSERT_EQ(detail::mul_halves(a, b), both) << a << ' ' << b;
+        ASSERT_EQ(detail::mul_halves_high(u, v), plain >> 32) << u << ' ' << v;
+        ASSERT_EQ(detail::mul_halves_high(a, v), mixed >> 32) << a << ' ' << v;
+        ASSERT_EQ(detail::mul_halves_high(a, b), both >> 32) << a << ' ' << b;
+        const std::uint64_t wide = std::uint64_t{u} << 32 | v;
+        ASSERT_EQ(detail::times_by_words(wide, a), wide * static_cast<std::uint64_t>(std::int64_t{a}))
+            << wide << ' ' << a;
+    };
+    std::vector<std::uint32_t> words;
+    for (const std::uint32_t edge : {0u, 0x8000u, 0x10000u, 0x7FFF'0000u, 0x8000'0000u, 0xFFFF'0000u})
+        for (const std::uint32_t by : {0u, 1u, 2u, 0xFFFFu, ~0u, ~1u})
+            words.push_back(edge + by);
+    for (const std::uint32_t a : words)
+        for (const std::uint32_t b : words)
+            check(a, b);
+    Random random(14);
+    for (int round = 0; round < 100'000; ++round) {
+        const std::uint32_t a = random.word(), b = random.word();
+        check(a, b);
+    }
 }
 TEST(Kernels, RsqrtHoldsItsBounds) {
     check_rsqrt(97);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "raster/span/filter.hpp"
+#include "raster/span/filter_words.hpp"
 #include "raster/span/texel.hpp"
 
 namespace spangle::raster::test {
@@ -126,6 +127,43 @@ TEST(Filter, EightLanesHaveTheSameBits) {
             ASSERT_EQ(e.a, eight.a[i]);
         }
     }
+}
+
+/// Step j is stored from the n on from which the rounded sum of the least c(k), half a unit below, is.
+template <int Bits> void check_stored_steps() {
+    const detail::StoredSteps<Bits>& steps = detail::stored_steps<Bits>;
+    constexpr std::int64_t most = (1 << Bits) - 1, half = std::int64_t{1} << 15;
+    const auto stored = [](std::int64_t sum) { return ((sum >> 16) + (1 << 19)) >> (28 - Bits); };
+    for (std::int64_t n = 0; n <= most << 16; ++n) {
+        const std::int64_t sum = n * color_one / most;
+        if (n == steps.tie)
+            continue;
+        ASSERT_EQ(steps.at(static_cast<std::uint32_t>(n)), stored(sum - half < 0 ? 0 : sum - half)) << n;
+        ASSERT_EQ(steps.at(static_cast<std::uint32_t>(n)), stored(sum + half + 1)) << n;
+    }
+}
+TEST(Filter, StoredStepsAreThoseOfEverySum) {
+    check_stored_steps<5>();
+    check_stored_steps<6>();
+}
+
+TEST(Filter, WordsAreThoseOfTheExactTier) {
+    std::mt19937 random(2);
+    const auto check = [](std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
+                          std::uint32_t a, std::uint32_t b) {
+        ASSERT_EQ(FilterWords(b)(c00, c10, c01, c11, a), FilterWords::added(c00, c10, c01, c11, a, b))
+            << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b;
+    };
+    for (int round = 0; round < 1'000'000; ++round) {
+        const auto near = static_cast<std::uint32_t>(random()), far = static_cast<std::uint32_t>(random()),
+                   weights = static_cast<std::uint32_t>(random());
+        check(near & 0xFFFF, near >> 16, far & 0xFFFF, far >> 16, weights & 255, weights >> 8 & 255);
+    }
+    for (std::uint32_t k = 0; k < 65536; ++k) // ties
+        for (const std::uint32_t c : {k, ~k & 0xFFFF}) {
+            check(k, 0xFFFF - c, k, 0xFFFF - c, 128, k & 255);
+            check(c, c, 0xFFFF - k, 0xFFFF - k, k & 255, 128);
+        }
 }
 
 } // namespace

@@ -1,0 +1,80 @@
+// LINEAR of the exact tier where words R5 G6 B5 become words again and there are no long products: of the
+// colour, only the bits that are stored are looked for.
+#pragma once
+
+#include "raster/span/number.hpp"
+#include "raster/span/texel.hpp"
+
+namespace spangle::raster {
+
+namespace detail {
+
+/// What is stored of n = sum of weight k, weights adding up to 2^16, k / (2^Bits - 1) the components of
+/// texels.
+///
+/// The chain adds weight c(k), c(k) being k C / (2^Bits - 1) to half a unit, C = 255 2^20: its sum is off n C
+/// / (2^Bits - 1) by 2^15 at most. Step j is stored from a sum of T = j 2^(44 - Bits) - 2^35 on, so from n =
+/// T (2^Bits - 1) / C on: a multiple of 1/255 (1/85 for 6 bits). It is an integer, or no integer is nearer
+/// than that, and 2^15 (2^Bits - 1) / C are 1/263 (1/129): n decides, but where it is the integer. There is
+/// one, half of the largest n.
+template <int Bits> struct StoredSteps {
+    static constexpr std::uint32_t most = (1u << Bits) - 1, tie = most << 15;
+    std::uint32_t from[most + 1]; ///< the least n of step j + 1
+    constexpr StoredSteps() : from{} {
+        constexpr std::uint64_t one = color_one;
+        for (std::uint64_t j = 1; j <= most; ++j) {
+            const std::uint64_t sum = (j << (44 - Bits)) - (std::uint64_t{1} << 35);
+            from[j - 1] = static_cast<std::uint32_t>((sum * most + one - 1) / one);
+        }
+        from[most] = ~0u;
+    }
+    /// Without the sixteenth (eighth) of a step that rounding to 8 bits adds, and 2^-11 too small, so at most
+    /// one too few.
+    SPANGLE_INLINE constexpr std::uint32_t at(std::uint32_t n) const {
+        constexpr std::uint32_t factor = Bits == 5 ? 2105 : 1036, down = Bits == 5 ? 27 : 26;
+        const std::uint32_t step = n * factor >> down;
+        return step + (n >= from[step] ? 1u : 0u);
+    }
+};
+template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
+
+} // namespace detail
+
+/// The word that truncated565() makes of what bilinear() of the exact tier does.
+struct FilterWords {
+    std::uint32_t b; ///< of row j + 1, in 256ths
+    SPANGLE_INLINE explicit FilterWords(std::uint32_t weight) : b(weight) {}
+
+    /// a: of column i + 1, in 256ths.
+    SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                            std::uint32_t c11, std::uint32_t a) const {
+        using Five = detail::StoredSteps<5>;
+        using Six = detail::StoredSteps<6>;
+        const auto both = [](std::uint32_t c) { return c >> 11 | (c & 31) << 16; };
+        const auto green = [](std::uint32_t c) { return (c >> 5) & 63; };
+        const auto mix = [](std::uint32_t near, std::uint32_t far, std::uint32_t weight) {
+            return (near << 8) + (far - near) * weight;
+        };
+        const std::uint32_t rb0 = mix(both(c00), both(c01), b), rb1 = mix(both(c10), both(c11), b);
+        const std::uint32_t red = mix(rb0 & 0xFFFF, rb1 & 0xFFFF, a), blue = mix(rb0 >> 16, rb1 >> 16, a);
+        const std::uint32_t g = mix(mix(green(c00), green(c01), b), mix(green(c10), green(c11), b), a);
+        if (red == Five::tie || g == Six::tie || blue == Five::tie) [[unlikely]]
+            return added(c00, c10, c01, c11, a, b);
+        return detail::stored_steps<5>.at(red) << 11 | detail::stored_steps<6>.at(g) << 5 |
+               detail::stored_steps<5>.at(blue);
+    }
+
+    /// As the chain does.
+    [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
+        const auto color = [](std::uint32_t c) {
+            return Exact::Color{Exact::from5(c >> 11), Exact::from6((c >> 5) & 63), Exact::from5(c & 31),
+                                color_one};
+        };
+        const Exact::Color mixed = bilinear<Exact>(color(c00), color(c10), color(c01), color(c11), a, b);
+        return (Exact::to8(mixed.r) & 0xF8) << 8 | (Exact::to8(mixed.g) & 0xFC) << 3 |
+               Exact::to8(mixed.b) >> 3;
+    }
+};
+
+} // namespace spangle::raster
