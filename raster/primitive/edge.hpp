@@ -11,6 +11,7 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/rows.hpp"
+#include "raster/span/trapezoids.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::raster {
@@ -83,6 +84,21 @@ class SmallEdge {
     static SmallEdge at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1, std::int32_t row);
     std::int32_t column() const { return static_cast<std::int32_t>(at_ >> 32); }
     void step() { at_ += step_; }
+    Trapezoids::Side side() const { return {at_, step_}; }
+
+    /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14; where words have 32 bits by digits of 18 and 14 bits after
+    /// the whole part.
+    template <bool Wide = (sizeof(void*) > 4)>
+    static std::uint64_t divided(std::uint32_t v, std::uint32_t dy) {
+        if constexpr (Wide) {
+            return (std::uint64_t{v} << 32) / dy;
+        } else {
+            const std::uint32_t whole = v / dy, rest = v - whole * dy;
+            const std::uint32_t first = (rest << 18) / dy, left = (rest << 18) - first * dy;
+            const std::uint32_t second = (left << 14) / dy;
+            return std::uint64_t{whole} << 32 | (first << 14 | second);
+        }
+    }
 
   private:
     std::uint64_t at_, step_; ///< mod 2^64
@@ -92,13 +108,9 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
                                std::int32_t row) {
     const std::int32_t dx = x1 - x0;
     const auto dy = static_cast<std::uint32_t>(y1 - y0);
-    // floor(dx 2^32 / dy), dy <= 2^14: digits of 18 and 14 bits after the whole part.
-    const std::uint32_t most = dy << 14; // makes the dividend positive; |dx| <= 2^14
-    const std::uint32_t lifted = static_cast<std::uint32_t>(dx) + most;
-    const std::uint32_t whole = lifted / dy, rest = lifted - whole * dy;
-    const std::uint32_t first = (rest << 18) / dy, left = (rest << 18) - first * dy;
-    const std::uint32_t second = (left << 14) / dy;
-    const std::uint32_t fraction = first << 14 | second;
+    // floor(dx 2^32 / dy); 2^14 more make the dividend positive, |dx| <= 2^14.
+    const std::uint64_t slope = divided(static_cast<std::uint32_t>(dx) + (dy << 14), dy);
+    const auto whole = static_cast<std::uint32_t>(slope >> 32), fraction = static_cast<std::uint32_t>(slope);
     SmallEdge e;
     e.step_ = std::uint64_t{whole - (1u << 14)} << 32 | fraction;
     // From the vertex up to the row's centre, at most 64 rows of 256: above / 256 steps.

@@ -8,6 +8,7 @@
 #include "raster/primitive/keep.hpp"
 #include "raster/primitive/pen.hpp"
 #include "raster/primitive/triangle_tile.hpp"
+#include "raster/primitive/triangle_trapezoids.hpp"
 
 namespace spangle::raster {
 
@@ -148,23 +149,49 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
         const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
         Tile tile;
         int tiles;
-        if (!state.tiles || pen.cuts() || state.counters != nullptr ||
+        if (!state.shapes || pen.cuts() || state.counters != nullptr ||
             !make_tile(tile, tiles, xs, ys, t.area2 < 0, left, right, pen.clip()))
             return false;
         if (tile.rows <= 0)
             return true;
         set_up(pen, t, provoking);
-        const TileFunction draw = state.variant[static_cast<unsigned>(pen.span.kind)].tile;
-        if (draw == nullptr)
+        const Shapes* const shapes = state.variant[static_cast<unsigned>(pen.span.kind)].shapes;
+        if (shapes == nullptr)
             return false;
         const bool touched = is_touched(*pen.span.target, tile, left, right);
         for (;; tile.move_right()) {
             if (!touched) [[unlikely]]
                 touch_tile(*pen.span.target, tile);
-            draw(pen.span, tile);
+            shapes->tile(pen.span, tile);
             if (--tiles == 0)
                 return true;
         }
+    }
+    return false;
+}
+
+/// As trapezoids, likewise.
+template <class P>
+SPANGLE_INLINE bool draw_trapezoids(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
+                                    const typename P::Vertex& provoking, std::int32_t width,
+                                    std::int32_t right) {
+    if constexpr (host_lanes > 1 && std::is_same_v<P, Fixed>) {
+        const DrawState& state = *pen.span.state;
+        if (!state.shapes || pen.cuts() || state.counters != nullptr || width > SmallEdge::extent ||
+            t.c.y - t.a.y > SmallEdge::extent || right > pen.column_end() - Lanes<8>::count)
+            return false;
+        const std::int32_t low = first_center(t.a.y), high = first_center(t.c.y),
+                           begin = low < pen.row_begin() ? pen.row_begin() : low,
+                           end = high < pen.row_end() ? high : pen.row_end();
+        if (begin >= end)
+            return true;
+        set_up(pen, t, provoking);
+        const Shapes* const shapes = state.variant[static_cast<unsigned>(pen.span.kind)].shapes;
+        if (shapes == nullptr)
+            return false;
+        const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
+        shapes->trapezoids(pen.span, make_trapezoids(xs, ys, t.area2 < 0, begin, end));
+        return true;
     }
     return false;
 }
@@ -195,6 +222,8 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
     if (detail::draw_tile(pen, sorted(), provoking, left, right))
         return;
     const std::int32_t width = most - least, height = high.y - low.y;
+    if (detail::draw_trapezoids(pen, sorted(), provoking, width, right))
+        return;
     using Low = std::conditional_t<numeric::divides, LowEdge, ShortEdge>;
     if (width <= Low::extent && height <= low_extent)
         detail::draw_low<Low>(pen, sorted(), provoking);

@@ -103,7 +103,7 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.run = reinterpret_cast<AnyFunction>(fused->run);
     variant.gray = fused->gray;
     variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
-    variant.tile = fused->tile;
+    variant.shapes = fused->shapes;
     if (fused->guesses)
         variant.color_bias = 1u << 23;
     return fused->guesses;
@@ -200,7 +200,7 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue; // whose colours and fog are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
         lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
-        draw.tiles = draw.tiles || draw.variant[i].tile != nullptr;
+        draw.shapes = draw.shapes || draw.variant[i].shapes != nullptr;
     }
 #if !SPANGLE_CHAIN
     draw.lacks_span = lacks_span;

@@ -37,8 +37,12 @@ struct Counters {
 };
 
 struct Tile;
-/// Draws a tile (tile.hpp) with the planes of the span.
-using TileFunction = void (*)(Span<Fixed>&, const Tile&);
+struct Trapezoids;
+/// Triangles that are not drawn as rows, with the planes of the span (tile.hpp, trapezoids.hpp).
+struct Shapes {
+    void (*tile)(Span<Fixed>&, const Tile&);
+    void (*trapezoids)(Span<Fixed>&, const Trapezoids&);
+};
 
 /// A function of some signature: RowsFunction<P> to draw rows, PathFunction to draw paths,
 /// void(Packet<N>&, const Span<P>&) for a stage of the chain. Whoever fills it in and whoever calls it agree
@@ -56,7 +60,7 @@ inline constexpr int max_stages = (SPANGLE_FEATURE_STIPPLE ? 1 : 0) + (depth_for
 struct Variant {
     AnyFunction run = nullptr;              ///< RowsFunction: a fused span, or the runner of `chain`
     AnyFunction walk = nullptr;             ///< PathFunction, or null: paths are drawn as rows
-    TileFunction tile = nullptr;            ///< or null: tiles are drawn as rows
+    const Shapes* shapes = nullptr;         ///< or null: all is drawn as rows
     AnyFunction chain[max_stages + 1] = {}; ///< ends with null
     bool gray = false;                      ///< `run` asks Span::gray
     bool steps = false;           ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
@@ -105,7 +109,7 @@ struct DrawState {
     Needs needs;
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
-    bool tiles = false;              ///< some variant draws tiles
+    bool shapes = false;             ///< some variant has them
     bool pixels = false;  ///< colours come with the fragments: four components each in colour units,
     bool words = false;   ///< or the 16 bits R5 G6 B5 that are stored, in host order
     bool guesses = false; ///< colours of Kind::full may be guessed (Span::guess)

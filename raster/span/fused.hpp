@@ -132,10 +132,6 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
 
-/// Where a row begins or ends in memory.
-struct RowPlace {
-    std::uint8_t *color, *depth;
-};
 template <class Case>
 SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int32_t column) {
     const auto place = [&](std::uint8_t* base, std::int32_t stride, std::int32_t bytes) {

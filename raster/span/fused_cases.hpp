@@ -4,6 +4,7 @@
 #include "raster/span/fill.hpp"
 #include "raster/span/fused.hpp"
 #include "raster/span/fused_tile.hpp"
+#include "raster/span/fused_trapezoids.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/number_packed.hpp"
 #include "raster/span/stage_blend.hpp"
@@ -55,6 +56,8 @@ constexpr bool filters_words(const Key& key) {
 
 /// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
 /// chain, for primitives that the stages of stage_divided.hpp do not serve.
+template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &fused_trapezoids<Case>};
+
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
@@ -234,9 +237,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             return nullptr;
     }
 
-    static constexpr TileFunction tile() {
+    static constexpr const Shapes* shapes() {
         if constexpr (plain && wide && host_lanes == 8)
-            return &fused_tile<FusedCase>;
+            return &shapes_of<FusedCase>;
         else
             return nullptr;
     }

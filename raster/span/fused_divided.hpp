@@ -43,7 +43,7 @@ template <class Case> class LitPacket {
         zeros_ = zeros;
         Px<ExactLanes> p(at);
         each_group<Case::key.format>(
-            *this, p, at, piece, room, [&](std::int32_t n) __attribute__((always_inline)) {
+            *this, p, at, *at.planes.target, piece, room, [&](std::int32_t n) __attribute__((always_inline)) {
                 if (!test_(p))
                     return;
                 planes_.store(values_, count_);

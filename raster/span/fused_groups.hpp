@@ -24,13 +24,13 @@ SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) 
 /// Columns [row.first, row.last) in groups of eight lanes, the last of them with lanes that are dead: these
 /// keep what they hold, and lie inside of the scissor rectangle, whose last group starts at column `room`.
 /// draw(n): the list is at a group of which lanes from n on are dead.
-template <PixelFormat Format, class N, class List, class Draw>
-SPANGLE_INLINE void each_group(List& list, Px<N>& p, PlaneRow& at, const Row& row, std::int32_t room,
-                               Draw draw) {
+template <PixelFormat Format, class N, class List, class At, class Draw>
+SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& target, const Row& row,
+                               std::int32_t room, Draw draw) {
     at.x = row.first < room ? row.first : room;
     at.y = row.y;
     at.counted_from = at.x;
-    point_at(at.color, at.depth, *at.planes.target, at.x, at.y, format_info(Format).bytes_per_pixel, 1);
+    point_at(at.color, at.depth, target, at.x, at.y, format_info(Format).bytes_per_pixel, 1);
     list.start(at, 0);
     p.color_plane = at.color;
     p.depth_plane = at.depth;
@@ -52,23 +52,97 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, PlaneRow& at, const Row& ro
     }
 }
 
+/// The first n lanes, n > 0; all where there are fewer.
+SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
+    constexpr std::uint16_t on = 0xFFFF;
+    static constexpr std::uint16_t at[16] = {on, on, on, on, on, on, on, on, 0, 0, 0, 0, 0, 0, 0, 0};
+    return Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(at + 8 - (n < 8 ? n : 8)));
+}
+
+/// A row as stages of depth and colours see it. Copies stay in registers: pixels may lie anywhere.
+struct PlainRow {
+    Span<Fixed>& planes;
+    std::uint8_t *color, *depth;
+    std::int32_t x, y, counted_from; ///< as PlaneRow
+    std::int32_t anchor_x = planes.anchor_x, anchor_y = planes.anchor_y;
+    Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
+                                                        planes.color_value[2]};
+    std::uint32_t flat_word = planes.flat_word;
+
+    template <class T> SPANGLE_INLINE T at(std::int32_t column, const Interpolant<T>& plane) const {
+        return plane.at(column + (x - anchor_x), y - anchor_y);
+    }
+};
+
+/// Rows group by group. Most of most primitives are one group: little is done per row, and where fragments
+/// cost little no branch depends on the picture.
+template <class Case> class LaneRows {
+  public:
+    SPANGLE_INLINE LaneRows(Span<Fixed>& span, std::int32_t y)
+        : at_{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, list_(at_, 0), p_(at_) {}
+
+    SPANGLE_INLINE static RowPlace row(const Surface& target, std::int32_t y) {
+        return {target.color + std::ptrdiff_t{y} * target.color_stride,
+                Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
+    }
+
+    /// Columns [first, last) of row y, which begins there. Seven more lie inside of the scissor rectangle.
+    SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
+        at_.x = first;
+        at_.y = y;
+        list_.start(at_, 0);
+        p_.color_plane = row.color + std::ptrdiff_t{first} * 2;
+        if constexpr (Case::tested)
+            p_.depth_plane = row.depth + std::ptrdiff_t{first} * 2;
+        p_.i = 0;
+        for (std::int32_t left = last - first;;) {
+            p_.live = first_lanes(left);
+            group(last - left);
+            left -= 8;
+            if (left <= 0)
+                return;
+            list_.step();
+            p_.color_plane += 16;
+            if constexpr (Case::tested)
+                p_.depth_plane += 16;
+        }
+    }
+
+    /// The same where the scissor rectangle ends; its last group starts at column `room`.
+    SPANGLE_INLINE void draw_at_end(const Surface& target, const Row& row, std::int32_t room) {
+        each_group<Case::key.format>(
+            list_, p_, at_, target, row,
+            room, [&](std::int32_t) __attribute__((always_inline)) { group(at_.x + p_.i); });
+    }
+
+  private:
+    /// At column x.
+    SPANGLE_INLINE void group(std::int32_t x) {
+        if constexpr (Case::plain)
+            list_.all(p_);
+        else
+            list_(p_);
+        if constexpr (Case::guessed)
+            if (p_.open &= p_.live; Lanes<8>::any(p_.open)) [[unlikely]]
+                divide_open<Case::key.format>(at_.planes, p_.color_plane + 2 * p_.i, p_.open, x, at_.y);
+    }
+
+    std::conditional_t<Case::plain, PlainRow, PlaneRow> at_;
+    typename Case::template List<8> list_;
+    Px<typename Case::template System<8>> p_;
+};
+
 template <class Case>
 SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
-    PlaneRow at{span, nullptr, nullptr, row->first, row->y, row->first};
-    typename Case::template List<8> list(at, 0);
+    const Surface target = *span.target; // in registers
+    LaneRows<Case> rows(span, row->y);
     do {
-        Px<typename Case::template System<8>> p(at);
-        p.open = Lanes<8>::Mask{};
-        each_group<Case::key.format>(
-            list, p, at, *row, room, [&](std::int32_t) __attribute__((always_inline)) {
-                list(p);
-                if constexpr (Case::guessed)
-                    if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
-                        divide_open<Case::key.format>(span, p.color_plane + 2 * p.i, p.open, at.x + p.i,
-                                                      at.y);
-            });
+        if (row->last <= room) [[likely]]
+            rows.draw(rows.row(target, row->y), row->y, row->first, row->last);
+        else
+            rows.draw_at_end(target, *row, room);
     } while (++row != end);
 }
 

@@ -62,8 +62,8 @@ template <Say S> constexpr FusedSpan entry() {
 #ifdef SPANGLE_FIRMWARE
     return {Case::key, &Case::run, Case::splits_gray, Case::walk(), nullptr, Case::guessed, nullptr};
 #else
-    return {Case::key,    &Case::run,    Case::splits_gray,           Case::walk(),
-            Case::tile(), Case::guessed, &Case::template run_lanes<1>};
+    return {Case::key,      &Case::run,    Case::splits_gray,           Case::walk(),
+            Case::shapes(), Case::guessed, &Case::template run_lanes<1>};
 #endif
 }
 

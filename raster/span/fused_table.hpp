@@ -15,7 +15,7 @@ struct FusedSpan {
     RowsFunction<Fixed> run;
     bool gray;                  ///< Variant::gray
     PathFunction walk;          ///< null where paths are drawn as rows
-    TileFunction tile;          ///< null where tiles are drawn as rows
+    const Shapes* shapes;       ///< null where all is drawn as rows
     bool guesses;               ///< colours are (Span::guess)
     RowsFunction<Fixed> narrow; ///< `run` with one lane only, for the tests; null in firmware
 };

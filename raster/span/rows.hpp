@@ -27,6 +27,11 @@ SPANGLE_INLINE void point_at(std::uint8_t*& color, std::uint8_t*& depth, const S
         depth = target.depth + std::ptrdiff_t{y} * target.depth_stride + (std::ptrdiff_t{x} << depth_shift);
 }
 
+/// Where a row begins or ends in memory.
+struct RowPlace {
+    std::uint8_t *color, *depth;
+};
+
 /// A row as the stages of a list see it that works in no runs: the planes are the span's, the place is in
 /// registers.
 struct PlaneRow {

@@ -17,16 +17,16 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using L = typename N::L;
-    const PlaneRow& row;
 
-    SPANGLE_INLINE GouraudGuessed(const PlaneRow& at, std::int32_t x)
-        : Gouraud<N, false>(at, x), row(at), open5_(limit(at.planes.guess.open5, 5)),
+    template <class S>
+    SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
+        : Gouraud<N, false>(at, x), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
           open6_(limit(at.planes.guess.open6, 6)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (Count == 1) {
             if (this->r.at << 5 >= open5_ || this->g.at << 6 >= open6_ || this->b.at << 5 >= open5_)
                 [[unlikely]] {
-                p.color.word = divided_word(row.planes, row.counted_from + p.i, row.y);
+                p.color.word = divided_word(here_.row.planes, here_.row.counted_from + p.i, here_.row.y);
                 return true;
             }
         } else {
@@ -37,6 +37,14 @@ template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
     }
 
   private:
+    /// Who divides at once must know where.
+    struct Here {
+        const PlaneRow& row;
+    };
+    struct Nowhere {
+        template <class S> SPANGLE_INLINE explicit Nowhere(const S&) {}
+    };
+    [[no_unique_address]] std::conditional_t<Count == 1, Here, Nowhere> here_;
     using Limit = std::conditional_t<Count == 1, std::uint32_t, typename L::U16>;
     SPANGLE_INLINE static Limit limit(std::uint32_t open, int bits) {
         if constexpr (Count == 1)

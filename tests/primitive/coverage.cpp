@@ -74,6 +74,16 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
 }
 
 /// The doc's rule on whole pixels: left and bottom edges own their centres.
+TEST(Coverage, SlopesOfSmallEdgesAreWholeInWordsOfEitherSize) {
+    for (std::uint32_t dy = 1; dy <= SmallEdge::extent; dy += 1 + dy / 64)
+        for (std::uint32_t v = 0; v <= 2 * SmallEdge::extent; v += 37) {
+            const std::uint32_t lifted = v - SmallEdge::extent + (dy << 14);
+            const std::uint64_t exact = (std::uint64_t{lifted} << 32) / dy;
+            ASSERT_EQ(SmallEdge::divided<false>(lifted, dy), exact) << lifted << '/' << dy;
+            ASSERT_EQ(SmallEdge::divided<true>(lifted, dy), exact) << lifted << '/' << dy;
+        }
+}
+
 TEST(Coverage, RectangleOnCentresOwnsLeftAndBottom) {
     CountingTarget target(8, 8);
     const std::int32_t lo = 2 * 256 + 128, hi = 5 * 256 + 128;

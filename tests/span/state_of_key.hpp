@@ -52,7 +52,7 @@ inline DrawState in_chain(DrawState state, const Key& key) {
     variant.run = chain_runner(key.number);
     variant.gray = false;
     variant.walk = nullptr;
-    state.tiles = state.guesses = false;
+    state.shapes = state.guesses = false;
     return state;
 }
 

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "raster/primitive/triangle.hpp"
-#include "tests/span/state_of_key.hpp"
+#include "tests/span/expect_chain.hpp"
 
 namespace spangle::raster::test {
 namespace {
@@ -18,7 +18,7 @@ struct Hits {
     Tile last{}; ///< of the triangle
 };
 Hits hits;
-TileFunction under_test;
+void (*under_test)(Span<Fixed>&, const Tile&);
 
 void note_and_draw(Span<Fixed>& span, const Tile& tile) {
     const Rect& clip = span.state->fragment.scissor;
@@ -67,42 +67,13 @@ Triangle small_triangle(RandomVertices& source, Kind kind) {
 }
 
 void expect_equal(const FusedSpan& fused, const std::string& name) {
-    const StateOfKey of(fused.key, width, height);
-    const DepthFormat depth =
-        fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
-    Canvas chain_canvas(width, height, fused.key.format, depth),
-        tile_canvas(width, height, fused.key.format, depth);
-    std::vector<RowSpan> touched[2];
-    DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface);
-    DrawState chained = in_chain(state, fused.key);
-    ASSERT_TRUE(state.tiles) << name;
-    under_test = fused.tile;
-    state.variant[static_cast<unsigned>(fused.key.kind)].tile = &note_and_draw;
+    under_test = fused.shapes->tile;
     hits = {};
-    RandomVertices source(31);
-    for (int round = 0; round < 6000; ++round) {
-        chain_canvas.noise(static_cast<std::uint32_t>(round));
-        tile_canvas.noise(static_cast<std::uint32_t>(round));
-        const Rect cut = {static_cast<int>(source.below(16)), static_cast<int>(source.below(16)),
-                          4 + static_cast<int>(source.below(20)), 4 + static_cast<int>(source.below(20))};
-        state.fragment.scissor = chained.fragment.scissor = round % 4 == 0 ? cut : of.state.scissor;
-        for (int i = 0; i < 2; ++i) { // recorded now and then
-            Surface& surface = (i == 0 ? chain_canvas : tile_canvas).surface;
-            touched[i].assign(height, RowSpan{5, 30});
-            surface.touched = round % 3 == 0 ? touched[i].data() : nullptr;
-            surface.touched_step = 1;
-        }
-        const Triangle t = small_triangle(source, fused.key.kind);
-        draw(chained, chain_canvas.surface, t);
+    const Shapes shapes = {&note_and_draw, fused.shapes->trapezoids};
+    expect_chain(fused, name, {width, height}, 6000, shapes, [&](RandomVertices& source) {
         hits.last = {};
-        draw(state, tile_canvas.surface, t);
-        ASSERT_EQ(chain_canvas.color, tile_canvas.color) << name << " round " << round;
-        ASSERT_EQ(chain_canvas.depth, tile_canvas.depth) << name << " round " << round;
-        for (std::size_t y = 0; y < height; ++y) {
-            ASSERT_EQ(touched[0][y].begin, touched[1][y].begin) << name << " round " << round;
-            ASSERT_EQ(touched[0][y].end, touched[1][y].end) << name << " round " << round;
-        }
-    }
+        return small_triangle(source, fused.key.kind);
+    });
     EXPECT_GE(hits.tiles, 1500) << name;
     EXPECT_GE(hits.seconds, 300) << name;
     for (int rows = 1; rows <= Tile::most_rows; ++rows)
@@ -116,7 +87,7 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
 TEST(Tiles, EveryTileIsItsChain) {
     int tiles = 0;
     for (std::size_t i = 0; i < fused_span_count(); ++i)
-        if (fused_spans()[i].tile != nullptr) {
+        if (fused_spans()[i].shapes != nullptr) {
             expect_equal(fused_spans()[i], "entry " + std::to_string(i));
             ++tiles;
         }

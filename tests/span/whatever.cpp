@@ -27,12 +27,12 @@ DrawState chained(const DrawState& compiled, const Surface& target) {
             variant.run = reinterpret_cast<AnyFunction>(&by_narrow_row<Fixed, &chain_span<Exact>>);
         variant.gray = false;
         variant.walk = nullptr;
-        variant.tile = nullptr;
+        variant.shapes = nullptr;
         // As set-up makes colours where none is guessed.
         if (compiled.guesses)
             variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
     }
-    out.tiles = out.guesses = false;
+    out.shapes = out.guesses = false;
     out.paths = {};
     return out;
 }
