@@ -12,7 +12,7 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/edge.hpp"
-#include "raster/primitive/line_lanes.hpp"
+#include "raster/span/line_lanes.hpp"
 
 namespace spangle::raster {
 
@@ -37,10 +37,11 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     /// `shift`: moves the line down its minor axis (wide lines), subpixels.
     SPANGLE_INLINE Diamond(Int ax, Int ay, Int bx, Int by, std::int32_t shift) {
         along_x = is_along_x(ax, ay, bx, by);
-        const Int a = L::select(along_x, ax, ay), a_minor = L::select(along_x, ay, ax) - shift;
-        const Int b = L::select(along_x, bx, by), b_minor = L::select(along_x, by, bx) - shift;
-        ascends = L::no(L::less(b, a));
-        const Int high_minor = order(a, a_minor, b, b_minor);
+        const Mask along_y = L::no(along_x);
+        L::exchange(along_y, ax, ay); // the major coordinate first
+        L::exchange(along_y, bx, by);
+        ascends = L::no(L::less(bx, ax));
+        const Int high_minor = order(ax, ay - shift, bx, by - shift);
         major = first_past(along_x, ascends, low, low_minor);
         count = first_past(along_x, ascends, high, high_minor) - major;
     }
@@ -72,8 +73,9 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
         if constexpr (L::count == 1)
             if ((f > 0) != up) // the diamond has no say
                 return own(end) + (f > 0 ? 1 : 0);
-        const Int g = from_center(end_minor);
-        const Mask out = outside(L::select(x, f, g), L::select(x, g, f));
+        Int from_x = f, from_y = from_center(end_minor);
+        L::exchange(L::no(x), from_x, from_y);
+        const Mask out = outside(from_x, from_y);
         const Mask above = L::less(Int{}, f);
         return own(end) + L::one(L::select(up, Mask(out & above), Mask(L::no(out) | above)));
     }
@@ -105,12 +107,12 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
   private:
     /// The upper end's other coordinate.
     SPANGLE_INLINE Int order(Int a, Int a_minor, Int b, Int b_minor) {
-        low = L::select(ascends, a, b);
-        high = L::select(ascends, b, a);
-        low_minor = L::select(ascends, a_minor, b_minor);
-        const Int high_minor = L::select(ascends, b_minor, a_minor);
-        rise = high_minor - low_minor;
-        return high_minor;
+        const auto descends = L::no(ascends);
+        L::exchange(descends, a, b);
+        L::exchange(descends, a_minor, b_minor);
+        low = a, high = b, low_minor = a_minor;
+        rise = b_minor - a_minor;
+        return b_minor;
     }
     SPANGLE_INLINE static Int absolute(Int v) {
         const Int sign = v >> 31;
@@ -128,7 +130,7 @@ template <class L, class X = typename L::Mask, class Up = typename L::Mask> clas
     /// centre, the distance counts as one more.
     SPANGLE_INLINE static Mask outside(Int x, Int y) {
         const Int before = x - 1, distance = (before ^ (before >> 31)) + absolute(y);
-        return L::no(L::less(distance, Int{} + subpixel_one / 2));
+        return L::less(Int{} + (subpixel_one / 2 - 1), distance);
     }
 };
 

@@ -93,10 +93,12 @@ template <class L> class LineBatch {
         return one;
     }
     SPANGLE_INLINE void paint(std::uint32_t word) {
+        paths_.one_color = true;
         for (int i = 0; i < count_; ++i)
             paths_.at(Paths::flat, i) = static_cast<std::int32_t>(word);
     }
     void paint() {
+        paths_.one_color = false;
         for (int i = 0; i < count_; ++i)
             paths_.at(Paths::flat, i) =
                 static_cast<std::int32_t>(flat_word(state_, (count_ == 1 ? provoking() : second(i)).color));

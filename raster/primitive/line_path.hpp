@@ -22,21 +22,25 @@ SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const
     Int remainder;
     const Int minor = line.first(remainder), denominator = line.length() * subpixel_one;
     const auto falls = L::less(line.rise, Int{});
-    const Int row = Int{} + pixels_per_row, one = Int{} + 1;
-    const Int along = L::select(line.along_x, one, row), across = L::select(line.along_x, row, one);
-    const Int x = L::select(line.along_x, line.major, minor), y = L::select(line.along_x, minor, line.major);
+    const Int row = Int{} + pixels_per_row;
+    Int along = Int{} + 1, across = row, x = line.major, y = minor;
+    const auto along_y = L::no(line.along_x);
+    L::exchange(along_y, along, across);
+    L::exchange(along_y, x, y);
     const auto store = [&](Paths::Word word, Int v) { L::store(&paths.at(word, i), v); };
     store(Paths::first, y * row + x);
+    if constexpr (!numeric::cheap_branches)
+        store(Paths::place, y + x * (1 << 30));
     store(Paths::along, along);
-    store(Paths::aside, L::select(falls, Int(-across), across));
+    store(Paths::aside, L::negate(falls, across));
     store(Paths::rest, L::select(falls, Int(-1 - remainder), Int(remainder - denominator)));
-    store(Paths::rise, L::select(falls, Int(-line.rise), line.rise) * subpixel_one);
+    store(Paths::rise, L::negate(falls, line.rise) * subpixel_one);
     store(Paths::denominator, denominator);
     const Int first = line.center(line.major), last = line.center(line.major + line.count - 1);
-    const Int low = L::select(L::less(first, line.low), first, line.low),
-              high = L::select(L::less(line.high, last), last, line.high);
-    const Int begin = L::select(line.ascends, low, high);
-    return {begin, L::select(line.ascends, high, low), line.major - (begin >> subpixel_bits)};
+    Int begin = L::select(L::less(first, line.low), first, line.low),
+        end = L::select(L::less(line.high, last), last, line.high);
+    L::exchange(L::no(line.ascends), begin, end);
+    return {begin, end, line.major - (begin >> subpixel_bits)};
 }
 
 /// Its depth, from the code of the first end and half the difference to the second's: what Setup finds, in a

@@ -1,114 +1,186 @@
 // Lines several at a time, in vectors: none waits for another.
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "raster/primitive/line_path.hpp"
 
 namespace spangle::raster {
+
+namespace detail {
+
+/// PerPixel::coefficient of lengths below 16 pixels.
+struct CoefficientTable {
+    static constexpr std::uint32_t size = 16 * subpixel_one;
+    std::int32_t at[size];
+    constexpr CoefficientTable() : at{} {
+        for (std::uint32_t length = 1; length < size; ++length)
+            at[length] =
+                static_cast<std::int32_t>(numeric::reciprocal(length << numeric::clz32(length)) >> 1);
+    }
+};
+inline constexpr CoefficientTable coefficient_table;
+
+} // namespace detail
 
 template <class L> class LinesTogether {
   public:
     /// Ends from vertex 0 to 1, from `step` to step + 1, ... True: all lie in the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
-        return step == 1 ? take_strip(vertex, n, area) : take_apart(vertex, n, area);
+        vertex_ = vertex;
+        step_ = step;
+        count_ = step == 1 ? n - 1 : n / 2;
+        const Int low = {area.x, area.y, 0, 0};
+        const Int last = {static_cast<std::int32_t>(area.w) - 1, static_cast<std::int32_t>(area.h) - 1, 0, 0};
+        Int outside{};
+        for (int i = 0; i < n; ++i) { // lanes 2 and 3 are anything
+            const Int from_low = row(*vertex[i]) - low;
+            outside |= from_low | (last - from_low);
+        }
+        return (outside[0] | outside[1]) >= 0;
     }
 
     /// All that the paths of one colour need but that. The interval of the first.
-    SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t row, bool depth) {
+    SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t pixels_per_row, bool depth) {
         PathInterval<std::int32_t> of_first{};
         for (int i = 0; i < count_; i += L::count) {
-            const PathInterval<Int> at = trace(paths, i, row);
+            Int x[2], y[2], z[2];
+            ends(i, 0, x[0], y[0], z[0]);
+            ends(i, 1, x[1], y[1], z[1]);
+            const PathInterval<Int> at = trace(paths, i, x, y, pixels_per_row);
             if (i == 0)
                 of_first = {L::first(at.begin), L::first(at.end), L::first(at.from_begin)};
             if (depth)
-                prepare_depths(i, at);
+                set_depths(paths, i, z, at);
         }
-        if (depth)
-            set_depths(paths);
         return of_first;
     }
 
   private:
     using Int = typename L::Int;
+    using Word = typename L::Word;
 
-    /// The vertex at a place of its own.
-    SPANGLE_INLINE bool take(const FixedVertex& v, int at, const DrawState::Area& area) {
-        x_[at] = v.x;
-        y_[at] = v.y;
-        z_[at] = static_cast<std::int32_t>(v.z);
-        return area.holds(v.x, v.y);
+    static_assert(offsetof(FixedVertex, x) == 0 && offsetof(FixedVertex, y) == 4 &&
+                  offsetof(FixedVertex, z) == 8);
+    /// x, y, z, and what follows.
+    SPANGLE_INLINE static Int row(const FixedVertex& v) {
+        Int r;
+        __builtin_memcpy(&r, &v, sizeof r);
+        return r;
     }
-    SPANGLE_INLINE bool take_strip(const FixedVertex* const* vertex, int n, const DrawState::Area& given) {
-        const DrawState::Area area = given; // in registers
-        bool inside = true;
-        for (int i = 0; i < n; ++i)
-            inside = take(*vertex[i], i, area) & inside;
-        b_ = 1;
-        count_ = n - 1;
-        for (int k = 0; k < L::count - 1; ++k) // lanes without a line
-            x_[n + k] = y_[n + k] = z_[n + k] = 0;
-        return inside;
-    }
-    [[gnu::noinline]] bool take_apart(const FixedVertex* const* vertex, int n, const DrawState::Area& area) {
-        bool inside = true;
-        for (int i = 0; i < n; ++i)
-            inside = take(*vertex[i], (i >> 1) + (i & 1) * room, area) & inside;
-        b_ = room;
-        count_ = n / 2;
-        for (int k = count_; k < count_ + L::count - 1; ++k) {
-            x_[k] = y_[k] = z_[k] = 0;
-            x_[room + k] = y_[room + k] = z_[room + k] = 0;
+
+    /// First or second ends of line i and those beside it. Lanes without a line have one of no length.
+    SPANGLE_INLINE void ends(int i, int second, Int& x, Int& y, Int& z) const {
+        static_assert(L::count == 4);
+        Int r[4];
+        const FixedVertex* const* const at = vertex_ + i * step_ + second;
+        if (i + 4 <= count_) [[likely]] {
+#pragma GCC unroll 4
+            for (int k = 0; k < 4; ++k)
+                r[k] = row(*at[k * step_]);
+        } else {
+#pragma GCC unroll 4
+            for (int k = 0; k < 4; ++k)
+                r[k] = row(*(i + k < count_ ? at[k * step_] : vertex_[0]));
         }
-        return inside;
+        const Int a = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
+                  b = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
+        x = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+        y = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+        z = __builtin_shufflevector(__builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
+                                    __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7), 0, 1, 4, 5);
     }
 
-    /// The fragments of line i and those beside it.
-    SPANGLE_INLINE PathInterval<Int> trace(Paths& paths, int i, std::int32_t row) const {
-        const Diamond<L> line(L::load(x_ + i), L::load(y_ + i), L::load(x_ + i + b_), L::load(y_ + i + b_),
-                              0);
-        L::store(&paths.at(Paths::count, i), line.count);
-        if (L::any(L::less(Int{}, line.count)))
-            return set_path<L>(paths, i, line, row);
-        return {Int{}, Int{}, Int{}};
-    }
-
-    SPANGLE_INLINE void prepare_depths(int i, const PathInterval<Int>& at) {
-        const Int along = at.end - at.begin, back = along >> 31;
-        const auto code = [&](int vertex) {
-            return depth_code(std::bit_cast<typename L::Word>(L::load(z_ + vertex)), 16);
+    /// The fragments of line i and those beside it. Most go one way: then nothing is selected.
+    SPANGLE_INLINE static PathInterval<Int> trace(Paths& paths, int i, const Int (&x)[2], const Int (&y)[2],
+                                                  std::int32_t pixels_per_row) {
+        const auto draw = [&](const auto& line) __attribute__((always_inline)) {
+            L::store(&paths.at(Paths::count, i), line.count);
+            return set_path<L>(paths, i, line, pixels_per_row);
         };
-        const auto from = code(i), to = code(i + b_);
-        L::store(from_ + i, std::bit_cast<Int>(from));
-        L::store(difference_ + i, std::bit_cast<Int>(to >> 1) - std::bit_cast<Int>(from >> 1));
-        L::store(length_ + i, (along ^ back) - back);
-        L::store(back_ + i, back);
-        L::store(begin_ + i, at.begin);
-        L::store(from_begin_ + i, at.from_begin);
-    }
-
-    SPANGLE_INLINE void set_depths(Paths& paths) const {
-        numeric::Reciprocals<Paths::size> of_length(numeric::each_is_set);
-        for (int i = 0; i < count_; ++i) {
-            const auto length = static_cast<std::uint32_t>(length_[i]);
-            of_length.set(i, length << numeric::clz32(length | 1));
-        }
-        for (int i = count_; i < Paths::size; ++i)
-            of_length.set(i, 0);
-        of_length.finish();
-        for (int i = 0; i < count_; ++i) { // lines without fragments, too
-            const int zeros = numeric::clz32(static_cast<std::uint32_t>(length_[i]) | 1);
-            PerPixel per_pixel(of_length.at(i), zeros, false);
-            per_pixel.coefficient = (per_pixel.coefficient ^ back_[i]) - back_[i];
-            set_path_depth(paths, i, static_cast<std::uint32_t>(from_[i]), difference_[i], per_pixel,
-                           begin_[i], from_begin_[i]);
+        const auto one_way = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
+            using Line = Diamond<L, decltype(along_x), decltype(ascends)>;
+            const Int(&major)[2] = along_x ? x : y;
+            const Int(&minor)[2] = along_x ? y : x;
+            return draw(Line(along_x, ascends, major[0], minor[0],
+                             Line::first_past(along_x, ascends, major[0], minor[0]), major[1], minor[1]));
+        };
+        constexpr std::true_type yes;
+        constexpr std::false_type no;
+        const Int along_x = Diamond<L>::is_along_x(x[0], y[0], x[1], y[1]);
+        const Int descends = L::select(along_x, L::less(x[1], x[0]), L::less(y[1], y[0]));
+        switch (L::alike(along_x, descends)) {
+        case 0:
+            return one_way(no, yes);
+        case 1:
+            return one_way(yes, yes);
+        case 2:
+            return one_way(no, no);
+        case 3:
+            return one_way(yes, no);
+        default:
+            return draw(Diamond<L>(x[0], y[0], x[1], y[1], 0));
         }
     }
 
-    /// First ends, and from b_ on second ones. The last lines may share a vector with lanes that have none.
-    static constexpr int room = Paths::size + L::count - 1;
-    std::int32_t x_[2 * room], y_[2 * room], z_[2 * room];
-    alignas(16) std::int32_t from_[Paths::size], difference_[Paths::size], length_[Paths::size],
-        back_[Paths::size], begin_[Paths::size], from_begin_[Paths::size];
-    int b_ = 1, count_ = 0;
+    /// Depths of line i and those beside it; lines without fragments get some, too.
+    SPANGLE_INLINE static void set_depths(Paths& paths, int i, const Int (&z)[2],
+                                          const PathInterval<Int>& at) {
+        const Int along = at.end - at.begin, back = along >> 31, length = (along ^ back) - back;
+        const Word from = depth_code(std::bit_cast<Word>(z[0]), 16),
+                   to = depth_code(std::bit_cast<Word>(z[1]), 16);
+        const Int difference = std::bit_cast<Int>(to >> 1) - std::bit_cast<Int>(from >> 1);
+        alignas(16) Of4 of;
+        L::store(of.from, std::bit_cast<Int>(from));
+        L::store(of.difference, difference);
+        L::store(of.length, length);
+        L::store(of.back, back);
+        L::store(of.begin, at.begin);
+        L::store(of.from_begin, at.from_begin);
+        if (L::any(L::less(Int{} + (detail::CoefficientTable::size - 1), length))) [[unlikely]]
+            return set_long_depths(paths, i, of);
+        // Whole vectors: a load does not wait for four stores.
+        const ShortDepth path[4] = {{of, 0}, {of, 1}, {of, 2}, {of, 3}};
+        L::store(&paths.at(Paths::depth, i), Int{path[0].at, path[1].at, path[2].at, path[3].at});
+        L::store(&paths.at(Paths::depth_step, i),
+                 Int{path[0].step, path[1].step, path[2].step, path[3].step});
+    }
+
+    struct Of4 {
+        std::int32_t from[4], difference[4], length[4], back[4], begin[4], from_begin[4];
+    };
+
+    /// set_path_depth(): v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. 20 leading zeros: n is 32.
+    struct ShortDepth {
+        std::int32_t at, step;
+        SPANGLE_INLINE ShortDepth(const Of4& of, int k) {
+            const auto length = static_cast<std::uint32_t>(of.length[k]);
+            const auto lifted = static_cast<std::uint64_t>(std::int64_t{of.difference[k]})
+                                << (numeric::clz32(length | 1) - 20);
+            PerPixel per_pixel(0, 0);
+            per_pixel.coefficient = (detail::coefficient_table.at[length] ^ of.back[k]) - of.back[k];
+            const auto part = [&](std::int32_t coefficient) {
+                return static_cast<std::uint32_t>(
+                    (lifted * static_cast<std::uint64_t>(std::int64_t{coefficient})) >> 32);
+            };
+            const std::uint32_t per_step = part(per_pixel.coefficient);
+            step = static_cast<std::int32_t>(per_step);
+            at = static_cast<std::int32_t>(static_cast<std::uint32_t>(of.from[k]) + (1u << 15) +
+                                           part(per_pixel.to_center(of.begin[k])) +
+                                           static_cast<std::uint32_t>(of.from_begin[k]) * per_step);
+        }
+    };
+    [[gnu::noinline]] static void set_long_depths(Paths& paths, int i, const Of4& of) {
+        for (int k = 0; k < L::count; ++k) {
+            const std::int32_t along = (of.length[k] ^ of.back[k]) - of.back[k];
+            set_path_depth(paths, i + k, static_cast<std::uint32_t>(of.from[k]), of.difference[k],
+                           PerPixel(of.begin[k], of.begin[k] + along), of.begin[k], of.from_begin[k]);
+        }
+    }
+
+    const FixedVertex* const* vertex_ = nullptr;
+    int step_ = 1, count_ = 0;
 };
 
 } // namespace spangle::raster

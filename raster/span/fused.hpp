@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "raster/span/fused_divided.hpp"
-#include "raster/span/path.hpp"
+#include "raster/span/path_list.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
 #include "raster/span/stage_raw.hpp"
@@ -352,21 +352,34 @@ template <class Case>
     Px<N> p(span);
     p.live = true;
     p.selects = !numeric::cheap_branches; // a test goes either way, at random
-    for (int i = 0; i < count; ++i) {
+    const auto walk = [&](int i) __attribute__((always_inline)) {
         if (paths.at(Paths::count, i) <= 0)
-            continue;
+            return;
         span.flat_word = static_cast<std::uint32_t>(paths.at(Paths::flat, i));
         span.z = {static_cast<std::uint32_t>(paths.at(Paths::depth, i)),
                   static_cast<std::uint32_t>(paths.at(Paths::depth_step, i)), 0};
         for (int c = 0; c < 3; ++c)
             span.color_value[c] = {paths.color[c], paths.color_step[c], 0};
-        typename Case::PathList list(span, 0);
+        typename Case::PathStages stages(span, 0);
         p.i = paths.at(Paths::first, i);
         PathPlace place{};
         if constexpr (Case::key.dither)
             place = PathPlace(paths, i, target.color_stride / 2);
         p.place = place.first;
-        walk_path(list, p, paths, i, place);
+        walk_path(stages, p, paths, i, place);
+    };
+    if constexpr (Case::listed) {
+        PathList<Case> list(target, paths, count);
+        for (int i = 0; i < count; i += 4)
+            if (!list.add(i)) [[unlikely]] {
+                list.draw();
+                for (int k = i; k < i + 4 && k < count; ++k)
+                    walk(k);
+            }
+        list.draw();
+    } else {
+        for (int i = 0; i < count; ++i)
+            walk(i);
     }
 }
 

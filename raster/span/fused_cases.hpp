@@ -227,7 +227,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using Planes = LitPlanes<full, Gray, K.fog>;
         using Fragments = LitFragments<Texture, full, Gray, K.fog>;
     };
-    using PathList = typename Stages<1, true>::List;
+    using PathStages = typename Stages<1, true>::List;
+    /// Paths become a list (PathList).
+    static constexpr bool listed =
+        plain && K.kind == Kind::flat && host_lanes == 8 && !numeric::cheap_branches;
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {

@@ -33,17 +33,23 @@ class Paths {
         /// At the first fragment, and from one to the next.
         depth,
         depth_step,
-        words
+        words_in_turn,
+        /// DitheredWord::place of the first fragment; without vectors it is found when it is needed.
+        place = words_in_turn,
+        words_of_lanes
     };
     /// The word of path i; where there are vectors, those of the paths after it follow.
-    SPANGLE_INLINE std::int32_t& at(Word word, int i) { return words_[place(word, i)]; }
-    SPANGLE_INLINE std::int32_t at(Word word, int i) const { return words_[place(word, i)]; }
+    SPANGLE_INLINE std::int32_t& at(Word word, int i) { return words_[place_of(word, i)]; }
+    SPANGLE_INLINE std::int32_t at(Word word, int i) const { return words_[place_of(word, i)]; }
+    SPANGLE_INLINE const std::int32_t* lanes(Word word, int i) const { return words_ + place_of(word, i); }
+    bool one_color = false; ///< of all paths
     /// Of the only path whose colour varies, as its depth is given.
     Fixed::Affine color[3], color_step[3];
 
   private:
     /// Without vectors the words of a path lie together, and are loaded by two.
-    static constexpr std::ptrdiff_t place(Word word, std::ptrdiff_t i) {
+    static constexpr int words = numeric::cheap_branches ? words_in_turn : words_of_lanes;
+    static constexpr std::ptrdiff_t place_of(Word word, std::ptrdiff_t i) {
         return numeric::cheap_branches ? i * words + word : std::ptrdiff_t{word} * size + i;
     }
     alignas(16) std::int32_t words_[words * size];

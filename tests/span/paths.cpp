@@ -154,7 +154,7 @@ TEST(Paths, ManyAreOneAfterTheOther) {
 }
 
 /// Strips that go on in one direction and turn, as curves do; from steps of a subpixel to half the picture.
-TEST(Paths, StripsInTurnAreTheirRows) {
+TEST(Paths, StripsAreTheirRows) {
     std::mt19937 random(23);
     FragmentState fragment;
     fragment.scissor = {0, 0, width, height};
@@ -164,38 +164,49 @@ TEST(Paths, StripsInTurnAreTheirRows) {
     const auto noise = [&](int most) {
         return static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * most + 1)) - most;
     };
-    for (const int step : {1, 2}) {
-        Drawn in_turn(fragment, DepthFormat::z16, true), rows(fragment, DepthFormat::z16, false);
-        long fragments = 0;
-        for (int round = 0; round < 1600; ++round) {
-            std::vector<FixedVertex> v(20);
-            std::vector<const FixedVertex*> at;
-            const int longest = 1 << (round % 13), turn = 1 + longest / (1 + round % 5);
-            std::int32_t dx = noise(longest), dy = noise(longest);
-            for (std::size_t i = 0; i < v.size(); ++i) {
-                const FixedVertex& last = i == 0 ? random_end(random, true, -8) : v[i - 1];
-                v[i] = last;
-                v[i].x = std::clamp(last.x + dx, 2 * 256, (width - 2) * 256);
-                v[i].y = std::clamp(last.y + dy, 2 * 256, (height - 2) * 256);
-                v[i].z = i % 4 == 0 ? random() >> 1 : last.z + static_cast<std::uint32_t>(noise(1 << 12));
-                v[i].z = std::min(v[i].z, depth_one);
-                std::copy_n(v[0].color, 4, v[i].color);
-                dx += noise(turn), dy += noise(turn);
-                at.push_back(&v[i]);
-            }
-            const FixedVertex* const painted = round % 2 == 0 ? at[0] : nullptr;
-            draw_lines_by<LineLanes<1>>(in_turn.state, in_turn.canvas.surface, at.data(), 20, step, painted,
+    for (const bool dither : {false, true})
+        for (const int step : {1, 2}) {
+            fragment.dither = dither;
+            Drawn in_turn(fragment, DepthFormat::z16, true), together(fragment, DepthFormat::z16, true),
+                rows(fragment, DepthFormat::z16, false);
+            long fragments = 0;
+            for (int round = 0; round < 1600; ++round) {
+                std::vector<FixedVertex> v(20);
+                std::vector<const FixedVertex*> at;
+                const int longest = 1 << (round % 13), turn = 1 + longest / (1 + round % 5);
+                std::int32_t dx = noise(longest), dy = noise(longest);
+                for (std::size_t i = 0; i < v.size(); ++i) {
+                    const FixedVertex& last = i == 0 ? random_end(random, true, -8) : v[i - 1];
+                    v[i] = last;
+                    v[i].x = std::clamp(last.x + dx, 2 * 256, (width - 2) * 256);
+                    v[i].y = std::clamp(last.y + dy, 2 * 256, (height - 2) * 256);
+                    v[i].z = i % 4 == 0 ? random() >> 1 : last.z + static_cast<std::uint32_t>(noise(1 << 12));
+                    v[i].z = std::min(v[i].z, depth_one);
+                    if (round % 4 != 3) // else each line has a colour of its own, where it is flat
+                        std::copy_n(v[0].color, 4, v[i].color);
+                    else
+                        std::copy_n(random_end(random, true, -8).color, 4, v[i].color);
+                    dx += noise(turn), dy += noise(turn);
+                    at.push_back(&v[i]);
+                }
+                const FixedVertex* const painted = round % 2 == 0 ? at[0] : nullptr;
+                in_turn.state.fragment.flat = together.state.fragment.flat = rows.state.fragment.flat =
+                    round % 4 == 3;
+                draw_lines_by<LineLanes<1>>(in_turn.state, in_turn.canvas.surface, at.data(), 20, step,
+                                            painted, 1);
+                draw_lines<FixedVertex>(together.state, together.canvas.surface, at.data(), 20, step, painted,
                                         1);
-            for (std::size_t i = 0; i + 1 < v.size(); i += static_cast<std::size_t>(step))
-                rows.line(v[i], v[i + 1]);
-            in_turn.expect(rows, round);
-            ASSERT_FALSE(HasFailure());
-            fragments = in_turn.counters.fragments;
-            if (round % 16 == 0) // depths to be nearer than
-                in_turn.canvas.noise(9), rows.canvas.noise(9);
+                for (std::size_t i = 0; i + 1 < v.size(); i += static_cast<std::size_t>(step))
+                    rows.line(v[i], v[i + 1]);
+                in_turn.expect(rows, round);
+                together.expect(rows, round);
+                ASSERT_FALSE(HasFailure());
+                fragments = in_turn.counters.fragments;
+                if (round % 16 == 0) // depths to be nearer than
+                    in_turn.canvas.noise(9), together.canvas.noise(9), rows.canvas.noise(9);
+            }
+            EXPECT_GT(fragments, 10000);
         }
-        EXPECT_GT(fragments, 10000);
-    }
 }
 
 TEST(Paths, OneColorIsDitheredAsItsTierDithersColors) {

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "raster/numeric/bits.hpp"
 
@@ -23,6 +24,13 @@ template <> struct LineLanes<1> {
     SPANGLE_INLINE static bool any(Mask m) { return m; }
     SPANGLE_INLINE static Int one(Mask m) { return static_cast<Int>(m); }
     template <class T> SPANGLE_INLINE static T select(Mask m, T a, T b) { return m ? a : b; }
+    /// Each becomes the other.
+    SPANGLE_INLINE static void exchange(Mask m, Int& a, Int& b) {
+        const Int first = m ? b : a;
+        b = m ? a : b;
+        a = first;
+    }
+    SPANGLE_INLINE static Int negate(Mask m, Int v) { return m ? -v : v; }
     /// n / d and the remainder, of 0 <= n < 5 d.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         const auto whole = static_cast<Int>(static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(d));
@@ -45,6 +53,28 @@ template <> struct LineLanes<4> {
     SPANGLE_INLINE static std::int32_t first(Int v) { return v[0]; }
     SPANGLE_INLINE static Mask less(Int a, Int b) { return a < b; }
     SPANGLE_INLINE static Mask no(Mask m) { return ~m; }
+    /// The same of what is known of all lanes.
+    template <bool Known> SPANGLE_INLINE static std::bool_constant<!Known> no(std::bool_constant<Known>) {
+        return {};
+    }
+    template <bool Known> SPANGLE_INLINE static Int select(std::bool_constant<Known>, Int a, Int b) {
+        return Known ? a : b;
+    }
+    template <bool Known> SPANGLE_INLINE static void exchange(std::bool_constant<Known>, Int& a, Int& b) {
+        if constexpr (Known) {
+            const Int first = a;
+            a = b;
+            b = first;
+        }
+    }
+    /// All lanes of two masks are alike: bit 0 is that of the first, bit 1 of the other; else 4.
+    SPANGLE_INLINE static unsigned alike(Mask a, Mask b) {
+        using Halves [[gnu::vector_size(16)]] = std::uint64_t;
+        const auto halves = std::bit_cast<Halves>((a & 1) | (b & 2));
+        if (halves[0] != halves[1] || halves[0] >> 32 != (halves[0] & 3))
+            return 4;
+        return static_cast<unsigned>(halves[0] & 3);
+    }
     SPANGLE_INLINE static bool any(Mask m) {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>(m);
@@ -52,6 +82,14 @@ template <> struct LineLanes<4> {
     }
     SPANGLE_INLINE static Int one(Mask m) { return -m; }
     SPANGLE_INLINE static Int select(Mask m, Int a, Int b) { return (m & a) | (~m & b); }
+    /// Where m: each becomes the other.
+    SPANGLE_INLINE static void exchange(Mask m, Int& a, Int& b) {
+        const Int difference = (a ^ b) & m;
+        a ^= difference;
+        b ^= difference;
+    }
+    /// Where m.
+    SPANGLE_INLINE static Int negate(Mask m, Int v) { return (v ^ m) - m; }
     /// n / d and the remainder, of 0 <= n < 5 d; anything where d is 0.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
         Int whole = n ^ n;
@@ -67,7 +105,7 @@ template <> struct LineLanes<4> {
 
 /// In this build.
 #if defined(__SSE2__) || defined(__ARM_NEON)
-using HostLines = LineLanes<4>;
+using HostLines = std::conditional_t<numeric::cheap_branches, LineLanes<1>, LineLanes<4>>;
 #else
 using HostLines = LineLanes<1>;
 #endif

@@ -1,0 +1,160 @@
+// Paths of flat colours as one list of fragments, where there are vectors: four paths walk side by side, and
+// no branch of the loop over the list depends on the picture.
+#pragma once
+
+#include "raster/span/lanes.hpp"
+#include "raster/span/line_lanes.hpp"
+#include "raster/span/path.hpp"
+#include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_raw.hpp"
+
+namespace spangle::raster {
+
+/// What a path's steps add to the place of a fragment (DitheredWord). `row`: pixels from row to row.
+template <class L> struct PlaceSteps {
+    typename L::Word along, aside;
+    SPANGLE_INLINE PlaceSteps(typename L::Int path_along, typename L::Int path_aside, std::int32_t row) {
+        using Int = typename L::Int;
+        using Word = typename L::Word;
+        const auto along_x = std::bit_cast<Word>(path_along == Int{} + 1);
+        const Word column = Word{} + DitheredWord::column, one = Word{} + 1;
+        along = (column & along_x) | (one & ~along_x);
+        const Word across = (one & along_x) | (column & ~along_x);
+        // Along y the next column is one pixel further, along x the next row is `row`.
+        const auto back = std::bit_cast<Word>(
+            (path_aside !=
+             std::bit_cast<Int>((std::bit_cast<Word>(Int{} + row) & along_x) | (one & ~along_x))));
+        aside = (across ^ back) - back;
+    }
+};
+
+/// Fragments of short paths, in the order of the paths. Case: as of fused_paths().
+template <class Case> class PathList {
+  public:
+    static constexpr bool dithers = Case::key.dither;
+    /// A path of more fragments is not listed.
+    static constexpr int longest = 16;
+
+    PathList(const Surface& target, const Paths& paths, int count)
+        : target_(target), paths_(paths), count_(count) {
+        const int colors = !dithers ? 0 : paths.one_color ? 1 : count;
+        for (int i = 0; i < colors; ++i)
+            for (int cell = 0; cell < cells; ++cell)
+                word_[i * cells + cell] =
+                    dithered(static_cast<std::uint32_t>(paths.at(Paths::flat, i)), cell);
+    }
+
+    /// Paths i to i + 3. False: one of them is too long.
+    SPANGLE_INLINE bool add(int i) {
+        const Int count = L::load(paths_.lanes(Paths::count, i));
+        const Int n = count & ~(count >> 31) & L::less(lane, Int{} + (count_ - i));
+        if (L::any(L::less(Int{} + longest, n))) [[unlikely]]
+            return false;
+        alignas(16) std::int32_t own[4];
+        L::store(own, n);
+        if (!L::any(L::less(Int{} + 4, n)))
+            walk<1>(i, own);
+        else if (!L::any(L::less(Int{} + 8, n)))
+            walk<2>(i, own);
+        else
+            walk<longest / 4>(i, own);
+        return true;
+    }
+
+    /// Those that were added, and forgets them.
+    SPANGLE_INLINE void draw() {
+        std::uint8_t *const color = target_.color, *const depth = target_.depth;
+        using One = Lanes<1>;
+        for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
+            const std::ptrdiff_t offset = f[0];
+            const auto depth_and_color = static_cast<std::uint32_t>(f[1]);
+            const std::uint32_t color_word =
+                dithers ? word_[depth_and_color & 0xFFFF] : depth_and_color & 0xFFFF;
+            bool live = true;
+            if constexpr (Case::tested) {
+                const std::uint32_t incoming = depth_and_color >> 16, stored = One::load(depth + offset);
+                live = compare<Case::key.depth>(incoming, stored);
+                if constexpr (Case::key.depth_write)
+                    One::store(depth + offset, One::select(live, incoming, stored));
+            }
+            One::store(color + offset, One::select(live, color_word, One::load(color + offset)));
+        }
+        next_ = fragment_;
+    }
+
+  private:
+    using L = LineLanes<4>;
+    using Int = L::Int;
+    using Word = L::Word;
+    static constexpr Int lane = {0, 1, 2, 3};
+    static constexpr int cells = dithers ? 16 : 1; ///< of the dither matrix
+
+    static constexpr bool swaps = StoreRaw<1, Case::key.format>::swaps;
+    SPANGLE_INLINE static std::uint16_t dithered(std::uint32_t flat, int cell) {
+        const std::uint32_t word = DitheredWord{flat}.at(DitheredWord::place(cell & 3, cell >> 2));
+        return static_cast<std::uint16_t>(swaps ? Lanes<1>::swap_bytes(word) : word);
+    }
+    /// What colours of paths i to i + 3 add to a fragment.
+    SPANGLE_INLINE Word colors(int i) const {
+        if constexpr (dithers)
+            return paths_.one_color ? Word{} : std::bit_cast<Word>((lane + i) * cells);
+        const auto word = std::bit_cast<Word>(L::load(paths_.lanes(Paths::flat, i)));
+        return swaps ? (word << 8 & 0xFF00) | (word >> 8 & 0xFF) : word;
+    }
+
+    /// So many times four fragments of four paths; what a path has not is written over by the next one.
+    template <int Blocks> SPANGLE_INLINE void walk(int i, const std::int32_t (&own)[4]) {
+        const auto load = [&](Paths::Word word) { return L::load(paths_.lanes(word, i)); };
+        const auto load_word = [&](Paths::Word word) { return std::bit_cast<Word>(load(word)); };
+        const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
+                  along = load(Paths::along), aside = load(Paths::aside), bytes_along = along * 2,
+                  bytes_aside = aside * 2;
+        Int offset = load(Paths::first) * 2, rest = load(Paths::rest);
+        Word depth{}, depth_step{}, place{};
+        if constexpr (Case::tested)
+            depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);
+        if constexpr (dithers)
+            place = load_word(Paths::place);
+        const PlaceSteps<L> steps(along, aside, target_.color_stride / 2);
+        const Word color = colors(i);
+        Int low[4 * Blocks], high[4 * Blocks];
+#pragma GCC unroll 16
+        for (int k = 0; k < 4 * Blocks; ++k) {
+            Word word = (depth & ~0xFFFFu) | color;
+            if constexpr (dithers)
+                word |= (place << 2 & 12) | place >> 30;
+            const Int code = std::bit_cast<Int>(word);
+            low[k] = __builtin_shufflevector(offset, code, 0, 4, 1, 5);
+            high[k] = __builtin_shufflevector(offset, code, 2, 6, 3, 7);
+            rest += rise;
+            const Int straight = rest >> 31; // all ones: not yet
+            rest -= denominator & ~straight;
+            offset += bytes_along + (bytes_aside & ~straight);
+            depth += depth_step;
+            if constexpr (dithers)
+                place += steps.along + (steps.aside & ~std::bit_cast<Word>(straight));
+        }
+        std::int32_t* out = next_; // in a register
+#pragma GCC unroll 4
+        for (int path = 0; path < 4; ++path) {
+            const Int* const from = path < 2 ? low : high;
+#pragma GCC unroll 8
+            for (int k = 0; k < 4 * Blocks; k += 2)
+                L::store(out + 2 * k, (path & 1) == 0
+                                          ? __builtin_shufflevector(from[k], from[k + 1], 0, 1, 4, 5)
+                                          : __builtin_shufflevector(from[k], from[k + 1], 2, 3, 6, 7));
+            out += 2 * own[path];
+        }
+        next_ = out;
+    }
+
+    const Surface& target_;
+    const Paths& paths_;
+    const int count_;
+    /// Where it lies, bytes; the code of its depth above its colour, or the number of its dithered colour.
+    alignas(16) std::int32_t fragment_[2 * (Paths::size + 1) * longest];
+    std::int32_t* next_ = fragment_;
+    std::uint16_t word_[Paths::size * cells]; ///< dithered colours, as stored
+};
+
+} // namespace spangle::raster
