@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "raster/primitive/setup.hpp"
+#include "raster/span/lanes.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/surface/surface.hpp"
 
@@ -21,12 +22,18 @@ inline void observe_other([[maybe_unused]] const DrawState& state) {
 template <class P> class Pen {
   public:
     Span<P> span;
-    bool is_set_up = false; ///< the planes of span are
 
     Pen(const DrawState& state, const Surface& target) : clip_(state.fragment.scissor) {
         span.state = &state;
         span.target = &target;
         span.depth = nullptr;
+    }
+
+    /// Where triangles are tried as tiles first: the planes of span are there.
+    bool is_set_up() const { return host_lanes > 1 && is_set_up_; }
+    void set_up() {
+        if constexpr (host_lanes > 1)
+            is_set_up_ = true;
     }
 
     const Rect& clip() const { return clip_; }
@@ -99,6 +106,7 @@ template <class P> class Pen {
     }
 
     const Rect& clip_;
+    [[maybe_unused]] bool is_set_up_ = false;
     bool cuts_ = true; ///< some column may lie outside of the scissor rectangle
     int count_ = 0;
     Row rows_[batch];

@@ -171,7 +171,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_
 /// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded()), and by what set-up loses:
 /// 2^-18 of 255 in affine colours, thrice that in planes over w where 1/w varies by no more than twice, which
 /// is 2^-8 of a 255th.
-void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
+SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     constexpr std::uint32_t lost = 1u << 17; // 8.24
     const std::uint64_t product = numeric::mul_u32(widest_, q_range_);
     if (q_least_ < 1u << 28 || product >> 52 != 0)

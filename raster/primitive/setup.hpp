@@ -69,6 +69,7 @@ template <> class Setup<Fixed> {
     template <bool Rgb> void plain(std::uint32_t color_bits, const Vertex& painted);
     void with_coordinates(std::uint32_t color_bits, const Vertex& painted);
     bool weights();
+    void weights_of_several_exponents();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
     void load_fog(std::int32_t fog[3]) const;

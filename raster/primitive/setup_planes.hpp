@@ -41,4 +41,24 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() con
     return widest;
 }
 
+/// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
+SPANGLE_INLINE bool Setup<Fixed>::weights() {
+    if (v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent) [[likely]] {
+        for (int i = 0; i < 3; ++i) // mantissas have their top bit
+            q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
+    } else {
+        weights_of_several_exponents();
+    }
+    const Ends ends(q(0), q(1), q(2));
+    q_range_ = ends.range();
+    q_least_ = static_cast<std::uint32_t>(ends.low);
+    return q_range_ == 0;
+}
+
+/// |error| of the affine form over a triangle is at most range(c) range(q) / (4 min(q)): the covariance of c
+/// and q under any weights, over the mean of q.
+SPANGLE_INLINE bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {
+    return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
+}
+
 } // namespace spangle::raster

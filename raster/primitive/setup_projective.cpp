@@ -57,33 +57,18 @@ void Setup<Fixed>::divided_colors() {
         plane = {};
 }
 
-/// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
-bool Setup<Fixed>::weights() {
+/// 1/w of reference vertices that have several exponents, with the highest of these.
+void Setup<Fixed>::weights_of_several_exponents() {
     const int e0 = v(0).w_exponent, e1 = v(1).w_exponent, e2 = v(2).w_exponent;
     const int highest = e0 > e1 ? (e0 > e2 ? e0 : e2) : (e1 > e2 ? e1 : e2);
-    if (e0 == e1 && e0 == e2) { // mantissas have their top bit
-        for (int i = 0; i < 3; ++i)
-            q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
-    } else {
-        const auto scaled = [&](int i, int e) {
-            const int down = 2 + highest - e;
-            const std::uint32_t q = down < 32 ? v(i).w_mantissa >> down : 0;
-            return static_cast<std::int32_t>(q != 0 ? q : 1);
-        };
-        q(0) = scaled(0, e0);
-        q(1) = scaled(1, e1);
-        q(2) = scaled(2, e2);
-    }
-    const Ends ends(q(0), q(1), q(2));
-    q_range_ = ends.range();
-    q_least_ = static_cast<std::uint32_t>(ends.low);
-    return q_range_ == 0;
-}
-
-/// |error| of the affine form over a triangle is at most range(c) range(q) / (4 min(q)): the covariance of c
-/// and q under any weights, over the mean of q.
-bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {
-    return numeric::mul_u32(range, q_range_) <= four_tolerances * q_least_;
+    const auto scaled = [&](int i, int e) {
+        const int down = 2 + highest - e;
+        const std::uint32_t q = down < 32 ? v(i).w_mantissa >> down : 0;
+        return static_cast<std::int32_t>(q != 0 ? q : 1);
+    };
+    q(0) = scaled(0, e0);
+    q(1) = scaled(1, e1);
+    q(2) = scaled(2, e2);
 }
 
 bool Setup<Fixed>::colors_affine(std::uint32_t bits) {

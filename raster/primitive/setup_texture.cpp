@@ -1,6 +1,5 @@
 // Set-up of what varies over 1/w and has a scale of its own: texture coordinates and the fog coordinate.
-#include "raster/primitive/setup.hpp"
-#include "raster/primitive/setup_math.hpp"
+#include "raster/primitive/setup_planes.hpp"
 
 namespace spangle::raster {
 

@@ -99,9 +99,10 @@ SPANGLE_INLINE void sort(Corner<V>& low, Corner<V>& middle, Corner<V>& high, std
 template <class P>
 SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                            const typename P::Vertex& provoking) {
-    if (host_lanes == 1 || !pen.is_set_up)
-        Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
-    pen.is_set_up = true;
+    if (pen.is_set_up())
+        return;
+    Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking, t.area2);
+    pen.set_up();
 }
 
 template <class E, class P>

@@ -25,8 +25,7 @@ SPANGLE_INLINE Tile::Edge tile_edge(std::int32_t x0, std::int32_t y0, std::int32
     const std::int32_t dx = x1 - x0, dy = y1 - y0, flip = -static_cast<std::int32_t>(right);
     const std::int32_t area =
         (center_x - x0) * dy - (center_y - y0) * dx - static_cast<std::int32_t>(dy == 0);
-    return {static_cast<std::int16_t>((area >> subpixel_bits) ^ flip),
-            static_cast<std::int16_t>((dy ^ flip) - flip), static_cast<std::int16_t>((-dx ^ flip) - flip)};
+    return {(area >> subpixel_bits) ^ flip, (dy ^ flip) - flip, (-dx ^ flip) - flip};
 }
 
 /// Corners upwards; columns [left, right) hold all its centres and lie inside of `clip`, as do the rows that

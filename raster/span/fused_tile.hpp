@@ -37,9 +37,11 @@ template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& s
     if constexpr (Case::guessed)
         if (Lanes<8>::any(any_open))
             for (std::int32_t n = 0, row = 0; row != tile.rows; ++n, row += L::rows)
-                divide_open<Case::key.format, L>(
-                    span, L::place(at.color + row * std::ptrdiff_t{target.color_stride}, target.color_stride),
-                    open[n], tile.x, tile.y + row);
+                if (Lanes<8>::any(open[n]))
+                    divide_open<Case::key.format, L>(
+                        span,
+                        L::place(at.color + row * std::ptrdiff_t{target.color_stride}, target.color_stride),
+                        open[n], tile.x, tile.y + row);
 }
 
 template <class Case> [[gnu::noinline]] void fused_tile(Span<Fixed>& span, const Tile& tile) {

@@ -19,7 +19,7 @@ struct Tile {
     /// Twice the signed area that the centre of a lane spans with an edge, in units of 2^-8 pixels, rounded
     /// down: negative outside. A pixel further it is `dx` more, a row further `dy`.
     struct Edge {
-        std::int16_t value, dx, dy;
+        std::int32_t value, dx, dy; ///< of 16 bits
     };
     std::int32_t x, y; ///< window position of lane 0 of the first row
     std::int32_t rows;
@@ -31,7 +31,7 @@ struct Tile {
     void move_right() {
         x += columns;
         for (Edge& e : edge)
-            e.value = static_cast<std::int16_t>(e.value + columns * e.dx);
+            e.value += columns * e.dx;
     }
 };
 
@@ -56,7 +56,7 @@ template <class L> class TileLanes {
         SPANGLE_INLINE explicit Side(const Tile::Edge& e)
             : at(L::splat(word(e.value)) + L::offsets16(word(e.dx), word(e.dy))),
               by(L::splat(word(e.dy) * static_cast<std::uint32_t>(L::rows))) {}
-        SPANGLE_INLINE static std::uint32_t word(std::int16_t v) { return static_cast<std::uint16_t>(v); }
+        SPANGLE_INLINE static std::uint32_t word(std::int32_t v) { return static_cast<std::uint32_t>(v); }
     } a_, b_, c_;
 };
 
