@@ -197,6 +197,21 @@ constexpr std::uint64_t times_by_words(std::uint64_t v, std::int32_t n) {
 
 } // namespace detail
 
+namespace detail {
+
+SPANGLE_INLINE constexpr std::uint32_t halves_by_half(std::uint32_t a, std::uint32_t b) {
+    return (a >> 16) * b + (low_half(a) * b >> 16);
+}
+
+} // namespace detail
+
+/// floor(a * b / 2^16), b < 2^16.
+SPANGLE_INLINE constexpr std::uint32_t mul_by_half(std::uint32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return detail::halves_by_half(a, b);
+    return mul_high_u32(a, b << 16);
+}
+
 /// v * n mod 2^64.
 SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
     if (detail::by_halves(static_cast<std::uint32_t>(v), n))

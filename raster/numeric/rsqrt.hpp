@@ -41,8 +41,7 @@ SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
     const std::uint32_t seed = detail::rsqrt_table.at[(a >> 23) - 128]; // Q1.15
     const std::uint32_t square = seed * seed;                           // Q2.30, exact
     const std::uint32_t product = mul_high_u32(a, square);              // Q2.30, near 1
-    return static_cast<std::uint32_t>(mul_u32(seed << 15, 0xC0000000u - product) >>
-                                      31); // seed * (3 - a seed^2) / 2
+    return mul_by_half(0xC0000000u - product, seed);                    // seed * (3 - a seed^2) / 2
 }
 
 /// Two Newton steps: Q2.30 of 1/sqrt(a), in (1, 2] as (2^30, 2^31]. Relative error <= 2^-29.9.

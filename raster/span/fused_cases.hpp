@@ -18,6 +18,7 @@
 #include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_linear.hpp"
+#include "raster/span/stage_lit_store.hpp"
 #include "raster/span/stage_nearest.hpp"
 #include "raster/span/stage_raw.hpp"
 #include "raster/span/stage_store.hpp"
@@ -80,13 +81,16 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
 
   public:
-    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
     /// There are lanes for what is divided, which end in 16 bits.
     static constexpr bool lit =
         exact && divided && textured && K.unit[0].filter == Filter::nearest &&
         K.unit[0].env == TexEnv::modulate &&
         (K.unit[0].texels == TexelFormat::rgb565 || K.unit[0].texels == TexelFormat::rgb888) && K.color &&
         !K.color_alpha && !K.blend && !K.dither && is_565(K.format) && !Apart;
+    /// There is no lane for it that has long products.
+    static constexpr bool halved = lit && !numeric::long_products;
+
+    static constexpr bool tested = K.depth != Compare::always || K.depth_write;
 
   private:
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
@@ -96,8 +100,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         std::conditional_t<exact && divided, DividedCoords,
                            std::conditional_t<K.number == Number::exact || K.cubic, CubicRuns, CoordRuns>>>;
     template <int L>
-    using ExactSystem =
-        std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>, Exact>;
+    using ExactSystem = std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>,
+                                           std::conditional_t<halved, ExactLit, Exact>>;
     template <int L, bool Path = false> struct Stages {
         using N =
             std::conditional_t<raw, Raw565<L>,
@@ -175,6 +179,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         static auto store() {
             if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
+            else if constexpr (halved)
+                return std::type_identity<
+                    LitStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.fog>>{};
             else if constexpr (is_packed<N>)
                 return std::type_identity<BlendPacked<N, K.format>>{};
             else if constexpr (stores_fogged<L>)

@@ -210,8 +210,10 @@ template <class T, int Unit> class NearestDivided : public T {
             const std::int32_t high = numeric::mul_high_s32_u32(v, inverse.mantissa);
             return (static_cast<std::uint32_t>(high) << up) + bias_[axis];
         };
-        return (repeats(t, 1) >> (32 - this->log2_height)) * width_ +
-               numeric::mul_high_u32(repeats(s, 0), width_);
+        const std::uint32_t row = repeats(t, 1) >> (32 - this->log2_height), column = repeats(s, 0);
+        if constexpr (!numeric::long_products)
+            return (row << this->log2_width) + (column >> (32 - this->log2_width));
+        return row * width_ + numeric::mul_high_u32(column, width_);
     }
     /// Many repeats, or little 1/w.
     [[gnu::noinline]] static std::uint32_t far_place(std::int32_t s, std::int32_t t, std::uint32_t mantissa,

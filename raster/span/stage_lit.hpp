@@ -4,6 +4,7 @@
 #pragma once
 
 #include "raster/span/lanes_divide.hpp"
+#include "raster/span/rows.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 

@@ -174,7 +174,10 @@ struct TextureFixed : StageBase {
 
     /// With the texel at `address(k)` for lane k.
     template <class Address> SPANGLE_INLINE bool combine(Px<N>& p, Address address) const {
-        if constexpr (is_raw<N>) {
+        if constexpr (requires { p.color.texel; }) {
+            p.color.texel = word_at(address(0));
+            return true;
+        } else if constexpr (is_raw<N>) {
             static_assert(N::lanes == 1 && Env == TexEnv::replace);
             p.color.word = raw(address(0));
             return true;

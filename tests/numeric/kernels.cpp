@@ -55,6 +55,8 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         ASSERT_EQ(detail::mul_halves_high(u, v), plain >> 32) << u << ' ' << v;
         ASSERT_EQ(detail::mul_halves_high(a, v), mixed >> 32) << a << ' ' << v;
         ASSERT_EQ(detail::mul_halves_high(a, b), both >> 32) << a << ' ' << b;
+        ASSERT_EQ(mul_by_half(u, v >> 16), std::uint64_t{u} * (v >> 16) >> 16) << u << ' ' << v;
+        ASSERT_EQ(detail::halves_by_half(u, v >> 16), mul_by_half(u, v >> 16)) << u << ' ' << v;
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;
         ASSERT_EQ(detail::times_by_words(wide, a), wide * static_cast<std::uint64_t>(std::int64_t{a}))
             << wide << ' ' << a;

@@ -1,0 +1,62 @@
+// Lit textures guessed by products of halves: the words of the chain's arithmetic.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "raster/span/stage_lit_store.hpp"
+
+namespace spangle::raster::test {
+namespace {
+
+template <bool Is565, bool HasFog> void check_words(std::uint32_t seed) {
+    using Store = LitStore<PixelFormat::rgb565_be, Is565, HasFog>;
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random()) % n; };
+    DrawState state{};
+    Span<Fixed> span{};
+    span.state = &state;
+    for (int round = 0; round < 400; ++round) {
+        for (int i = 0; i < 3; ++i)
+            state.fragment.fog_color[i] = round % 3 == 0   ? color_one
+                                          : round % 3 == 1 ? 0
+                                                           : below(color_one + 1);
+        const Store store(span, 0);
+        for (int i = 0; i < 1000; ++i) {
+            const auto component = [&] {
+                const std::uint32_t ends[] = {0, color_one, color_one - below(3),
+                                              below(256) << color_fraction_bits};
+                return i % 8 < 4 ? ends[i & 3] : below(color_one + 1);
+            };
+            const std::uint32_t r = component(), g = component(), b = component();
+            const std::uint32_t texel = i % 16 == 0 ? ~0u : static_cast<std::uint32_t>(random());
+            const ExactLit::Color c = {r, g, b, color_one, texel & (Is565 ? 0xFFFF : 0xFFFFFF)};
+            const std::uint32_t fogs[] = {0, 1 << 24, (1 << 24) - 1, ~0u, below(1 << 24)};
+            const std::uint32_t fog = fogs[i % 5];
+            ASSERT_EQ(store.word(c, fog), Store::done_again(c, fog, state.fragment.fog_color))
+                << r << ' ' << g << ' ' << b << ' ' << c.texel << ' ' << fog;
+        }
+    }
+}
+
+TEST(LitStore, WordsAreThoseOfTheChain) {
+    check_words<true, true>(1);
+    check_words<true, false>(2);
+    check_words<false, true>(3);
+    check_words<false, false>(4);
+}
+
+template <std::uint32_t Most> void check_factors() {
+    for (std::uint32_t k = 0; k <= Most; ++k) {
+        const double short_by = k * 65536. / Most - detail::lit_factors<Most>.of[k];
+        EXPECT_GE(short_by, 0) << k;
+        EXPECT_LE(short_by, 1) << k;
+    }
+}
+TEST(LitStore, FactorsAreAtMostOneTooSmall) {
+    check_factors<31>();
+    check_factors<63>();
+    check_factors<255>();
+}
+
+} // namespace
+} // namespace spangle::raster::test
