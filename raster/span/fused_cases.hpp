@@ -224,15 +224,26 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
-    /// Parts of a LitPacket.
+    /// Its eight lanes where `lit`.
     struct Lit {
-        static constexpr Key key = K;
         using Texture =
-            TextureFixed<ExactLanes, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-        using Test = std::conditional_t<tested, Depth<ExactLanes, DepthFormat::z16, K.depth, K.depth_write>,
-                                        None<ExactLanes, 0>>;
-        using Planes = LitPlanes<full, Gray, K.fog>;
-        using Fragments = LitFragments<Texture, full, Gray, K.fog>;
+            TextureFixed<Balanced<8>, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+        using Test = std::conditional_t<tested, Depth<Raw565<8>, DepthFormat::z16, K.depth, K.depth_write>,
+                                        None<Raw565<8>, 0>>;
+        using Guessed = LitGuessed<Texture, full, Gray, K.fog>;
+        using Patch = typename Guessed::Patch;
+        using List = Seq<Raw565<8>, Test, Guessed, StoreRaw<8, K.format>>;
+        static constexpr Key untested() {
+            Key key = K;
+            key.depth = Compare::always;
+            key.depth_write = false;
+            return key;
+        }
+        [[gnu::noinline]] static void redo(Span<Fixed>& span, const Row& fragment) {
+            using Case = FusedCase<untested(), Gray>;
+            enter_fused<Case>(span, fragment);
+            fused_narrow_row<Case>(span, fragment);
+        }
     };
     using PathStages = typename Stages<1, true>::List;
     /// Paths become a list (PathList).

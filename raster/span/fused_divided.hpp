@@ -1,4 +1,4 @@
-// Rows of which every fragment divides: the fragments of many rows side by side, so that no lane is idle.
+// Rows of which every fragment divides, in eight lanes: pieces of a primitive over which 16 bits are enough.
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
@@ -6,115 +6,80 @@
 
 namespace spangle::raster {
 
-/// 1/w along a row of n fragments.
-class InverseRow {
-  public:
-    SPANGLE_INLINE InverseRow(const PlaneRow& row, std::int32_t n)
-        : at_(row.at(0, row.q)), by_(row.q.dx), last_(n - 1) {}
-    SPANGLE_INLINE int zeros(std::int32_t i) const {
-        return Inverse(unguarded(at_ + static_cast<std::uint64_t>(std::int64_t{i}) * by_)).zeros;
-    }
-    /// Where those end that have as many leading zeros as the i-th.
-    SPANGLE_INLINE std::int32_t alike(std::int32_t i) const {
-        const int of = zeros(i);
-        if (zeros(last_) == of) [[likely]]
-            return last_ + 1;
-        while (zeros(++i) == of)
-            ;
-        return i;
-    }
-
-  private:
-    std::uint64_t at_, by_;
-    std::int32_t last_;
-};
-
-/// Fragments that passed the depth test, on their way to the surface. Case has: Test, LitPlanes,
-/// LitFragments.
-template <class Case> class LitPacket {
-  public:
-    using L = Lanes<8>;
-    SPANGLE_INLINE explicit LitPacket(const PlaneRow& at) : test_(at, 0), planes_(at, 0), fragments_(at) {}
-
-    /// A piece of a row whose 1/w begins with so many zeros.
-    SPANGLE_INLINE void add(PlaneRow& at, const Row& piece, std::int32_t room, int zeros) {
-        if (zeros != zeros_)
-            flush();
-        zeros_ = zeros;
-        Px<ExactLanes> p(at);
-        each_group<Case::key.format>(
-            *this, p, at, *at.planes.target, piece, room, [&](std::int32_t n) __attribute__((always_inline)) {
-                if (!test_(p))
-                    return;
-                planes_.store(values_, count_);
-                groups_[group_count_++] = {p.live, p.color_plane + 2 * p.i, count_};
-                count_ += n;
-                if (count_ > LitValues::most)
-                    flush();
-            });
-    }
-    SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) {
-        test_.start(at, x);
-        planes_.start(at, x);
-    }
-    SPANGLE_INLINE void step() {
-        test_.step();
-        planes_.step();
-    }
-    /// To the surface.
-    void flush() {
-        if (count_ == 0)
-            return;
-        planes_.pad(values_, count_);
-        fragments_.finish(values_, count_, zeros_);
-        for (int i = 0; i < group_count_; ++i) {
-            using Target = Words565<L, Case::key.format>;
-            const Group& group = groups_[i];
-            const L::U16 word = fragments_.words(group.first);
-            Target::store(group.color, L::select(group.live, word, Target::load(group.color)));
+/// Around the fragments of rows, from one amidst them: planes of thin triangles are steep beside these.
+struct PatchOfRows {
+    Patch patch;
+    bool fits;
+    std::int32_t count;                    ///< of fragments
+    static constexpr std::int32_t few = 6; ///< one by one they take less than a patch
+    SPANGLE_INLINE PatchOfRows(const Row* row, const Row* end) {
+        std::int32_t first = row->first, last = row->last;
+        count = last - first;
+        for (const Row* at = row + 1; at != end; ++at) {
+            first = at->first < first ? at->first : first;
+            last = at->last > last ? at->last : last;
+            count += at->last - at->first;
         }
-        count_ = group_count_ = 0;
+        const Row& middle = row[(end - row) / 2];
+        patch.x = middle.first + (middle.last - middle.first) / 2;
+        patch.y = middle.y;
+        const std::int32_t left = patch.x - first, right = last - 1 - patch.x, below = patch.y - row->y,
+                           above = end[-1].y - patch.y;
+        patch.columns = left > right ? left : right;
+        patch.rows = below > above ? below : above;
+        fits = patch.columns <= Patch::most_columns && patch.rows <= Patch::most_rows;
     }
-
-  private:
-    struct Group {
-        L::Mask live;
-        std::uint8_t* color;
-        std::int32_t first; ///< of its fragments in the packet
-    };
-    typename Case::Test test_;
-    typename Case::Planes planes_;
-    typename Case::Fragments fragments_;
-    LitValues values_;
-    Group groups_[LitValues::size];
-    std::int32_t count_ = 0;
-    int group_count_ = 0, zeros_ = 0;
 };
+
+/// Those of a patch, or false. Case has: key, LitPatch, List; redo(span, row) draws a fragment with one lane,
+/// without a test of its depth.
+template <class Case>
+[[gnu::noinline]] bool draw_patch(Span<Fixed>& span, const Row* row, const Row* end, std::int32_t room) {
+    using Lit = typename Case::Lit;
+    const PatchOfRows rows(row, end);
+    typename Lit::Patch patch;
+    if (rows.count < PatchOfRows::few || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
+        return false;
+    LitRow<typename Lit::Patch> at{{span, nullptr, nullptr, row->first, row->y, row->first}, patch};
+    typename Lit::List list(at, 0);
+    const Surface target = *span.target; // in registers
+    Px<Raw565<8>> p(at);
+    p.open = Lanes<8>::Mask{};
+    do {
+        each_group<Case::key.format>(
+            list, p, at, target, *row, room, [&](std::int32_t) __attribute__((always_inline)) {
+                list(p);
+                if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
+                    each_open(p.open, [&](int i) {
+                        const std::int32_t x = at.x + p.i + i;
+                        Lit::redo(span, {at.y, x, x + 1, x, x + 1});
+                    });
+            });
+    } while (++row != end);
+    return true;
+}
 
 /// `narrow` draws what there are no lanes for.
 template <class Case, class Narrow>
 SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const Row* end, Narrow narrow) {
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
-    PlaneRow at{span, nullptr, nullptr, row->first, row->y, row->first};
-    LitPacket<typename Case::Lit> packet(at);
-    do {
-        at.x = row->first;
-        at.y = row->y;
-        const InverseRow inverse(at, row->last - row->first);
-        Row piece = *row;
-        do {
-            const std::int32_t i = piece.first - row->first;
-            piece.last = row->first + inverse.alike(i);
-            const int zeros = inverse.zeros(i);
-            if (Case::Lit::Fragments::takes(span, zeros)) [[likely]]
-                packet.add(at, piece, room, zeros);
-            else
-                narrow(span, piece);
-            piece.first = piece.last;
-        } while (piece.first != row->last);
-    } while (++row != end);
-    packet.flush();
+    for (std::ptrdiff_t n = end - row; row != end;) {
+        const Row* const stop = end - row < n ? end : row + n;
+        if (draw_patch<Case>(span, row, stop, room)) [[likely]] {
+            row = stop;
+        } else if (n > 1) {
+            n = (n + 1) / 2;
+        } else {
+            constexpr std::int32_t columns = 32;
+            for (Row piece = *row; piece.first != row->last; piece.first = piece.last) {
+                piece.last = row->last - piece.first < columns ? row->last : piece.first + columns;
+                if (!draw_patch<Case>(span, &piece, &piece + 1, room))
+                    narrow(span, piece);
+            }
+            ++row;
+        }
+    }
 }
 
 } // namespace spangle::raster

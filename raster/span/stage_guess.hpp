@@ -58,18 +58,25 @@ template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
     Limit open5_, open6_;
 };
 
-/// Writes the colours of those lanes of eight fragments, from the one at (x, y) on, that a guess left open.
+/// f(i) for the lanes that a guess left open: those with any bit.
+template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
+    for (int half = 0; half < 2; ++half)
+        for (std::uint64_t left = Lanes<8>::half(open, half); left != 0;) {
+            const int lane = std::countr_zero(left) / 16;
+            left &= ~(std::uint64_t{0xFFFF} << (16 * lane));
+            f(4 * half + lane);
+        }
+}
+
+/// Writes the colours of those lanes of eight fragments, from the one at (x, y) on.
 template <PixelFormat Format, class L = Lanes<8>>
 [[gnu::noinline]] void divide_open(Span<Fixed>& span, typename L::Place color, const Lanes<8>::Mask& open,
                                    std::int32_t x, std::int32_t y) {
     using One = StoreRaw<1, Format>;
-    for (int half = 0; half < 2; ++half)
-        for (std::uint64_t left = Lanes<8>::half(open, half); left != 0;) {
-            const int bit = std::countr_zero(left), i = 4 * half + bit / 16;
-            left &= ~(std::uint64_t{0xFFFF} << bit);
-            const std::uint32_t word = divided_word(span, x + i % L::columns, y + i / L::columns);
-            Lanes<1>::store(L::pixel(color, i, 2), One::swaps ? Lanes<1>::swap_bytes(word) : word);
-        }
+    each_open(open, [&](int i) {
+        const std::uint32_t word = divided_word(span, x + i % L::columns, y + i / L::columns);
+        Lanes<1>::store(L::pixel(color, i, 2), One::swaps ? Lanes<1>::swap_bytes(word) : word);
+    });
 }
 
 } // namespace spangle::raster

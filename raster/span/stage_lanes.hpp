@@ -24,6 +24,11 @@ template <class T> class TexelLanes : public T {
             return T::texel(this->texels, at[k & 1][k >> 1]);
         });
     }
+    /// The same of images of up to 2^16 texels.
+    SPANGLE_INLINE auto words_of(const typename L::U16& index) const {
+        return T::words([&](std::uint32_t k)
+                            __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
+    }
     /// The same by s and t of repeats, nearest_bias() added; any value is inside.
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));

@@ -1,111 +1,14 @@
-// Lit textures of the exact tier, eight fragments at a time: what is divided is exact, and what is made of it
-// is guessed in 16 bits, as far as these decide the bits that are stored. The others, one in eighty, are
-// redone with one lane. Fused spans only.
+// Lit textures of the exact tier, eight fragments at a time: everything is guessed in 16 bits, as far as
+// these decide the texel and the bits that are stored. The others, one in thirty, are left open (Px::open)
+// and redone with one lane. Fused spans only.
 #pragma once
 
-#include "raster/span/lanes_divide.hpp"
+#include "raster/span/near_division.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
 namespace spangle::raster {
-
-/// Number system of these: components and fog are Exact's.
-struct ExactLanes {
-    using Policy = Fixed;
-    static constexpr int lanes = 8;
-    using L = Lanes<8>;
-    using T = L::U32;
-    using Color = Rgba<T>;
-    using Coord = TexCoords<std::uint32_t, 8>;
-    using Fog = L::U32;
-};
-
-/// What was interpolated of fragments, side by side. Groups of eight are stored whole.
-struct LitValues {
-    static constexpr std::int32_t most = 96, size = most + 16; ///< what they hold between two groups
-    alignas(16) std::uint32_t q[size], s[size], t[size], fog[size], color[3][size];
-};
-
-/// The planes of a row. Full: colours are projective; Gray: red stands for all three.
-template <bool Full, bool Gray, bool Fog> class LitPlanes {
-    using Color = PlaneLanes<std::conditional_t<Full, Fixed::Projective, Fixed::Affine>>;
-    using Projective = PlaneLanes<Fixed::Projective>;
-    static constexpr int unit = 0;
-
-  public:
-    SPANGLE_INLINE LitPlanes(const PlaneRow& row, std::int32_t x)
-        : q_(row, x, row.q), s_(row, x, row.unit[unit].s), t_(row, x, row.unit[unit].t), fog_(fog(row, x)),
-          r_(row, x, color(row, 0)), g_(other(row, x, 1)), b_(other(row, x, 2)) {}
-    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x) {
-        q_.start(row, x, row.q);
-        s_.start(row, x, row.unit[unit].s);
-        t_.start(row, x, row.unit[unit].t);
-        if constexpr (Fog)
-            fog_.start(row, x, row.fog_q);
-        r_.start(row, x, color(row, 0));
-        if constexpr (!Gray) {
-            g_.start(row, x, color(row, 1));
-            b_.start(row, x, color(row, 2));
-        }
-    }
-    SPANGLE_INLINE void step() {
-        each(
-            [](auto& plane, std::uint32_t*) __attribute__((always_inline)) { plane.step(); }, nullptr, 0);
-    }
-    SPANGLE_INLINE void store(LitValues& to, std::int32_t i) {
-        each(
-            [](auto& plane, std::uint32_t* at) __attribute__((always_inline)) { plane.store(at); }, &to, i);
-    }
-    /// Fragments behind the last one are anything.
-    SPANGLE_INLINE void pad(LitValues& to, std::int32_t i) {
-        each(
-            [](auto&, std::uint32_t* at) __attribute__((always_inline)) { __builtin_memset(at, 0, 32); }, &to,
-            i);
-    }
-
-  private:
-    SPANGLE_INLINE static const auto& color(const PlaneRow& row, int i) {
-        if constexpr (Full)
-            return row.color_q[i];
-        else
-            return row.color_value[i];
-    }
-    SPANGLE_INLINE static auto other(const PlaneRow& row, std::int32_t x, int i) {
-        if constexpr (Gray)
-            return StageBase{};
-        else
-            return Color(row, x, color(row, i));
-    }
-    SPANGLE_INLINE static auto fog(const PlaneRow& row, std::int32_t x) {
-        if constexpr (Fog)
-            return Projective(row, x, row.fog_q);
-        else
-            return StageBase{};
-    }
-    /// Each plane and its place.
-    template <class F> SPANGLE_INLINE void each(F f, LitValues* to, std::int32_t i) {
-        const auto at = [&](std::uint32_t(LitValues::*of)[LitValues::size]) {
-            return to == nullptr ? nullptr : (to->*of) + i;
-        };
-        f(q_, at(&LitValues::q));
-        f(s_, at(&LitValues::s));
-        f(t_, at(&LitValues::t));
-        if constexpr (Fog)
-            f(fog_, at(&LitValues::fog));
-        const auto colors = [&](int of) { return to == nullptr ? nullptr : to->color[of] + i; };
-        f(r_, colors(0));
-        if constexpr (!Gray) {
-            f(g_, colors(1));
-            f(b_, colors(2));
-        }
-    }
-
-    Projective q_, s_, t_;
-    [[no_unique_address]] std::conditional_t<Fog, Projective, StageBase> fog_;
-    Color r_;
-    [[no_unique_address]] std::conditional_t<Gray, StageBase, Color> g_, b_;
-};
 
 /// What is guessed of a component, and by how much that may be wrong.
 ///
@@ -115,169 +18,251 @@ template <bool Full, bool Gray, bool Fog> class LitPlanes {
 /// 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths.
 template <bool Fog> struct LitGuess { static constexpr std::uint32_t under = 1, over = Fog ? 5 : 2; };
 
-/// MODULATE, fog and truncation of what a packet holds.
-template <class T, bool Full, bool Gray, bool HasFog> class LitFragments : public TexelLanes<T> {
-  public:
-    using N = ExactLanes;
-    using L = N::L;
-    static constexpr int unit = 0, usual_fog = 6;
+/// The attributes of a lit texture near a place. Full: colours are projective; Gray: red stands for all
+/// three.
+template <bool Full, bool Gray, bool Fog> struct LitPatch {
+    static constexpr int unit = 0, colors = Gray ? 1 : 3;
+    Interpolant<std::uint32_t> u;
+    NearQuotient s, t, color[3], fog;
+    std::uint32_t under, over; ///< 256ths of 255ths: how much less or more than guessed a component may be
 
-    SPANGLE_INLINE explicit LitFragments(const PlaneRow& row)
-        : TexelLanes<T>(row, 0), exponent_(row.unit[unit].exponent),
-          fog_color_(row.state->fragment.fog_color) {
+    /// False where 16 bits do not do.
+    [[gnu::noinline]] bool set(const Span<Fixed>& span, const Patch& patch) {
+        const NearDivision by(span, patch);
+        const DrawState& state = *span.state;
+        const auto& at = span.unit[unit];
+        const int width = state.log2_width[unit], height = state.log2_height[unit];
+        if (!by.serves || width > most_log2_size || height > most_log2_size ||
+            !by.quotient(s, at.s, at.exponent, nearest_bias(width)) ||
+            !by.quotient(t, at.t, at.exponent, nearest_bias(height)))
+            return false;
+        std::uint32_t color_window = 1, fog_off = 0;
+        for (int i = 0; Full && i < colors; ++i) {
+            if (!by.quotient(color[i], span.color_q[i], 0))
+                return false;
+            color_window = color[i].window > color_window ? color[i].window : color_window;
+        }
+        if (Fog) {
+            if (!by.quotient(fog, span.fog_q, usual_fog))
+                return false;
+            const auto half = static_cast<std::int32_t>(fog.window - 1) / 2;
+            // Where even the least or the largest of() leaves it beyond 0 and 1, so does the next base.
+            fog.base = numeric::clamp<std::int32_t>(fog.base + half, -INT16_MAX, 0xFFFF - INT16_MIN);
+            fog_off = fog.window - 1 - static_cast<std::uint32_t>(half);
+        }
+        u = by.u;
+        // LitGuess, whose colour is off by less than 1 from least to most; here it is by `window`. Where the
+        // factor of fog is off by -f .. f + 1, so is the sum.
+        under = LitGuess<Fog>::under + fog_off;
+        over = LitGuess<Fog>::over + color_window - 1 + fog_off;
+        return true;
+    }
+
+  private:
+    static constexpr int usual_fog = 6, most_log2_size = 10; ///< more has few bits within a texel
+};
+
+/// A row of a patch.
+template <class Patch> struct LitRow : PlaneRow { const Patch& patch; };
+
+/// A texel's number along one axis.
+class LitAxis {
+  public:
+    using L = Lanes<8>;
+    SPANGLE_INLINE LitAxis(const PlaneRow& row, std::int32_t x, const NearQuotient& of, int log2_size)
+        : d_(row, x, of.d), base_(L::splat(static_cast<std::uint32_t>(of.base))),
+          window_(L::splat(of.window)), whole_(L::splat(0xFFFF0000u >> log2_size)),
+          down_(static_cast<std::uint16_t>(16 - log2_size)) {}
+    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
+        d_.start(row, x, of.d);
+    }
+    SPANGLE_INLINE void step() { d_.step(); }
+    SPANGLE_INLINE L::U16 texel(L::U16& open, const NearInverse& inverse) const {
+        const L::U16 v = inverse.of(d_.whole()) + base_;
+        open |= ((v + window_) ^ v) & whole_;
+        return v >> down_;
+    }
+
+  private:
+    NearRamp d_;
+    L::U16 base_, window_, whole_;
+    std::uint16_t down_;
+};
+
+/// A quotient, limited to what it can be.
+class LitRatio {
+  public:
+    using L = Lanes<8>;
+    SPANGLE_INLINE LitRatio(const PlaneRow& row, std::int32_t x, const NearQuotient& of, std::int32_t most)
+        : d_(row, x, of.d), base_(L::splat(static_cast<std::uint32_t>(of.base))),
+          least_(L::splat(of.least())), largest_(L::splat(of.largest(most))) {}
+    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
+        d_.start(row, x, of.d);
+    }
+    SPANGLE_INLINE void step() { d_.step(); }
+    SPANGLE_INLINE L::U16 at(const NearInverse& inverse) const {
+        return base_ + L::clamped_signed(inverse.of(d_.whole()), least_, largest_);
+    }
+
+  private:
+    NearRamp d_;
+    L::U16 base_, least_, largest_;
+};
+
+/// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
+template <bool Full> class LitColor {
+  public:
+    using L = Lanes<8>;
+    template <class Patch>
+    SPANGLE_INLINE LitColor(const PlaneRow& row, std::int32_t x, const Patch& patch, int i)
+        : v_(make(row, x, patch, i)) {}
+    template <class Patch>
+    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
+        if constexpr (Full)
+            v_.start(row, x, patch.color[i]);
+        else
+            v_.start(row, x, row.color_value[i]);
+    }
+    SPANGLE_INLINE void step() { v_.step(); }
+    SPANGLE_INLINE L::U16 at(const NearInverse& inverse) const {
+        if constexpr (Full)
+            return v_.at(inverse);
+        else
+            return L::high_half(v_.at);
+    }
+
+  private:
+    using V = std::conditional_t<Full, LitRatio, Ramp<L>>;
+    template <class Patch>
+    SPANGLE_INLINE static V make(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
+        if constexpr (Full)
+            return V(row, x, patch.color[i], 255 << 8);
+        else
+            return V(row, x, row.color_value[i]);
+    }
+    V v_;
+};
+
+/// MODULATE, fog and truncation, T a TextureFixed. A component is rounded to 255ths: 1/2 is added.
+template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public TexelLanes<T> {
+  public:
+    using N = Raw565<8>;
+    using L = N::L;
+    using Patch = LitPatch<Full, Gray, HasFog>;
+    static constexpr unsigned in = 0, out = field_color;
+
+    SPANGLE_INLINE LitGuessed(const LitRow<Patch>& row, std::int32_t x)
+        : TexelLanes<T>(row, x), patch_(row.patch), u_(row, x, patch_.u),
+          s_(row, x, patch_.s, this->log2_width), t_(row, x, patch_.t, this->log2_height), fog_(fog(row, x)),
+          r_(row, x, patch_, 0), g_(other(row, x, 1)), b_(other(row, x, 2)),
+          from_(L::splat(128 - patch_.under)), range_(L::splat(patch_.under + patch_.over)) {
         for (int i = 0; i < 3; ++i)
-            fog_[i] = L::splat((fog_color_[i] + (1u << 11)) >> 12);
+            fog_color_[i] = L::splat((row.state->fragment.fog_color[i] + (1u << 11)) >> 12);
     }
-    /// There are lanes for fragments of the primitive with so many leading zeros of 1/w: bits of texels, and
-    /// of NEAREST's bias, are those of high halves of products.
-    SPANGLE_INLINE static bool takes(const Span<Fixed>& s, int zeros) {
-        const int down = 30 - zeros - s.unit[unit].exponent, w = s.state->log2_width[unit],
-                  h = s.state->log2_height[unit];
-        return down - (w > h ? w : h) >= nearest_bias_bits && down <= 31;
+    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x) {
+        u_.start(row, x, patch_.u);
+        s_.start(row, x, patch_.s);
+        t_.start(row, x, patch_.t);
+        if constexpr (HasFog)
+            fog_.start(row, x, patch_.fog);
+        r_.start(row, x, patch_, 0);
+        if constexpr (!Gray) {
+            g_.start(row, x, patch_, 1);
+            b_.start(row, x, patch_, 2);
+        }
     }
-    /// The colours of fragments [0, count). One thing of all, then the next: chains of operations are long,
-    /// and those of many fragments go on at a time.
-    SPANGLE_INLINE void finish(const LitValues& v, std::int32_t count, int zeros) {
-        const std::int32_t n = (count + 7) / 8;
-        for (std::int32_t i = 0; i < n; ++i)
-            mantissa_[i] = InverseLanes(load(v.q, i), zeros).mantissa;
-        const int down = 30 - zeros - exponent_;
-        const int w = this->log2_width, h = this->log2_height;
-        for (std::int32_t i = 0; i < n; ++i)
-            texels_[i] = this->words_of((texel(load(v.t, i), mantissa_[i], down - h, h) << w) |
-                                        texel(load(v.s, i), mantissa_[i], down - w, w));
-        for (std::int32_t i = 0; i < n; ++i)
-            color(v, i, zeros);
+    SPANGLE_INLINE void step() {
+        u_.step();
+        s_.step();
+        t_.step();
+        fog_.step();
+        r_.step();
+        g_.step();
+        b_.step();
     }
-    SPANGLE_INLINE L::U16 words(std::int32_t first) const {
-        return L::load(reinterpret_cast<const std::uint8_t*>(words_ + first));
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const NearInverse inverse(u_.whole());
+        L::U16 open{};
+        const L::U16 s = s_.texel(open, inverse), t = t_.texel(open, inverse);
+        const Factors factor = factors_of(texels_at(s, t));
+        L::U16 f{};
+        if constexpr (HasFog)
+            f = fog_.at(inverse);
+        const auto share = [&](const Color& c) __attribute__((always_inline)) {
+            const L::U16 v = c.at(inverse);
+            return HasFog ? L::mul_high(v, f) : v;
+        };
+        const L::U16 r = share(r_);
+        L::U16 g = r, b = r;
+        if constexpr (!Gray) {
+            g = share(g_);
+            b = share(b_);
+        }
+        const L::U16 rest = ~f;
+        p.color.word = (bits(open, lit(r, factor.r, rest, 0), 0xF800) & 0xF800) |
+                       ((bits(open, lit(g, factor.g, rest, 1), 0xFC00) >> 5) & 0x07E0) |
+                       (bits(open, lit(b, factor.b, rest, 2), 0xF800) >> 11);
+        p.open = open;
+        return true;
     }
 
   private:
     static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
-    static constexpr int groups = LitValues::size / 8;
-    using Words = std::conditional_t<is_565, L::U16, L::U32>;
+    using Color = LitColor<Full>;
 
-    /// Fragments 0 to 3 are the even lanes, 4 to 7 the odd ones; `in_order` puts them right.
-    SPANGLE_INLINE static L::U32 load(const std::uint32_t* v, std::int32_t group) {
-        L::U32 r;
-        __builtin_memcpy(&r.even, v + 8 * group, 16);
-        __builtin_memcpy(&r.odd, v + 8 * group + 4, 16);
-        return r;
+    SPANGLE_INLINE static auto other(const LitRow<Patch>& row, std::int32_t x, int i) {
+        if constexpr (Gray)
+            return StageBase{};
+        else
+            return Color(row, x, row.patch, i);
     }
-    SPANGLE_INLINE static L::U16 in_order(L::U16 v) {
-        return __builtin_shufflevector(v, v, 0, 2, 4, 6, 1, 3, 5, 7);
+    SPANGLE_INLINE static auto fog(const LitRow<Patch>& row, std::int32_t x) {
+        if constexpr (HasFog)
+            return LitRatio(row, x, row.patch.fog, 0xFFFF);
+        else
+            return StageBase{};
     }
-    /// floor(s / q + bias) in texels: a product less its low half, whose bits the bias has none of (takes).
-    SPANGLE_INLINE static L::U32 texel(const L::U32& v, const L::U32& mantissa, int shift, int log2_size) {
-        const L::U32 unsigned_high = detail::mul_high(v, mantissa),
-                     position = unsigned_high - detail::where_negative(v, mantissa);
-        return ((position + L::splat32(1u << (shift - nearest_bias_bits))) >> shift) &
-               ((1u << log2_size) - 1);
-    }
-    /// detail::projective_color or Exact::from_affine, of which what is below 2^15 is 0.
-    SPANGLE_INLINE static N::T component(const L::U32& v, const L::U32& q, const L::U32& mantissa,
-                                         int zeros) {
-        if constexpr (Full) {
-            const N::T most = q - (q >> 8) - L::splat32(1);
-            return detail::mul_high(detail::clamped(v, most) << (zeros - 1), mantissa) >> 1;
-        } else {
-            const auto one = [](L::Words w) {
-                const auto some = std::bit_cast<L::Words>(w >> 15 != 0);
-                return ((w - (1u << 15)) >> (24 - color_fraction_bits)) & some;
-            };
-            return detail::clamped({one(v.even), one(v.odd)}, L::splat32(color_one));
-        }
-    }
-    SPANGLE_INLINE void color(const LitValues& v, std::int32_t i, int zeros) {
-        const L::U32 q = load(v.q, i), mantissa = mantissa_[i];
-        const auto channel = [&](int c) { return component(load(v.color[c], i), q, mantissa, zeros); };
-        const L::U16 r = rounded(channel(0)), g = Gray ? r : rounded(channel(1)),
-                     b = Gray ? r : rounded(channel(2));
-        L::U16 fog{};
-        if constexpr (HasFog) // FogCoordDivided
-            fog = L::clamped_24_to_16(
-                detail::mul_high(detail::clamped(load(v.fog, i), q >> (usual_fog - 1)) << zeros, mantissa));
-        const Words texels = texels_[i];
-        const auto factors = [&] {
-            if constexpr (is_565)
-                return Rgba<L::U16>{
-                    factor5(texels >> 11), factor6((texels >> 5) & 63), factor5(texels & 31), {}};
-            else
-                return Rgba<L::U16>{factor8(L::byte(texels, 0)),
-                                    factor8(L::byte(texels, 1)),
-                                    factor8(L::byte(texels, 2)),
-                                    {}};
-        }();
-        Guess guess;
-        const L::U16 word = (guess.bits(lit(r, factors.r, fog, 0), 0xF800) & 0xF800) |
-                            ((guess.bits(lit(g, factors.g, fog, 1), 0xFC00) >> 5) & 0x07E0) |
-                            (guess.bits(lit(b, factors.b, fog, 2), 0xF800) >> 11);
-        L::store(reinterpret_cast<std::uint8_t*>(words_ + 8 * i), in_order(word));
-        const L::Mask open = ~L::equal(guess.open, L::splat(0));
-        if (L::any(open)) [[unlikely]]
-            redo(v, i, open, zeros);
-    }
-    /// Top bits of components, and whether an error could change any.
-    struct Guess {
-        L::U16 open{};
-        SPANGLE_INLINE L::U16 bits(L::U16 v, std::uint32_t mask) {
-            constexpr std::uint32_t half = 128, from = half - LitGuess<HasFog>::under,
-                                    range = LitGuess<HasFog>::under + LitGuess<HasFog>::over;
-            const L::U16 least = v + L::splat(from);
-            open |= ((least + L::splat(range)) ^ least) & L::splat(mask);
-            return least;
-        }
+    struct Factors {
+        L::U16 r, g, b;
     };
-    SPANGLE_INLINE static L::U16 rounded(const N::T& c) {
-        return L::low_half((c + L::splat32(1u << 11)) >> 12);
+    SPANGLE_INLINE auto texels_at(const L::U16& s, const L::U16& t) const {
+        const int width = this->log2_width;
+        if (width + this->log2_height <= 16) [[likely]]
+            return this->words_of(static_cast<L::U16>((t << static_cast<std::uint16_t>(width)) | s));
+        return this->words_of((L::widened(t) << width) | L::widened(s));
     }
-    /// k / 31, k / 63 and k / 255 (LitGuess).
-    SPANGLE_INLINE static L::U16 factor5(L::U16 k) { return k * 2114 + (k >> 4); }
-    SPANGLE_INLINE static L::U16 factor6(L::U16 k) { return k * 1040 + (k >> 2); }
-    SPANGLE_INLINE static L::U16 factor8(L::U16 k) { return k * 257; }
-    SPANGLE_INLINE L::U16 lit(L::U16 c, L::U16 factor, L::U16 fog, int i) const {
+    /// k / (2^bits - 1), to be multiplied by in 16 bits (LitPatch::set): their bits over and over.
+    SPANGLE_INLINE static Factors factors_of(const auto& texels) {
+        if constexpr (is_565)
+            return {repeated<5>(texels & 0xF800), repeated<6>((texels << 5) & 0xFC00),
+                    repeated<5>(texels << 11)};
+        else
+            return {repeated8(L::byte(texels, 0)), repeated8(L::byte(texels, 1)),
+                    repeated8(L::byte(texels, 2))};
+    }
+    template <unsigned Bits> SPANGLE_INLINE static L::U16 repeated(const L::U16& top) {
+        constexpr std::uint32_t again = (1u << (16 - Bits)) + (1u << (16 - 2 * Bits)) + (Bits == 5 ? 2 : 0);
+        return top + L::mul_high(top, L::splat(again));
+    }
+    SPANGLE_INLINE static L::U16 repeated8(const L::U16& k) { return k | k << 8; }
+    SPANGLE_INLINE L::U16 lit(L::U16 c, L::U16 factor, L::U16 rest, int i) const {
         const L::U16 v = L::mul_high(c, factor);
-        return HasFog ? L::mul_high(fog_[i], ~fog) + L::mul_high(v, fog) : v;
+        return HasFog ? v + L::mul_high(fog_color_[i], rest) : v;
     }
-    /// What the chain does.
-    [[gnu::noinline]] void redo(const LitValues& v, std::int32_t group, L::Mask open, int zeros) {
-        for (int lane = 0; lane < 8; ++lane) {
-            if (!L::lane(open, lane))
-                continue;
-            const std::int32_t i = 8 * group + 4 * (lane & 1) + (lane >> 1);
-            Inverse inverse;
-            inverse.q = v.q[i];
-            inverse.zeros = zeros;
-            std::uint32_t texel;
-            lane_of(mantissa_[group], lane, inverse.mantissa);
-            lane_of(texels_[group], lane, texel);
-            const auto component = [&](int c) {
-                const std::uint32_t at = v.color[Gray ? 0 : c][i];
-                if constexpr (Full)
-                    return detail::projective_color(static_cast<std::int32_t>(at), inverse);
-                else
-                    return Exact::from_affine(at);
-            };
-            Exact::Color c = {component(0), component(1), component(2), color_one};
-            apply_env<Exact>(TexEnv::modulate, BaseFormat::rgb, c,
-                             TexelColors<Exact, is_565, false>::unpack(texel), Exact::Color{});
-            if constexpr (HasFog) {
-                const Exact::T f = Exact::clamped_fraction(
-                    detail::projective_fog(static_cast<std::int32_t>(v.fog[i]), usual_fog, inverse));
-                c = {Exact::mix(fog_color_[0], c.r, f), Exact::mix(fog_color_[1], c.g, f),
-                     Exact::mix(fog_color_[2], c.b, f), c.a};
-            }
-            words_[i] = static_cast<std::uint16_t>(truncated565<Exact>(c));
-        }
+    /// Top bits of a component, and whether an error could change any.
+    SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v, std::uint32_t mask) const {
+        const L::U16 least = v + from_;
+        open |= ((least + range_) ^ least) & L::splat(mask);
+        return least;
     }
 
-    int exponent_;
-    const std::uint32_t* fog_color_;
-    L::U16 fog_[3];
-    L::U32 mantissa_[groups];
-    Words texels_[groups];
-    alignas(16) std::uint16_t words_[LitValues::size + 8];
+    const Patch& patch_;
+    NearRamp u_;
+    LitAxis s_, t_;
+    [[no_unique_address]] std::conditional_t<HasFog, LitRatio, StageBase> fog_;
+    Color r_;
+    [[no_unique_address]] std::conditional_t<Gray, StageBase, Color> g_, b_;
+    L::U16 from_, range_, fog_color_[3];
 };
 
 } // namespace spangle::raster
