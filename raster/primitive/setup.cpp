@@ -134,19 +134,19 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
     if (span_.kind == Kind::full)
         projective_colors();
     else if (variant.steps)
-        stepped_colors(bits);
+        stepped_colors(bits, variant.color_bias);
     else
         affine_colors<Rgb>(bits, variant.color_bias);
 }
 
 /// Only red, green and blue are dithered. Their differences take no more bits than they did.
-void Setup<Fixed>::stepped_colors(std::uint32_t bits) {
+void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
     const bool lifts = liftable(bits, lift);
     for (int i = 0; i < 3; ++i) {
         const auto steps = [&](int k) { return color_in_steps(v(k).color[i], i); };
-        const std::uint32_t s0 = steps(0), first = s0 << color_up;
+        const std::uint32_t s0 = steps(0), first = (s0 << color_up) + bias;
         const auto d1 = static_cast<std::int32_t>(steps(1) - s0),
                    d2 = static_cast<std::int32_t>(steps(2) - s0);
         if (lifts)
@@ -179,7 +179,11 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
     const std::uint32_t off = error + lost;
-    affine_colors<true>(bits, state_.variant[static_cast<unsigned>(Kind::full)].color_bias - off);
+    const Variant& variant = state_.variant[static_cast<unsigned>(Kind::full)];
+    if (variant.steps) // which are no more than the 255ths are, and rounded to 2^-20 of them
+        stepped_colors(bits, variant.color_bias - off);
+    else
+        affine_colors<true>(bits, variant.color_bias - off);
     span_.guess.doubt(2 * off);
     span_.guess.project = &project;
 }

@@ -104,7 +104,7 @@ template <> class Setup<Fixed> {
     template <bool Rgb> void varying_colors(std::uint32_t bits);
     template <bool Rgb = false, class F> void each_color(F add) const;
     void steep_colors(std::uint32_t bias);
-    void stepped_colors(std::uint32_t bits);
+    void stepped_colors(std::uint32_t bits, std::uint32_t bias);
     void projective_colors();
     void guessed_colors(std::uint32_t bits);
     void divided_colors();

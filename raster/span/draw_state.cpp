@@ -104,8 +104,10 @@ bool choose_span(Variant& variant, const Key& key, const FragmentState& state) {
     variant.gray = fused->gray;
     variant.walk = reinterpret_cast<AnyFunction>(fused->walk);
     variant.shapes = fused->shapes;
-    if (fused->guesses)
-        variant.color_bias = 1u << 23;
+    if (fused->guesses) {
+        variant.steps = key.dither;
+        variant.color_bias = key.dither ? 0 : 1u << 23;
+    }
     return fused->guesses;
 }
 

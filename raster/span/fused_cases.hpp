@@ -44,7 +44,7 @@ constexpr bool fusible(const Key& key) {
 /// Perspective-correct colours that nothing else is done with.
 constexpr bool is_guessed(const Key& key) {
     return key.number == Number::exact && key.kind == Kind::full && !key.unit[0].on && !key.fog &&
-           !key.blend && !key.dither && is_565(key.format);
+           !key.blend && is_565(key.format);
 }
 
 /// Four words of a texture become one (filter_words.hpp).
@@ -68,7 +68,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool packed =
         K.unit[0] ==
             UnitKey{true, false, TexelFormat::rgba8888, BaseFormat::rgba, Filter::nearest, TexEnv::replace} &&
-        K.blend && !K.fog && !K.dither && is_565(K.format);
+        K.blend && !K.fog && is_565(K.format);
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
@@ -102,7 +102,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <int L>
     using ExactSystem = std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>,
                                            std::conditional_t<halved, ExactLit, Exact>>;
-    template <int L, bool Path = false> struct Stages {
+    /// Blended and dithered by one stage, as packed ones are.
+    template <class N>
+    static constexpr bool bytes_dithered = packed&& K.dither&& std::is_same_v<N, ExactBytes<8>>;
+    enum class Walk { rows, paths, tiles };
+    template <int L, Walk By = Walk::rows> struct Stages {
         using N =
             std::conditional_t<raw, Raw565<L>,
                                std::conditional_t<exact, ExactSystem<L>,
@@ -124,11 +128,13 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 1>>{};
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
-                    !K.dither, FlatWord<L>, std::conditional_t<Path, PathDithered, FlatDithered<L>>>>{};
-            else if constexpr (raw && K.dither)
-                return std::type_identity<GouraudDithered<L>>{};
+                    !K.dither, FlatWord<L>,
+                    std::conditional_t<By == Walk::paths, PathDithered, FlatDithered<L>>>>{};
             else if constexpr (is_guessed(K))
-                return std::type_identity<GouraudGuessed<L>>{};
+                return std::type_identity<GouraudGuessed<L, K.dither>>{};
+            else if constexpr (raw && K.dither)
+                return std::type_identity<
+                    std::conditional_t<L == 8 && By == Walk::rows, GouraudDitheredRow, GouraudDithered<L>>>{};
             else if constexpr (Gray)
                 return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
             else if constexpr (K.color && full && Apart)
@@ -171,7 +177,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 3>>{};
         }
         static auto blend() {
-            if constexpr (K.blend && !is_packed<N>)
+            if constexpr (K.blend && !is_packed<N> && !bytes_dithered<N>)
                 return std::type_identity<BlendAlpha<N, K.format>>{};
             else
                 return std::type_identity<None<N, 4>>{};
@@ -183,7 +189,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<
                     LitStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.fog>>{};
             else if constexpr (is_packed<N>)
-                return std::type_identity<BlendPacked<N, K.format>>{};
+                return std::type_identity<BlendPacked<N, K.format, K.dither>>{};
+            else if constexpr (bytes_dithered<N>)
+                return std::type_identity<BlendBytesDithered<N, K.format>>{};
             else if constexpr (stores_fogged<L>)
                 return std::type_identity<FoggedStore<N, K.format>>{};
             else if constexpr (K.dither)
@@ -245,7 +253,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             fused_narrow_row<Case>(span, fragment);
         }
     };
-    using PathStages = typename Stages<1, true>::List;
+    using PathStages = typename Stages<1, Walk::paths>::List;
+    template <int L> using TileList = typename Stages<L, Walk::tiles>::List;
     /// Paths become a list (PathList).
     static constexpr bool listed =
         plain && K.kind == Kind::flat && host_lanes == 8 && !numeric::cheap_branches;

@@ -160,6 +160,8 @@ constexpr FusedSpan table[] = {
     entry<fine_full.texture(t888, rgb, nearest, modulate).depth(less).fog()>(),
     entry<fine_full.texture(t565, rgb, nearest, modulate).depth(less).fog()>(),
     // The same dithered.
+    entry<fine_full.depth(less).dither()>(),
+    entry<fine_full.depth(lequal).dither()>(),
     entry<fine.texture(t888, rgb, linear, replace).dither()>(),
     entry<fine.texture(t565, rgb, linear, replace).dither()>(),
     entry<fine_affine.texture(t8888, rgba, nearest, replace).blend().dither()>(),

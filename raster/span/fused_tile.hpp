@@ -15,7 +15,7 @@ template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& s
     const Surface& target = *span.target;
     PlaneRow at{span, nullptr, nullptr, tile.x, tile.y, tile.x};
     point_at(at.color, at.depth, target, tile.x, tile.y, format_info(Case::key.format).bytes_per_pixel, 1);
-    typename Case::template List<Wide> list(at, 0);
+    typename Case::template TileList<Wide> list(at, 0);
     Px<N> p(at, target.color_stride, target.depth_stride);
     p.i = 0;
     TileLanes<L> lanes(tile);

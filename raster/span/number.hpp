@@ -175,13 +175,15 @@ template <int Count> struct Balanced {
         return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps32(T v) { return steps<Bits>(v) >> (11 - Bits); }
+    /// To steps of 2^(16 - bits) by a high product. Exact steps come out at most 3 too small; the least
+    /// threshold is 32 or more.
+    static constexpr std::uint32_t step_scale(unsigned bits) {
+        return (((1u << bits) - 1) << 16 << (16 - bits)) / one + 1;
+    }
 
   private:
     template <unsigned Bits> SPANGLE_INLINE static T steps(T v) {
-        // Steps of 2^(16 - Bits). Exact steps come out at most 3 too small; the least threshold is 32 or
-        // more.
-        constexpr std::uint32_t factor = (((1u << Bits) - 1) << 16 << (16 - Bits)) / one + 1;
-        return L::mul_high(v, L::splat(factor));
+        return L::mul_high(v, L::splat(step_scale(Bits)));
     }
 };
 
@@ -200,26 +202,35 @@ template <int Count> struct Raw565 {
     };
     using Coord = TexCoords<std::uint32_t, Count>;
     using Fog = typename L::U32;
+    /// What of components counts is their top bits: those of a word with one lane, of its high half with
+    /// eight.
+    struct Tops {
+        T r, g, b;
+    };
+    SPANGLE_INLINE static Tops tops(const typename L::U32& r, const typename L::U32& g,
+                                    const typename L::U32& b) {
+        if constexpr (Count == 1)
+            return {r, g, b};
+        else
+            return {L::high_half(r), L::high_half(g), L::high_half(b)};
+    }
+    /// Of steps (Variant::steps), before the rest is dropped: floor(step + t), t in 32nds. 31 and 63 steps
+    /// and 31/32 do not wrap; what set-up made a little less than 0 does.
+    SPANGLE_INLINE static Tops dithered(const Tops& v, T threshold32) {
+        const T t = threshold32 << (6 + below), t6 = threshold32 << (5 + below);
+        return {v.r + t, v.g + t6, v.b + t};
+    }
+    SPANGLE_INLINE static Color word(const Tops& v) {
+        return {(v.r >> below & 0xF800) | ((v.g >> (below + 5)) & 0x07E0) | (v.b >> (below + 11))};
+    }
     /// Rounded to 8 bits (half a 255th was added in set-up), then the top bits.
     SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
                                             const typename L::U32& b) {
-        return word(L::high_half(r), L::high_half(g), L::high_half(b));
-    }
-    /// Of steps (Variant::steps): floor(step + t), t in 32nds. 31 and 63 steps and 31/32 are below 2^16; what
-    /// set-up made a little less than 0 wraps.
-    SPANGLE_INLINE static Color dithered(const typename L::U32& r, const typename L::U32& g,
-                                         const typename L::U32& b, T threshold32) {
-        const T t = threshold32 << 6;
-        T blue = L::high_half(b) + t;
-        if constexpr (Count == 1) // whose T has more bits
-            blue &= 0xFFFF;
-        return word(L::high_half(r) + t, L::high_half(g) + (threshold32 << 5), blue);
+        return word(tops(r, g, b));
     }
 
   private:
-    SPANGLE_INLINE static Color word(T r, T g, T b) {
-        return {(r & 0xF800) | ((g >> 5) & 0x07E0) | (b >> 11)};
-    }
+    static constexpr int below = Count == 1 ? 16 : 0;
 };
 
 template <class V> SPANGLE_INLINE void lane_of(const V& v, int i, Raw565<1>::Color& to) {

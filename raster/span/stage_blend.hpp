@@ -66,20 +66,53 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     }
 };
 
-/// BlendAlpha and Store of the packed systems.
-template <class N, PixelFormat Format> struct BlendPacked : StageBase {
+/// BlendAlpha and Store, or StoreDithered, of the packed systems.
+template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
     static_assert(is_packed<N>);
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
-    SPANGLE_INLINE BlendPacked(const Span<Fixed>&, std::int32_t) {}
+    using Row = std::conditional_t<Dither, detail::DitherRow<Lanes<1>>, detail::NoThreshold>;
+    [[no_unique_address]] Row dither;
+    SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.color.a == 0)
             return false;
         asm("" : "+r"(p.color.a)); // what follows is not begun before the branch
         std::uint8_t* const at = p.color_plane + 2 * p.i;
-        Words::store(at, p.color.a == 255 ? N::opaque(p.color) : N::over(p.color, Words::load(at)));
+        if constexpr (Dither)
+            Words::store(at, N::over(p.color, Words::load(at), dither.threshold()));
+        else
+            Words::store(at, p.color.a == 255 ? N::opaque(p.color) : N::over(p.color, Words::load(at)));
         return true;
+    }
+    SPANGLE_INLINE void step() { dither.step(); }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { dither = Row(s.x + x, s.y); }
+};
+
+/// BlendAlpha and StoreDithered of ExactBytes.
+template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
+    static constexpr unsigned in = field_color;
+    static constexpr bool kill = true, effect = true;
+    using L = typename N::L;
+    using Words = Words565<L, Format>;
+    typename N::Threshold threshold;
+    SPANGLE_INLINE BlendBytesDithered(const Span<Fixed>& s, std::int32_t x) { start(s, x); }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        const typename N::Color& s = p.color;
+        if (!L::any(L::negate(L::equal(s.a, L::splat(0)))))
+            return false;
+        std::uint8_t* const at = p.color_plane + 2 * p.i;
+        const typename L::U16 under = Words::load(at);
+        const typename L::U16 word =
+            pack565<N>(N::template dithered<5>(s.r, s.a, under >> 11, threshold),
+                       N::template dithered<6>(s.g, s.a, (under >> 5) & 63, threshold),
+                       N::template dithered<5>(s.b, s.a, under & 31, threshold));
+        Words::store(at, L::select(p.live, word, under));
+        return true;
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
+        threshold = typename N::Threshold(detail::DitherRow<L>(s.x + x, s.y).threshold());
     }
 };
 

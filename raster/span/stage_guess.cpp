@@ -15,7 +15,9 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
     const auto component = [&](int i) {
         return detail::projective_color(unguarded(at(span.color_q[i])), inverse);
     };
-    return truncated565<Exact>({component(0), component(1), component(2), color_one});
+    const Exact::Color c = {component(0), component(1), component(2), color_one};
+    return span.state->fragment.dither ? dithered565<Exact>(c, dither_threshold(dither_row(y), x))
+                                       : truncated565<Exact>(c);
 }
 
 } // namespace spangle::raster

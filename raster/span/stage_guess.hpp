@@ -5,6 +5,7 @@
 #include "raster/span/rows.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_raw.hpp"
+#include "raster/span/stage_thresholds.hpp"
 
 namespace spangle::raster {
 
@@ -13,27 +14,43 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 
 /// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
 /// sixteen bits of it and leave it to others to divide (Px::open, divide_open): a loop that calls keeps
-/// nothing in registers.
-template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
+/// nothing in registers. Dithered colours are counted in steps (Variant::steps), and a threshold moves both.
+template <int Count, bool Dither> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using L = typename N::L;
+    using Base = Gouraud<N, false>;
+    [[no_unique_address]] std::conditional_t<Dither, detail::DitherPlace<L>, detail::NoThreshold> dither;
 
     template <class S>
     SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
-        : Gouraud<N, false>(at, x), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
+        : Base(at, x), dither(at.x + x, at.y), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
           open6_(limit(at.planes.guess.open6, 6)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
+        if constexpr (Dither)
+            v = N::dithered(v, dither.threshold());
         if constexpr (Count == 1) {
-            if (this->r.at << 5 >= open5_ || this->g.at << 6 >= open6_ || this->b.at << 5 >= open5_)
-                [[unlikely]] {
+            if (v.r << 5 >= open5_ || v.g << 6 >= open6_ || v.b << 5 >= open5_) [[unlikely]] {
                 p.color.word = divided_word(here_.row.planes, here_.row.counted_from + p.i, here_.row.y);
                 return true;
             }
         } else {
-            p.open = reaches(this->r.at, 5, open5_) | reaches(this->g.at, 6, open6_) |
-                     reaches(this->b.at, 5, open5_);
+            p.open = reaches(v.r, 5, open5_) | reaches(v.g, 6, open6_) | reaches(v.b, 5, open5_);
         }
-        return Gouraud<N, false>::operator()(p);
+        p.color = N::word(v);
+        return true;
+    }
+    SPANGLE_INLINE void step() {
+        Base::step();
+        dither.step();
+    }
+    SPANGLE_INLINE void next_row() {
+        Base::next_row();
+        dither.next_row();
+    }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        Base::start(s, x);
+        dither = {s.x + x, s.y};
     }
 
   private:
@@ -52,8 +69,8 @@ template <int Count> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
         else
             return L::splat((open >> 16 >> bits) << bits);
     }
-    SPANGLE_INLINE static typename L::Mask reaches(const typename L::U32& v, int bits, const Limit& open) {
-        return L::negate(L::less(L::high_half(v) << static_cast<std::uint16_t>(bits), open));
+    SPANGLE_INLINE static typename L::Mask reaches(const typename N::T& v, int bits, const Limit& open) {
+        return L::negate(L::less(v << static_cast<std::uint16_t>(bits), open));
     }
     Limit open5_, open6_;
 };

@@ -73,7 +73,7 @@ template <int Count> struct FlatDithered : StageBase {
     }
 
   private:
-    SPANGLE_INLINE void mix() { words = N::dithered(r, g, b, dither.threshold()).word; }
+    SPANGLE_INLINE void mix() { words = N::word(N::dithered(N::tops(r, g, b), dither.threshold())).word; }
 };
 template <> struct FlatDithered<1> : StageBase {
     static constexpr unsigned out = field_color;

@@ -31,6 +31,11 @@ SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::
 template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
+template <class N>
+SPANGLE_INLINE typename N::L::U16 dithered565(const typename N::Color& c, typename N::L::U16 threshold32) {
+    return pack565<N>(N::template dithered<5>(c.r, threshold32), N::template dithered<6>(c.g, threshold32),
+                      N::template dithered<5>(c.b, threshold32));
+}
 
 /// Dithering off, all channels written.
 template <class N, PixelFormat Format> struct Store : StageBase {
@@ -74,10 +79,7 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + 2 * p.i;
-            const typename L::U16 t = dither.threshold();
-            typename L::U16 word =
-                pack565<N>(N::template dithered<5>(p.color.r, t), N::template dithered<6>(p.color.g, t),
-                           N::template dithered<5>(p.color.b, t));
+            typename L::U16 word = dithered565<N>(p.color, dither.threshold());
             if constexpr (N::lanes > 1)
                 word = L::select(p.live, word, Words565<L, Format>::load(at));
             Words565<L, Format>::store(at, word);
@@ -125,11 +127,7 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
         if constexpr (is_565(Format)) {
             std::uint8_t* const at = p.color_plane + 2 * p.i;
             const std::uint32_t bits = (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
-            const std::uint32_t t = dither.threshold();
-            const std::uint32_t word =
-                dithers ? pack565<N>(N::template dithered<5>(c.r, t), N::template dithered<6>(c.g, t),
-                                     N::template dithered<5>(c.b, t))
-                        : truncated565<N>(c);
+            const std::uint32_t word = dithers ? dithered565<N>(c, dither.threshold()) : truncated565<N>(c);
             Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), bits));
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;

@@ -54,4 +54,11 @@ template <class L> struct DitherPlace : DitherRow<L> {
     SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
 
+/// In place of either, where nothing is dithered.
+struct NoThreshold {
+    SPANGLE_INLINE NoThreshold(std::int32_t, std::int32_t) {}
+    SPANGLE_INLINE void step() {}
+    SPANGLE_INLINE void next_row() {}
+};
+
 } // namespace spangle::raster::detail

@@ -1,6 +1,7 @@
 """Builds the scenes as firmware for MPS2 boards and counts their instructions in QEMU."""
 import concurrent.futures
 import dataclasses
+import itertools
 import os
 import pathlib
 import subprocess
@@ -66,14 +67,15 @@ def count(programs, image):
     return Result(sum(n for n, _ in frames) // len(frames), frames[0][1], int(size.splitlines()[1].split()[0]), **memory)
 
 
-def measure(board, scenes, precisions):
-    """{(scene, precision): Result}"""
+def measure(board, scenes, precisions, dithers=(False,)):
+    """{(scene, precision, dithered): Result}"""
     with tempfile.TemporaryDirectory() as folder:
         programs = Programs(board, folder)
-        jobs = [(scene, precision) for scene in scenes for precision in precisions]
-        images = [programs.add(f"{scene}_{precision}", ROOT / "tests/bench/mcu_main.cpp",
-                               [f"-DBENCH_SCENE={SCENES[scene]}", f"-DBENCH_PRECISION=EGL_PRECISION_{precision.upper()}_SPANGLE"])
-                  for scene, precision in jobs]
+        jobs = list(itertools.product(scenes, precisions, dithers))
+        images = [programs.add(f"{scene}_{precision}_{dither}", ROOT / "tests/bench/mcu_main.cpp",
+                               [f"-DBENCH_SCENE={SCENES[scene]}", f"-DBENCH_PRECISION=EGL_PRECISION_{precision.upper()}_SPANGLE",
+                                f"-DBENCH_DITHERS={str(dither).lower()}"])
+                  for scene, precision, dither in jobs]
         programs.build.run()
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             return dict(zip(jobs, pool.map(lambda image: count(programs, image), images)))

@@ -13,7 +13,7 @@
 #include "tests/bench/picture_hash.hpp"
 
 #ifndef BENCH_SCENE
-#error "define BENCH_SCENE (a scene object) and BENCH_PRECISION (an EGL token)"
+#error "define BENCH_SCENE (a scene object), BENCH_PRECISION (an EGL token) and BENCH_DITHERS (true or false)"
 #endif
 
 extern "C" {
@@ -44,7 +44,8 @@ int main() {
         semihosting::print("no context\n");
         return 1;
     }
-    glDisable(GL_DITHER);
+    if (!BENCH_DITHERS)
+        glDisable(GL_DITHER);
     const scenes::Scene& scene = scenes::BENCH_SCENE;
     scene.setup(width, height);
     scene.draw(1);                           // what is done once is not counted

@@ -98,5 +98,46 @@ TEST(Over, PackedAndBytesHaveTheBitsOfExact) {
     packed_exact<6>();
 }
 
+/// The bits of the balanced tier, dithered.
+TEST(Over, DitheredPackedHasTheSameBits) {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 64; ++k) {
+                const std::uint32_t g = s ^ 0x5A, b = 255 - s, r5 = k & 31, b5 = (k * 7) & 31;
+                const std::uint32_t r_over = N::over<5>(N::from8(s), N::from8(a), r5),
+                                    g_over = N::over<6>(N::from8(g), N::from8(a), k),
+                                    b_over = N::over<5>(N::from8(b), N::from8(a), b5);
+                const Packed::Color c = Packed::from_word(s | g << 8 | b << 16 | a << 24);
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    const std::uint32_t want = N::dithered<5>(r_over, t) << 11 |
+                                               N::dithered<6>(g_over, t) << 5 | N::dithered<5>(b_over, t);
+                    ASSERT_EQ(Packed::over(c, r5 << 11 | k << 5 | b5, t), want) << s << " " << a << " " << k;
+                }
+            }
+}
+
+/// Exact, dithered, is floor(v + t) of the quotient itself; so are the others.
+template <unsigned Bits> void dithered_exact() {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 1u << Bits; ++k) {
+                const std::uint32_t v = Exact::over<Bits>(Exact::from8(s), Exact::from8(a), k);
+                const Packed::Color c = Packed::from_word(s | s << 8 | s << 16 | a << 24);
+                const std::uint32_t under = Bits == 5 ? k << 11 | (31 - k) : k << 5;
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    const std::uint32_t want = Exact::dithered<Bits>(v, t),
+                                        got = PackedExact::over(c, under, t);
+                    ASSERT_EQ(Bits == 5 ? got >> 11 : (got >> 5) & 63, want) << s << " " << a << " " << k;
+                    ASSERT_EQ(ExactBytes<1>::dithered<Bits>(s, a, k, ExactBytes<1>::Threshold(t)), want)
+                        << s << " " << a << " " << k;
+                }
+            }
+}
+
+TEST(Over, DitheredPackedAndBytesHaveTheBitsOfExact) {
+    dithered_exact<5>();
+    dithered_exact<6>();
+}
+
 } // namespace
 } // namespace spangle::raster::test

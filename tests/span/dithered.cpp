@@ -61,7 +61,8 @@ TEST(Dithered, SumsAreStepsAndThresholds) {
                                    std::ldexp(1, -bits) +
                                t / 32.0)));
             };
-            ASSERT_EQ(One::dithered(r, g, b, t).word, step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27))
+            ASSERT_EQ(One::word(One::dithered(One::tops(r, g, b), t)).word,
+                      step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27))
                 << r << ' ' << g << ' ' << b << ' ' << t;
         }
 }
@@ -74,7 +75,7 @@ TEST(Dithered, StepsStay) {
                                                       levels(component));
             const std::uint32_t v = color_in_steps(c, component) << (24 - color_fraction_bits);
             for (std::uint32_t t = 1; t < 32; t += 2) {
-                const std::uint32_t word = Raw565<1>::dithered(v, v, v, t).word;
+                const std::uint32_t word = Raw565<1>::word(Raw565<1>::dithered({v, v, v}, t)).word;
                 const std::uint32_t of[] = {word >> 11, (word >> 5) & 63, word & 31};
                 ASSERT_EQ(of[component], k) << component << ' ' << t;
             }

@@ -41,9 +41,11 @@ bool covers(const FixedVertex (&v)[3], std::int32_t x, std::int32_t y) {
     return sides != 3;
 }
 
-TEST(Guesses, HoldTheDividedColour) {
-    const Key key = [] {
+/// Dithered: in steps.
+void hold_the_divided_colour(bool dither) {
+    const Key key = [&] {
         Key k;
+        k.dither = dither;
         k.number = Number::exact;
         k.kind = Kind::full;
         k.depth = Compare::less;
@@ -87,17 +89,24 @@ TEST(Guesses, HoldTheDividedColour) {
                 for (int c = 0; c < 3; ++c) {
                     const std::uint32_t divided =
                         detail::projective_color(unguarded(at(span.color_q[c])), inverse);
-                    const std::int64_t rounded = std::int64_t{divided} * 16 + (1 << 23),
-                                       above = rounded - at(span.color_value[c]);
-                    ASSERT_GE(above, 0) << "round " << round << " component " << c;
+                    const std::uint32_t steps = c == 1 ? 252 : 248, // 255ths of the largest
+                        wanted = dither
+                                     ? static_cast<std::uint32_t>(std::uint64_t{divided} * 16 * steps / 255)
+                                     : divided * 16 + (1u << 23),
+                                        above = wanted - at(span.color_value[c]); // never below
                     ASSERT_LE(above, doubt) << "round " << round << " component " << c;
-                    most = std::max(most, std::abs(2.0 * static_cast<double>(above) / doubt - 1));
+                    most = std::max(most, std::abs(2.0 * above / doubt - 1));
                 }
             }
     }
     EXPECT_GT(guessed, 10000);
     EXPECT_GT(fragments, 500000);
     EXPECT_GT(most, 0.75); // the bound is met, not far away
+}
+
+TEST(Guesses, HoldTheDividedColour) {
+    hold_the_divided_colour(false);
+    hold_the_divided_colour(true);
 }
 
 TEST(Guesses, PicturesAreThoseOfDivisions) {

@@ -29,8 +29,10 @@ DrawState chained(const DrawState& compiled, const Surface& target) {
         variant.walk = nullptr;
         variant.shapes = nullptr;
         // As set-up makes colours where none is guessed.
+        const bool raw = key.number == Number::raw565;
+        variant.steps = raw && key.dither;
         if (compiled.guesses)
-            variant.color_bias = key.number == Number::raw565 ? 1u << 23 : 1u << 15;
+            variant.color_bias = !raw ? 1u << 15 : variant.steps ? 0 : 1u << 23;
     }
     out.shapes = out.guesses = false;
     out.paths = {};
