@@ -143,10 +143,10 @@ def verdict(times, scenes):
 
 
 def instruction_table(build, scenes, boards, with_callgrind, hashes):
-    counts = {board: mcu.measure(board, scenes, TIERS) for board in boards}
-    print("\nInstructions of a frame, 320x240, dithering off; text, memory and stack of the Cortex-M4 image."
-          " Goals: tests/bench/goals.json.")
-    print(f"{'scene':<6}{'tier':<10}" + ("x86" if with_callgrind else "").rjust(12) + "".join(f"{board:>13}{'of goal':>9}" for board in boards)
+    counts = {board: mcu.measure(board, scenes, TIERS, (False, True)) for board in boards}
+    print("\nInstructions of a frame, 320x240, dithering off, and what it takes more for each stored fragment; text, memory and stack of the"
+          " Cortex-M4 image. Goals: tests/bench/goals.json.")
+    print(f"{'scene':<6}{'tier':<10}" + ("x86" if with_callgrind else "").rjust(12) + "".join(f"{board:>13}{'of goal':>9}{'dither':>8}" for board in boards)
           + ("".join(f"{kind:>10}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + "  picture" if boards else ""))
     bad = []
     for scene in scenes:
@@ -154,12 +154,13 @@ def instruction_table(build, scenes, boards, with_callgrind, hashes):
             row = f"{scene:<6}{tier:<10}" + (f"{callgrind(build, scene, tier):>12,}" if with_callgrind else " " * 12)
             for board in boards:
                 limit = goals.instructions(board, scene, tier)
-                n = counts[board][scene, tier].instructions
-                row += f"{n:>13,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}")
+                n, dithered = counts[board][scene, tier, False].instructions, counts[board][scene, tier, True]
+                more = goals.dithering({"instructions": n, "dithered": dithered.instructions, "fragments": dithered.fragments})
+                row += f"{n:>13,}" + (f"{n / limit:>8.2f}x" if limit else f"{'-':>9}") + f"{more:>+8.1f}"
             if boards:
-                result = counts[boards[0]][scene, tier]
+                result = counts[boards[0]][scene, tier, False]
                 row += "".join(f"{getattr(result, kind):>10,}" for kind in ("text", "context", "surface", "peak", "static", "stack")) + f"  {result.picture}"
-                pictures = {counts[board][scene, tier].picture for board in boards} | hashes.get(f"{scene}/{SIZES[0]}/{tier}", set())
+                pictures = {counts[board][scene, tier, False].picture for board in boards} | hashes.get(f"{scene}/{SIZES[0]}/{tier}", set())
                 if len(pictures) > 1:
                     bad.append(f"{scene} {tier}: the builds draw different pictures: {', '.join(sorted(pictures))}")
             print(row, flush=True)

@@ -4,6 +4,7 @@ import pathlib
 
 ALL = json.loads(pathlib.Path(__file__).with_name("goals.json").read_text())
 SCENES = [scene for scene in ALL if scene.startswith("S")]
+FLAT = ("S1", "S2")  # clears and flat fills
 WITHIN = 1.25  # times a goal that an emulated board may take
 
 
@@ -14,6 +15,11 @@ def instructions(board, scene, tier):
     if isinstance(factor, dict):
         factor = factor.get(tier)
     return None if goal is None or factor is None else goal * factor * 1e6
+
+
+def dithering(counts):
+    """Instructions that GL_DITHER takes more for each stored fragment, of an entry of golden.json"""
+    return (counts["dithered"] - counts["instructions"]) / max(counts["fragments"], 1)
 
 
 def speed(scene, tier):

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the instructions and the text of S1 to S9 in every tier on Cortex-M and holds them against what they were.
+"""Counts the instructions and the text of S1 to S9 in every tier on Cortex-M, plain and dithered, and holds them against what they were.
 
 usage: icount.py [--update]
 
 More than 3 % above tests/bench/golden.json fails; more than 3 % below asks for --update, which writes the file and its tables anew.
-Prints the goals of tests/bench/goals.json beside the counts; a count above its goal is said, and does not fail. Exit status 77 (skipped) when the compiler or QEMU is missing.
+Prints the goals of tests/bench/goals.json beside the counts, and what dithering takes more for each fragment; what is above its goal is said, and does not fail. Exit status 77 (skipped) when the compiler or QEMU is missing.
 """
+import itertools
 import json
 import pathlib
 import sys
@@ -24,30 +25,34 @@ SLACK = 1.03
 
 
 def measure():
-    """{"m4 S2 exact": {"instructions": n, "text": n}}, and the pictures of each scene and tier."""
+    """{"m4 S2 exact": {"instructions": n, "text": n, "dithered": n, "fragments": n}}, and the pictures of each scene and tier."""
     counts, pictures = {}, {}
     for board in mcu.BOARDS:
-        for (scene, tier), result in mcu.measure(board, goals.SCENES, TIERS).items():
-            counts[f"{board} {scene} {tier}"] = {"instructions": result.instructions, "text": result.text}
-            pictures.setdefault((scene, tier), set()).add(result.picture)
+        results = mcu.measure(board, goals.SCENES, TIERS, (False, True))
+        for scene, tier, dithers in results:
+            pictures.setdefault((scene, tier, "dithered" if dithers else "plain"), set()).add(results[scene, tier, dithers].picture)
+        for scene, tier in itertools.product(goals.SCENES, TIERS):
+            plain, dithered = results[scene, tier, False], results[scene, tier, True]
+            counts[f"{board} {scene} {tier}"] = {"instructions": plain.instructions, "text": plain.text, "dithered": dithered.instructions,
+                                                 "fragments": dithered.fragments}
     return counts, pictures
 
 
 def write(counts):
     lines = [f"  {json.dumps(name)}: {json.dumps(counts[name])}" for name in counts]
     GOLDEN.write_text("{\n" + ",\n".join(lines) + "\n}\n")
-    tables.write({"instructions": tables.instructions(), "goals": tables.goals_met()})
+    tables.write({"instructions": tables.instructions(), "goals": tables.goals_met(), "dithering": tables.dithering()})
     print(f"wrote {GOLDEN.relative_to(mcu.ROOT)} and its tables")
 
 
 def compare(counts, golden):
     """True when nothing grew."""
     good, better = True, False
-    print(f"{'board scene tier':<20}{'instructions':>14}{'was':>14}{'goal':>14}{'of goal':>9}{'text':>10}{'was':>10}")
+    print(f"{'board scene tier':<20}{'instructions':>14}{'was':>14}{'goal':>14}{'of goal':>9}{'text':>10}{'was':>10}{'dithered':>14}{'was':>14}{'+/fragment':>12}{'goal':>6}")
     for name, now in counts.items():
         was, goal, verdict = golden.get(name), goals.instructions(*name.split()), ""
-        if was is None:
-            good, was, verdict = False, {"instructions": 0, "text": 0}, "  NOT IN golden.json"
+        if was is None or was.keys() != now.keys():
+            good, was, verdict = False, dict.fromkeys(now, 0), "  NOT IN golden.json"
         else:
             grown = [kind for kind in now if now[kind] > was[kind] * SLACK]
             good = good and not grown
@@ -55,7 +60,8 @@ def compare(counts, golden):
             verdict = f"  MORE {' AND '.join(grown).upper()}" if grown else ""
         print(f"{name:<20}{now['instructions']:>14,}{was['instructions']:>14,}"
               + (f"{goal:>14,.0f}{now['instructions'] / goal:>8.2f}x" if goal else f"{'-':>14}{'-':>9}") +
-              f"{now['text']:>10,}{was['text']:>10,}{verdict}")
+              f"{now['text']:>10,}{was['text']:>10,}{now['dithered']:>14,}{was['dithered']:>14,}{goals.dithering(now):>12.1f}"
+              f"{goals.ALL['dither'][name.split()[0]]:>6}{verdict}")
     if not good:
         print("worse than tests/bench/golden.json by more than 3 %: repair it, or, when it is worth it, ./dev bench --update-golden and say why")
     elif better:
@@ -72,9 +78,9 @@ def main():
         write(counts)
     golden = json.loads(GOLDEN.read_text()) if GOLDEN.exists() else {}
     good = compare(counts, golden)
-    for (scene, tier), found in pictures.items():
+    for (scene, tier, how), found in pictures.items():
         if len(found) > 1:
-            print(f"{scene} {tier}: the boards draw different pictures: {', '.join(sorted(found))}")
+            print(f"{scene} {tier} {how}: the boards draw different pictures: {', '.join(sorted(found))}")
             good = False
     return 0 if good else 1
 

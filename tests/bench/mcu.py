@@ -29,6 +29,7 @@ class Result:
     peak: int  # most that was ever taken of the memory handed over, context and surface included
     static: int  # .data and .bss of the library
     stack: int  # deepest
+    fragments: int = 0  # stored in a frame; counted where they are dithered
 
 
 def available():

@@ -1,6 +1,6 @@
 // The firmware of the instruction counts: one scene on an MPS2 board, three frames, counted one by one; run
 // with -icount shift=0. Prints by semihosting a line "frame INSTRUCTIONS HASH" for each, and a line "NAME
-// BYTES" for each kind of memory.
+// BYTES" for each kind of memory; of an image that dithers, how many fragments a frame stores.
 #include <cstdint>
 
 #include <spangle/mcu/instructions.hpp>
@@ -28,11 +28,23 @@ namespace semihosting = mcu::semihosting;
 constexpr int width = 320, height = 240;
 alignas(8) unsigned char memory_pool[1536 * 1024];
 
-void print_bytes(const char* name, std::size_t bytes) {
+void print_number(const char* name, std::size_t number) {
     semihosting::print(name);
     semihosting::print(" ");
-    semihosting::print_number(static_cast<std::uint32_t>(bytes));
+    semihosting::print_number(static_cast<std::uint32_t>(number));
     semihosting::print("\n");
+}
+
+/// Mean of the frames that were counted.
+std::size_t fragments_of(const scenes::Scene& scene) {
+    GLuint query = 0, passed = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    for (int frame = 2; frame < 5; ++frame)
+        scene.draw(frame);
+    glEndQuery(GL_SAMPLES_PASSED);
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &passed);
+    return passed / 3;
 }
 
 } // namespace
@@ -60,12 +72,14 @@ int main() {
         semihosting::print_hex(bench::picture_hash(width, height));
         semihosting::print("\n");
     }
-    print_bytes("context", gl.context_bytes);
-    print_bytes("surface", gl.surface_bytes);
-    print_bytes("peak", memory_use().peak);
+    print_number("context", gl.context_bytes);
+    print_number("surface", gl.surface_bytes);
+    print_number("peak", memory_use().peak);
     // without what this program itself needs: the pool and the row of picture_hash()
-    print_bytes("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
-                              sizeof memory_pool - 2048 * 4);
-    print_bytes("stack", mcu::deepest_stack());
+    print_number("static", static_cast<std::size_t>((&data_end - &data_begin) + (&bss_end - &bss_begin)) -
+                               sizeof memory_pool - 2048 * 4);
+    print_number("stack", mcu::deepest_stack());
+    if (BENCH_DITHERS)
+        print_number("fragments", fragments_of(scene));
     return glGetError() == GL_NO_ERROR ? 0 : 1;
 }
