@@ -7,40 +7,62 @@
 
 namespace spangle::raster {
 
+namespace detail {
+
+using Half [[gnu::may_alias]] = std::uint16_t;
+using Pair [[gnu::may_alias]] = std::uint32_t;
+
+SPANGLE_INLINE bool between_pairs(const std::uint8_t* at) {
+    return (reinterpret_cast<std::uintptr_t>(at) & 2) != 0;
+}
+
+/// `count` >= 0 words from `at`, which is 4-aligned: two pairs in turn. What is left of a pair.
+SPANGLE_INLINE Half* fill_pairs(std::uint8_t* at, std::uint32_t first, std::uint32_t second,
+                                std::int32_t count) {
+    Pair* to = reinterpret_cast<Pair*>(at);
+    for (Pair* const end = to + (count >> 3) * 4; to != end; to += 4)
+        to[0] = first, to[1] = second, to[2] = first, to[3] = second;
+    const std::int32_t rest = (count & 7) >> 1;
+    for (std::int32_t i = 0; i < rest; ++i)
+        *to++ = (i & 1) != 0 ? second : first;
+    return reinterpret_cast<Half*>(to);
+}
+
+} // namespace detail
+
 /// `count` > 0 words from `at`, which is 2-aligned.
 SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t count) {
-    using Half [[gnu::may_alias]] = std::uint16_t;
-    using Pair [[gnu::may_alias]] = std::uint32_t;
     const auto half = static_cast<std::uint16_t>(word);
-    if ((reinterpret_cast<std::uintptr_t>(at) & 2) != 0) {
-        *reinterpret_cast<Half*>(at) = half;
+    if (detail::between_pairs(at)) {
+        *reinterpret_cast<detail::Half*>(at) = half;
         at += 2;
         --count;
     }
     const std::uint32_t pair = word | word << 16;
-    Pair* to = reinterpret_cast<Pair*>(at);
-    for (Pair* const end = to + (count >> 3) * 4; to != end; to += 4)
-        to[0] = pair, to[1] = pair, to[2] = pair, to[3] = pair;
-    for (Pair* const end = to + ((count & 7) >> 1); to != end; ++to)
-        *to = pair;
+    detail::Half* const last = detail::fill_pairs(at, pair, pair, count);
     if ((count & 1) != 0)
-        *reinterpret_cast<Half*>(to) = half;
+        *last = half;
 }
 
 /// The same of four words in turn, from `column` on.
 inline void fill_columns(std::uint8_t* at, const std::uint16_t (&words)[4], std::int32_t column,
                          std::int32_t count) {
     const auto word = [&](std::int32_t i) { return words[(column + i) & 3]; };
-    const auto put = [&](std::int32_t i) {
-        const std::uint16_t v = word(i);
-        __builtin_memcpy(at + 2 * i, &v, 2);
+    if (detail::between_pairs(at)) {
+        *reinterpret_cast<detail::Half*>(at) = word(0);
+        at += 2;
+        ++column;
+        --count;
+    }
+    const auto pair = [&](std::int32_t i) {
+        const std::uint16_t two[2] = {word(i), word(i + 1)};
+        std::uint32_t both;
+        __builtin_memcpy(&both, two, sizeof both);
+        return both;
     };
-    const std::uint16_t four[4] = {word(0), word(1), word(2), word(3)};
-    std::int32_t i = 0;
-    for (; i + 4 <= count; i += 4)
-        __builtin_memcpy(at + 2 * i, four, 8);
-    for (; i < count; ++i)
-        put(i);
+    detail::Half* const last = detail::fill_pairs(at, pair(0), pair(2), count);
+    if ((count & 1) != 0)
+        *last = word(count - 1);
 }
 
 } // namespace spangle::raster
