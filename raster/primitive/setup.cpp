@@ -82,16 +82,6 @@ void Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first
     affine(at, first, d1, d2, up);
 }
 
-/// The same of differences that are liftable().
-template <class C>
-SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
-                                      std::int32_t d2, std::uint32_t lift, const C& by) {
-    const std::int32_t a = lifted(d1, lift), b = lifted(d2, lift);
-    at.dx = lifted_word(a, b, by.dx);
-    at.dy = lifted_word(a, b, by.dy);
-    at.value = first + lifted_word(a, b, by.center);
-}
-
 // --- attributes
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {

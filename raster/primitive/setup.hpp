@@ -96,6 +96,7 @@ template <> class Setup<Fixed> {
                     int up) const;
     void add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
                    int up);
+    void add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     Slope add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();

@@ -14,6 +14,15 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients&
             numeric::mul_long(d1, by.center[0]) + numeric::mul_long(d2, by.center[1])};
 }
 
+/// A plane of differences that are liftable().
+SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
+                                      std::int32_t d2, std::uint32_t lift, const Coefficients& by) {
+    const std::int32_t a = lifted(d1, lift), b = lifted(d2, lift);
+    at.dx = lifted_word(a, b, by.dx);
+    at.dy = lifted_word(a, b, by.dy);
+    at.value = first + lifted_word(a, b, by.center);
+}
+
 /// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
 /// is smooth_rgb.
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {

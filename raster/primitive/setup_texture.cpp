@@ -26,9 +26,19 @@ SPANGLE_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
     return up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
 }
 
-std::int64_t least_of(const std::int64_t v[3]) {
-    const std::int64_t ab = v[0] < v[1] ? v[0] : v[1];
-    return ab < v[2] ? ab : v[2];
+/// m 2^-down, rounded to nearest; in line where words are shifted by less than their bits.
+SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
+    if (down > 0 && down < 32) [[likely]] // |m| is at most 2^61
+        return static_cast<std::int64_t>(scaled_words(m + (std::int32_t{1} << (down - 1)), down));
+    return to_fixed(m, -down, 0);
+}
+
+/// Whole repeats.
+SPANGLE_INLINE std::int32_t whole(std::int64_t v) {
+    return static_cast<std::int32_t>(v >> 32);
+}
+SPANGLE_INLINE std::int32_t least_whole(const std::int64_t v[3]) {
+    return Ends(whole(v[0]), whole(v[1]), whole(v[2])).low;
 }
 
 } // namespace
@@ -49,8 +59,8 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
         t[i] = to_repeats(c.t, c.exponent - halves.t);
     }
     // Whole repeats come off first: they would take bits from the fraction.
+    const std::int32_t base_s = least_whole(s), base_t = least_whole(t);
     constexpr std::int64_t repeat = std::int64_t{1} << 32;
-    const std::int64_t base_s = least_of(s) >> 32, base_t = least_of(t) >> 32;
     std::uint64_t all = 0;
     for (int i = 0; i < 3; ++i) {
         s[i] -= base_s * repeat;
@@ -60,13 +70,13 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     const int shift_down = 34 - clz64(all | 1);
     u.shift = shift_down > 0 ? shift_down : 0;
     for (int i = 0; i < 3; ++i) {
-        u.s[i] = static_cast<std::int32_t>(s[i] >> u.shift);
-        u.t[i] = static_cast<std::int32_t>(t[i] >> u.shift);
+        u.s[i] = static_cast<std::int32_t>(scaled_word(s[i], u.shift));
+        u.t[i] = static_cast<std::int32_t>(scaled_word(t[i], u.shift));
     }
     u.s0 = s[0];
     u.t0 = t[0];
-    span_.unit[unit].s_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_s, -4096, 4096));
-    span_.unit[unit].t_base = static_cast<std::int32_t>(numeric::clamp<std::int64_t>(base_t, -4096, 4096));
+    span_.unit[unit].s_base = numeric::clamp<std::int32_t>(base_s, -4096, 4096);
+    span_.unit[unit].t_base = numeric::clamp<std::int32_t>(base_t, -4096, 4096);
 }
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
@@ -105,18 +115,36 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     std::int64_t c[3];
     std::uint64_t all = 0;
-    constexpr std::int64_t limit = std::int64_t{1} << 60;
     for (int i = 0; i < 3; ++i) {
         const std::int64_t product = numeric::mul_s32(v(i).fog_mantissa, state_.fog.scale);
-        c[i] = to_fixed(product / 2, 1 + v(i).fog_exponent + state_.fog.scale_exponent, 24);
-        c[i] = numeric::clamp(c[i] + state_.fog.offset, -limit, limit);
-        all |= numeric::abs_u64(c[i]);
+        c[i] = to_fixed_below(product / 2, -25 - v(i).fog_exponent - state_.fog.scale_exponent) +
+               state_.fog.offset;
+        all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or 1 less
     }
-    const int down = 34 - clz64(all | 1);
-    const int shift_down = down > 0 ? down : 0;
+    span_.fog_exponent = -24;
+    int shift_down = 0;
+    if (all >= (1u << 30) - 1) [[unlikely]] {
+        constexpr std::int64_t limit = std::int64_t{1} << 60;
+        all = 0;
+        for (std::int64_t& v : c) {
+            v = numeric::clamp(v, -limit, limit);
+            all |= numeric::abs_u64(v);
+        }
+        const int down = 34 - clz64(all | 1);
+        shift_down = down > 0 ? down : 0;
+        span_.fog_exponent += shift_down;
+    }
     for (int i = 0; i < 3; ++i)
         fog[i] = static_cast<std::int32_t>(c[i] >> shift_down);
-    span_.fog_exponent = shift_down - 24;
+}
+
+/// Between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further; what a step of the
+/// plane lost, at most 2^14 pixels add up, and coefficients lose 2^6.
+static bool stays_inside(const std::int32_t (&fog)[3], const Interpolant<std::uint32_t>& plane) {
+    const auto step = [](std::uint32_t d) { return numeric::abs_u32(static_cast<std::int32_t>(d)); };
+    const std::int64_t margin = std::int64_t{step(plane.dx)} + step(plane.dy) + (1 << 16);
+    const Ends ends(fog[0], fog[1], fog[2]);
+    return ends.low >= margin && ends.high < (1 << 24) - margin;
 }
 
 bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const {
@@ -136,10 +164,26 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     // A quarter of a texel of the base level.
     const auto within = [&](const std::int32_t v[3], int log2_size) {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
-        return (std::uint64_t{range} + 1) * q_range_ <= (std::uint64_t{q_least_} << (32 - log2_size)) >>
-               u.shift;
+        return numeric::mul_u32(range + 1, q_range_) <= std::uint64_t{q_least_} << (32 - log2_size - u.shift);
     };
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
+}
+
+/// What add_affine() adds, without its slopes.
+void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
+                             int up) {
+    const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
+    const int n = by().exponent - up;
+    if (const auto lift = static_cast<std::uint32_t>(32 - n); liftable(difference_bits(d1, d2), lift))
+        return add_lifted(at, first, d1, d2, lift, by());
+    if (n <= 32 || n >= 64) [[unlikely]]
+        return add_steep(at, first, d1, d2, up);
+    const auto word = [&](const std::int32_t(&c)[2]) {
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(lifted_word(d1, d2, c)) >> (n - 32));
+    };
+    at.dx = word(by().dx);
+    at.dy = word(by().dy);
+    at.value = first + word(by().center);
 }
 
 void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
@@ -152,11 +196,16 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
                         : static_cast<std::uint32_t>(v >> less) +
                               (static_cast<std::uint32_t>(base) << clamped_coord_bits);
         };
-        const Slope s = add_affine(span_.s[unit], first(u.s0, wraps.s, at.s_base), u.s,
-                                   wraps.s ? u.shift : u.shift - less);
-        const Slope t = add_affine(span_.t[unit], first(u.t0, wraps.t, at.t_base), u.t,
-                                   wraps.t ? u.shift : u.shift - less);
+        const int up_s = wraps.s ? u.shift : u.shift - less, up_t = wraps.t ? u.shift : u.shift - less;
+        const std::uint32_t s0 = first(u.s0, wraps.s, at.s_base), t0 = first(u.t0, wraps.t, at.t_base);
+        if (!state_.needs.lod[unit]) {
+            add_words(span_.s[unit], s0, u.s, up_s);
+            add_words(span_.t[unit], t0, u.t, up_t);
+            return;
+        }
         // For the level of detail: a texture may repeat more than once from pixel to pixel.
+        const Slope s = add_affine(span_.s[unit], s0, u.s, up_s);
+        const Slope t = add_affine(span_.t[unit], t0, u.t, up_t);
         at.s.dx = s.dx;
         at.t.dx = t.dx;
         at.s_dy = s.dy;
@@ -230,7 +279,9 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     colors(color_bits, painted);
     if (has_fog && needs.fog) {
         if (span_.kind == Kind::affine) {
-            add_steep(span_.fog, static_cast<std::uint32_t>(fog[0]), fog[1] - fog[0], fog[2] - fog[0], 0);
+            add_words(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);
+            if constexpr (host_lanes > 1)
+                span_.fog_inside = stays_inside(fog, span_.fog);
         } else {
             for (int i = 0; i < 3; ++i)
                 fog[i] = mul30(fog[i], q(i));

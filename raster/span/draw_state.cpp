@@ -167,6 +167,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
         const Texture& texture = *state.unit[i].texture;
         const auto wraps = [](Wrap wrap) { return wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat; };
         draw.needs.r[i] = has_third_coordinates && wants_r(texture);
+        draw.needs.lod[i] = wants_lod(texture);
         draw.wraps[i] = {wraps(texture.wrap_s), wraps(texture.wrap_t)};
         if (!draw.needs.r[i])
             draw.halves[i] = {texture.wrap_s == Wrap::mirrored_repeat,

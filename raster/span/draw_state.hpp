@@ -71,7 +71,8 @@ struct Variant {
 struct Needs {
     bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
     bool unit[max_texture_units] = {};
-    bool r[max_texture_units] = {}; ///< of a unit that is on: the third coordinate, too
+    bool r[max_texture_units] = {};   ///< of a unit that is on: the third coordinate, too
+    bool lod[max_texture_units] = {}; ///< of such a unit: slopes of its coordinates
     bool any_unit() const {
         bool any = false;
         for (const bool on : unit)

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "raster/span/fused_divided.hpp"
+#include "raster/span/fused_gathered.hpp"
 #include "raster/span/path_list.hpp"
 #include "raster/span/rows.hpp"
 #include "raster/span/stage.hpp"
@@ -244,6 +245,14 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     }
 }
 
+template <class Case>
+SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_unused]] const Row* row,
+                                  [[maybe_unused]] const Row* end) {
+    if constexpr (Case::gathered)
+        return fused_gathered_rows<typename Case::Gathered>(span, row, end);
+    return false;
+}
+
 /// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
 /// apart (the stages have no start()), numbered (they ask for the number of the fragment in its row).
 template <class Case, int Wide = host_lanes>
@@ -259,10 +268,10 @@ template <class Case, int Wide = host_lanes>
         using List = typename Case::template List<8>;
         if constexpr (List::runs || List::rows)
             fused_rows<Case>(span, row, end);
-        else if (span.state->fragment.scissor.w >= 8)
-            fused_plain_rows<Case>(span, row, end);
-        else
+        else if (span.state->fragment.scissor.w < 8)
             fused_narrow_rows<Case>(span, row, end);
+        else if (!gathered_rows<Case>(span, row, end))
+            fused_plain_rows<Case>(span, row, end);
     } else if constexpr (Case::plain) {
         if constexpr (Wide == 8 && Case::wide)
             if (span.state->fragment.scissor.w >= 8)

@@ -169,7 +169,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             using Coordinate =
                 std::conditional_t<!divided, FogCoord<N, false>,
                                    std::conditional_t<Apart, FogCoord<N, true>, FogCoordDivided<N>>>;
-            if constexpr (K.fog && stores_fogged<L>)
+            if constexpr (K.fog && L > 1 && is_balanced<N> && !projective)
+                return std::type_identity<FogLinearLanes<N>>{};
+            else if constexpr (K.fog && stores_fogged<L>)
                 return std::type_identity<Coordinate>{};
             else if constexpr (K.fog)
                 return std::type_identity<Seq<N, Coordinate, FogLinear<N>>>{};
@@ -252,6 +254,23 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             enter_fused<Case>(span, fragment);
             fused_narrow_row<Case>(span, fragment);
         }
+    };
+    /// Parts of a GatheredPacket.
+    static constexpr bool gathered = heavy && !exact && tested && textured && !projective &&
+                                     K.unit[0].filter == Filter::nearest &&
+                                     K.unit[0].env == TexEnv::modulate && K.unit[0].base == BaseFormat::rgb &&
+                                     !K.color_alpha && !K.blend && !K.dither;
+    struct Gathered {
+        static constexpr Key key = K;
+        static constexpr bool fogged = K.fog, gray = Gray;
+        using N = Balanced<8>;
+        using Test = Depth<N, DepthFormat::z16, K.depth, K.depth_write>;
+        using Color = std::conditional_t<Gray, GouraudGray<N>, Gouraud<N, false>>;
+        using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+        using Texture = TexelLanes<Image>;
+        using Coords = NearestLanes<Image, 0>;
+        using Fog = std::conditional_t<fogged, FogLinearLanes<N>, None<N, 0>>;
+        using FogColor = std::conditional_t<fogged, FogBlend<N>, None<N, 0>>;
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;

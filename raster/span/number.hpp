@@ -136,7 +136,12 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static T to8(T v) { return (v + 128) >> 8; }
     /// Within a 50th of a 255th.
     SPANGLE_INLINE static constexpr T from5(T k) { return k * 2106 - (k >> 2); }
-    SPANGLE_INLINE static constexpr T from6(T k) { return k * 1036 + (k >> 3); }
+    SPANGLE_INLINE static constexpr T from6(T k) {
+        if constexpr (Count == 1)
+            return k * 1036 + (k >> 3);
+        const T top = k << 10; // of which 12 / 2^10: compilers make seven instructions of the product above
+        return top + L::mul_high(top, L::splat(12u << 6)) + (top >> 13);
+    }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
     /// The half that rounds to 8.8 was added in set-up. Set-up is off by less than it, and fragments lie
     /// inside of their primitive, so that nothing is above one.

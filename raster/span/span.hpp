@@ -92,6 +92,7 @@ template <class P> struct Span {
     Affine color_value[4]; ///< RGBA
     Affine secondary[3];   ///< RGB
     Affine fog;
+    bool fog_inside; ///< no fragment's is below 0 or as much as 1 (where there are lanes)
     Affine s[max_texture_units], t[max_texture_units];
 
     Projective q;          ///< 1/w, > 0, largest vertex in [2^29, 2^30)

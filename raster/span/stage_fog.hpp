@@ -51,4 +51,32 @@ template <class N> struct FogLinear : Fog<N> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, N::clamped_fraction(p.fog)); }
 };
 
+/// The blend alone.
+template <class N> struct FogBlend : Fog<N> {
+    using Fog<N>::Fog;
+    using Fog<N>::blend;
+};
+
+/// The same of many lanes with the coordinate, which is affine: not clamped where set-up saw that it need
+/// not (Span::fog_inside), so that its bits are in place.
+template <class N> struct FogLinearLanes : FogLinear<N> {
+    static constexpr unsigned in = field_color;
+    using L = typename N::L;
+    static constexpr int up = 8;
+    bool inside;
+    Span<Fixed>::Affine plane; ///< with 24 fraction bits, or 32
+    Ramp<L> v;
+    template <class S>
+    SPANGLE_INLINE FogLinearLanes(const S& s, std::int32_t x)
+        : FogLinear<N>(s, x), inside(s.fog_inside),
+          plane(inside ? Span<Fixed>::Affine{s.fog.value << up, s.fog.dx << up, s.fog.dy << up} : s.fog),
+          v(s, x, plane) {}
+    SPANGLE_INLINE typename N::T factor() const {
+        return inside ? L::high_half(v.at) : N::clamped_fraction(v.at);
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, factor()); }
+    SPANGLE_INLINE void step() { v.step(); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { v.start(s, x, plane); }
+};
+
 } // namespace spangle::raster

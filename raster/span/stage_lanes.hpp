@@ -11,7 +11,19 @@ template <class T> class TexelLanes : public T {
     using N = typename T::System;
     using L = typename N::L;
     static constexpr unsigned in = T::in & field_color, out = T::out;
-    using T::T;
+    template <class S>
+    SPANGLE_INLINE TexelLanes(const S& span, std::int32_t x)
+        : T(span, x), width_(size(this->log2_width)), height_(size(this->log2_height)) {}
+
+    /// Images of at most 2^16 texels: 16 bits of a coordinate tell them.
+    SPANGLE_INLINE bool is_small() const {
+        return this->log2_width < 16 && this->log2_height < 16 && this->log2_width + this->log2_height <= 16;
+    }
+    /// The words of texels that lie so many behind the first.
+    SPANGLE_INLINE auto words_of(const std::uint16_t* index) const {
+        return T::words([&](std::uint32_t k)
+                            __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
+    }
 
   protected:
     /// The words of texels that lie so many behind the first.
@@ -33,8 +45,15 @@ template <class T> class TexelLanes : public T {
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
     }
+    /// How far they lie behind the first, where 16 bits tell.
+    SPANGLE_INLINE typename L::U16 index_at(const typename L::U32& s, const typename L::U32& t) const {
+        return L::mul_high(L::high_half(t), height_) * width_ + L::mul_high(L::high_half(s), width_);
+    }
 
   private:
+    typename L::U16 width_, height_;
+    /// Unused where it does not fit.
+    SPANGLE_INLINE static typename L::U16 size(int log2_size) { return L::splat(1u << (log2_size & 15)); }
     /// The shift is below 32 with one texel, too.
     SPANGLE_INLINE static typename L::U32 texel(const typename L::U32& v, int log2_size) {
         return v >> 1 >> (31 - log2_size);
@@ -53,6 +72,7 @@ template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         return this->combine_words(p, this->words_at(s_.at, t_.at));
     }
+    SPANGLE_INLINE typename L::U16 index() const { return this->index_at(s_.at, t_.at); }
     SPANGLE_INLINE void step() {
         s_.step();
         t_.step();

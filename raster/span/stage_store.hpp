@@ -20,6 +20,10 @@ template <class L, PixelFormat Format> struct Words565 {
     SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) {
         L::store(at, swaps ? L::swap_bytes(word) : word);
     }
+    /// Other lanes keep what they hold.
+    SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {
+        L::store(at, L::select(live, swaps ? L::swap_bytes(word) : word, L::load(at)));
+    }
 };
 
 /// 5, 6 and 5 bits of a colour in one word; without dither the top bits of the rounded 8-bit value.
@@ -29,6 +33,8 @@ SPANGLE_INLINE typename N::L::U16 pack565(typename N::L::U16 r5, typename N::L::
     return (r5 << 11) | (g6 << 5) | b5;
 }
 template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename N::Color& c) {
+    if constexpr (is_balanced<N>) // rounded, and cut where it lies
+        return ((c.r + 128) & 0xF800) | (((c.g + 128) >> 5) & 0x07E0) | ((c.b + 128) >> 11);
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
 template <class N>
@@ -47,10 +53,11 @@ template <class N, PixelFormat Format> struct Store : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (is_565(Format)) {
             std::uint8_t* const at = p.color_plane + 2 * p.i;
-            typename L::U16 word = truncated565<N>(p.color);
+            const typename L::U16 word = truncated565<N>(p.color);
             if constexpr (N::lanes > 1)
-                word = L::select(p.live, word, Words565<L, Format>::load(at));
-            Words565<L, Format>::store(at, word);
+                Words565<L, Format>::store_where(p.live, at, word);
+            else
+                Words565<L, Format>::store(at, word);
         } else {
             constexpr int bytes = format_info(Format).bytes_per_pixel;
             std::uint8_t* const at = p.color_plane + bytes * p.i;
@@ -79,10 +86,11 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + 2 * p.i;
-            typename L::U16 word = dithered565<N>(p.color, dither.threshold());
+            const typename L::U16 word = dithered565<N>(p.color, dither.threshold());
             if constexpr (N::lanes > 1)
-                word = L::select(p.live, word, Words565<L, Format>::load(at));
-            Words565<L, Format>::store(at, word);
+                Words565<L, Format>::store_where(p.live, at, word);
+            else
+                Words565<L, Format>::store(at, word);
             return true;
         }
     }

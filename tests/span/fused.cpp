@@ -106,6 +106,18 @@ TEST(Fused, OneTexelAlongAnAxis) {
     EXPECT_GT(textured, 30);
 }
 
+TEST(Fused, ImagesOfMoreTexelsThanAWordOf16BitsCounts) {
+    int modulated = 0;
+    for (std::size_t i = 0; i < fused_span_count(); ++i) {
+        const FusedSpan& fused = fused_spans()[i];
+        if (fused.key.kind != Kind::affine || fused.key.unit[0].env != TexEnv::modulate || !fused.key.fog)
+            continue;
+        expect_equal(fused, fused.run, ("entry " + std::to_string(i)).c_str(), 9, 8);
+        ++modulated;
+    }
+    EXPECT_GE(modulated, 4);
+}
+
 TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {
     constexpr int row = 64 * 2;
     TestTexture packed(TexelFormat::rgb565, BaseFormat::rgb), padded = packed;
