@@ -45,10 +45,13 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
             context, GL_INVALID_VALUE,
             SPANGLE_TEXT("glTexConstantImage2DSPANGLE: imageSize is not that of the format and sizes, "
                          "a border, or a null pointer"));
-    // Texels of 16 bits are read as words.
-    if (texel_size(shape.format) == 2 && (reinterpret_cast<std::uintptr_t>(data) & 1) != 0)
-        return error(context, GL_INVALID_VALUE,
-                     SPANGLE_TEXT("glTexConstantImage2DSPANGLE: texels of 16 bits at an odd address"));
+    // Texels of 16 and 32 bits are read as words.
+    const std::uint32_t word = texel_size(shape.format);
+    if (word != 3 && (reinterpret_cast<std::uintptr_t>(data) & (word - 1)) != 0)
+        return error(
+            context, GL_INVALID_VALUE,
+            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: texels of 16 or 32 bits at an address that is "
+                         "no multiple of their size"));
     auto* const image = static_cast<LevelImage*>(context.share->arena.allocate(sizeof(LevelImage)));
     if (image == nullptr)
         return error(context, GL_OUT_OF_MEMORY,

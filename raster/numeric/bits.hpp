@@ -34,6 +34,13 @@ inline constexpr bool long_products = false;
 inline constexpr bool long_products = true;
 #endif
 
+/// Addresses are a base and an index times the size of what lies there. Decides likewise.
+#if (defined(__thumb__) && !defined(__thumb2__)) || defined(__riscv)
+inline constexpr bool scales_indices = false;
+#else
+inline constexpr bool scales_indices = true;
+#endif
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);

@@ -86,7 +86,12 @@ constexpr Real from_u32(std::uint32_t v) {
     return pack_real(false, v, 0);
 }
 constexpr Real from_i32(std::int32_t v) {
-    return pack_real(v < 0, abs_u32(v), 0);
+    const std::uint32_t magnitude = abs_u32(v);
+    if (magnitude - 1 >= (1u << 24) - 1)
+        return pack_real(v < 0, magnitude, 0);
+    const int zeros = clz32(magnitude); // 8 .. 31: its bits are all of the mantissa, nothing is rounded
+    const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23; // the top bit adds one
+    return {(static_cast<std::uint32_t>(v) & 0x80000000u) + exponent + (magnitude << (zeros - 8))};
 }
 /// v / 2^fraction_bits.
 constexpr Real from_fixed(std::int64_t v, int fraction_bits) {

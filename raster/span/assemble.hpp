@@ -130,10 +130,17 @@ template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const 
     }
 }
 
+template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain) {
+    if constexpr (has_tier(Tier::fast) && is_balanced<N> && is_565(Format))
+        chain.template add<BlendCoarse<N, Format>>();
+}
+
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
-    if (key.blend)
+    if (key.coarse)
+        add_coarse<Words, Format>(chain);
+    else if (key.blend)
         chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
             !key.blend_general && key.blending == blend_over);
     if (key.masked || key.logic)

@@ -106,8 +106,9 @@ struct RunBound {
 /// The length is a power of two, chosen per span so that the error of the affine form is proven to be at most
 /// 1/4 texel of the base level. In one row N = dS Q - S dQ is constant and du/dx = N / Q^2, so a run of L
 /// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
-/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes 16 always. Where 1/w
-/// does not change along the row, the row is one run.
+/// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes at least 16, and as
+/// many more as are proven to be off by half a texel. Where 1/w does not change along the row, the row is one
+/// run.
 class CoordRuns {
   public:
     std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
@@ -181,7 +182,7 @@ class CoordRuns {
         last_ = end;
     }
 
-    static constexpr int max_log2 = 6, row_log2 = 16; ///< 64 pixels; the whole row
+    static constexpr int fast_log2 = 4, max_log2 = 6, row_log2 = 16; ///< 16 and 64 pixels; the whole row
 
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
@@ -200,18 +201,22 @@ class CoordRuns {
     int choose_log2() const {
         if (row_.dq == 0)
             return row_log2;
-        if (drawn(span_->state->tier) == Tier::fast)
-            return 4;
+        const bool fast = drawn(span_->state->tier) == Tier::fast;
+        if (fast && span_->length <= 1 << fast_log2)
+            return fast_log2;
+        const auto& wraps = span_->state->wraps[unit_];
+        const std::int32_t shortest = fast ? fast_log2 : 0,
+                           longest = fast && wraps.s && wraps.t ? row_log2 : max_log2; // others saturate
         const std::int32_t q0 = row_.q(0), end = row_.q(span_->length - 1);
         const std::int32_t least = q0 < end ? q0 : end;
         if (least <= 0)
-            return 0;
+            return shortest;
         const detail::RunBound bound(*span_, unit_, row_);
-        constexpr std::int32_t margin = 6; // of three logarithms
+        const std::int32_t margin = fast ? 6 - 256 : 6; // of three logarithms; twice the error
         const std::int32_t square = 3 * log2_fraction8(static_cast<std::uint64_t>(least)) - bound.n -
                                     bound.dq - (span_->unit[unit_].exponent << 8) - margin;
         const std::int32_t log2 = square >> 9;
-        return log2 < 0 ? 0 : log2 > max_log2 ? max_log2 : log2;
+        return log2 < shortest ? shortest : log2 > longest ? longest : log2;
     }
 
     const Span<Fixed>* span_;

@@ -25,7 +25,7 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
             list.step_row();
         else
             list.step();
-        if constexpr (!List::runs && !List::rows)
+        if constexpr (!List::runs && (!List::rows || numeric::scales_indices))
             i = numeric::factor32(i); // one index for all planes, not a pointer for each
     } while (++i != stop);
 }
@@ -158,9 +158,25 @@ template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, con
     fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
 }
 
+/// Lists that ask for rows of texels, along the whole of a row.
+template <class List> inline constexpr bool takes_rows = List::rows && !List::runs;
+
+/// n fragments before `end`, counted up to 0.
+template <class N, class List>
+SPANGLE_INLINE void fused_texels(List& list, const RowPlace& end, std::int32_t n) {
+    if (list.row(n))
+        fused_loop<true, N>(list, end, -n, 0);
+    else
+        fused_loop<false, N>(list, end, -n, 0);
+}
+
 template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
+    using N = typename Case::template System<1>;
     typename Case::template List<1> list(span, row.first - span.x);
-    fused_narrow<typename Case::template System<1>>(list, span, row.first - span.x, row.last - row.first);
+    if constexpr (takes_rows<decltype(list)>)
+        fused_texels<N>(list, place_of<Case>(*span.target, row, row.last), row.last - row.first);
+    else
+        fused_narrow<N>(list, span, row.first - span.x, row.last - row.first);
 }
 
 /// One list for all rows.
@@ -181,6 +197,15 @@ SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const R
                 return;
         }
     } else {
+        if constexpr (takes_rows<List>) {
+            RowPlace end_of_row = enter_counted<Case>(span, *row);
+            List list(span, 0);
+            for (;; end_of_row = enter_counted<Case>(span, *row), list.start(span, 0)) {
+                fused_texels<N>(list, end_of_row, row->last - row->first);
+                if (++row == end)
+                    return;
+            }
+        }
         enter_fused<Case>(span, *row);
         List list(span, row->first - span.x);
         for (;;) {

@@ -102,15 +102,20 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <int L>
     using ExactSystem = std::conditional_t<packed, std::conditional_t<L == 1, PackedExact, ExactBytes<L>>,
                                            std::conditional_t<halved, ExactLit, Exact>>;
+    template <int L>
+    using CoarseSystem =
+        std::conditional_t<packed, std::conditional_t<L == 1, PackedCoarse, CoarseBytes<L>>, Balanced<L>>;
     /// Blended and dithered by one stage, as packed ones are.
     template <class N>
     static constexpr bool bytes_dithered = packed&& K.dither&& std::is_same_v<N, ExactBytes<8>>;
     enum class Walk { rows, paths, tiles };
     template <int L, Walk By = Walk::rows> struct Stages {
-        using N =
-            std::conditional_t<raw, Raw565<L>,
-                               std::conditional_t<exact, ExactSystem<L>,
-                                                  std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>;
+        using N = std::conditional_t<
+            raw, Raw565<L>,
+            std::conditional_t<
+                exact, ExactSystem<L>,
+                std::conditional_t<K.coarse, CoarseSystem<L>,
+                                   std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>>;
         static auto depth() {
             if constexpr (tested)
                 return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
@@ -179,7 +184,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 3>>{};
         }
         static auto blend() {
-            if constexpr (K.blend && !is_packed<N> && !bytes_dithered<N>)
+            if constexpr (K.coarse && is_balanced<N>)
+                return std::type_identity<BlendCoarse<N, K.format>>{};
+            else if constexpr (K.blend && !is_packed<N> && !bytes_dithered<N>)
                 return std::type_identity<BlendAlpha<N, K.format>>{};
             else
                 return std::type_identity<None<N, 4>>{};

@@ -50,6 +50,11 @@ struct Say {
         s.key.cubic = true;
         return s;
     }
+    constexpr Say coarse() const {
+        Say s = blend();
+        s.key.coarse = true;
+        return s;
+    }
     constexpr Say dither() const {
         Say s = *this;
         s.key.dither = true;
@@ -131,6 +136,10 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t8888, rgba, nearest, modulate).alpha().blend().dither()>(),
     entry<affine.alpha().blend()>(),
     entry<affine.alpha().blend().dither()>(),
+    // The same of the fast tier.
+    entry<affine.texture(t8888, rgba, nearest, replace).coarse()>(),
+    entry<affine.texture(t8888, rgba, nearest, modulate).alpha().coarse()>(),
+    entry<affine.alpha().coarse()>(),
     // Lit textures, with and without fog (S9).
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less)>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less)>(),

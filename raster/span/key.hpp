@@ -46,7 +46,8 @@ struct Key {
     Compare depth = Compare::always;
     bool depth_write = false;
     bool blend = false;
-    bool cubic = false; ///< texture coordinates of the exact tier; said where the number does not say it
+    bool cubic = false;  ///< texture coordinates of the exact tier; said where the number does not say it
+    bool coarse = false; ///< blended in steps of the target, alpha in 32nds
     bool blend_general = false; ///< read from the state while drawing; `blending` is its default then
     Blending blending;
     bool dither = false;

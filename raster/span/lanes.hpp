@@ -237,8 +237,8 @@ template <> struct Lanes<8> {
     }
     /// Byte `n` of every lane.
     SPANGLE_INLINE static U16 byte(const U32& v, int n) {
-        const auto down = static_cast<std::uint32_t>(8 * n);
-        return std::bit_cast<U16>(((v.even >> down) & 0xFFu) | (((v.odd >> down) & 0xFFu) << 16));
+        const U16 two = n < 2 ? low_half(v) : high_half(v); // which the other byte shares
+        return n % 2 == 0 ? two & 0xFF : two >> 8;
     }
     SPANGLE_INLINE static U16 gather(const std::uint16_t* v) {
         return U16{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};

@@ -192,6 +192,17 @@ template <int Count> struct Balanced {
     }
 };
 
+/// Blending of the fast tier, SRC_ALPHA, ONE_MINUS_SRC_ALPHA: steps of the target, alpha in 32nds.
+struct Coarse {
+    /// Of 8 bits, to nearest.
+    template <class T> SPANGLE_INLINE static T alpha(T a) { return (a + 4) >> 3; }
+    static constexpr std::uint32_t most = 32;
+    /// (s a + k (32 - a)) / 32 to nearest, halves up; at most 63 32 + 16.
+    template <class T> SPANGLE_INLINE static T over(T s, T a, T k) {
+        return ((k << 5) + (s - k) * a + 16) >> 5;
+    }
+};
+
 /// Full weight of a texel, counted in 2^-16; what 16 bits hold where lanes are 16 bits wide.
 template <class N> inline constexpr std::uint32_t weight_one = 65536;
 template <int Count> inline constexpr std::uint32_t weight_one<Balanced<Count>> = 65535;

@@ -13,18 +13,22 @@ struct Packed {
     using L = Lanes<1>;
     using T = std::uint32_t;
     struct Color {
-        std::uint32_t rb; ///< R in the low half, B in the high one
-        std::uint32_t g, a;
+        std::uint32_t word; ///< 8 bits each, R in the lowest byte
+        SPANGLE_INLINE std::uint32_t r() const { return word & 0xFF; }
+        SPANGLE_INLINE std::uint32_t g() const { return word >> 8 & 0xFF; }
+        SPANGLE_INLINE std::uint32_t b() const { return word >> 16 & 0xFF; }
+        SPANGLE_INLINE std::uint32_t a() const { return word >> 24; }
     };
     using Coord = TexCoords<std::uint32_t, 1>;
     using Fog = std::uint32_t;
 
-    SPANGLE_INLINE static Color from_word(std::uint32_t texel) {
-        return {texel & 0x00FF00FF, (texel >> 8) & 0xFF, texel >> 24};
-    }
+    SPANGLE_INLINE static Color from_word(std::uint32_t texel) { return {texel}; }
     SPANGLE_INLINE static std::uint32_t opaque(const Color& s) {
-        return ((s.rb << 8) & 0xF800) | ((s.g << 3) & 0x07E0) | s.rb >> 19;
+        return ((s.word << 8) & 0xF800) | ((s.word >> 5) & 0x07E0) | (s.word >> 19 & 0x1F);
     }
+    /// Stores what is stored; stores the colour.
+    SPANGLE_INLINE static bool clear(const Color& s) { return s.a() == 0; }
+    SPANGLE_INLINE static bool solid(const Color& s) { return s.a() == 255; }
     /// Balanced<1>::over, to8 and the top bits.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
         const Rounded x(s, under);
@@ -44,9 +48,10 @@ struct Packed {
     struct Rounded {
         std::uint32_t rb, g;
         SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) {
-            const std::uint32_t rest = 255 - s.a;
-            rb = s.rb * s.a + (under >> 11 | (under & 31) << 16) * weight<5>(rest) + 0x00800080;
-            g = s.g * s.a + ((under >> 5) & 63) * weight<6>(rest) + 0x80;
+            const std::uint32_t a = s.a(), rest = 255 - a;
+            rb =
+                (s.word & 0x00FF00FF) * a + (under >> 11 | (under & 31) << 16) * weight<5>(rest) + 0x00800080;
+            g = s.g() * a + ((under >> 5) & 63) * weight<6>(rest) + 0x80;
             rb += (rb >> 8) & 0x00FF00FF; // both halves stay below 2^16
             g += g >> 8;
         }
@@ -59,49 +64,71 @@ struct Packed {
 };
 
 /// The same of the exact tier: the bits of Exact, which rounds to 8 bits what nothing but the quotient
-/// decides. With k of m = 31 or 63 steps stored, v = (m s a + 255 (255 - a) k) / (255 m) is never halfway
-/// between two of them, m being odd.
+/// decides. With k of m = 31 or 63 steps stored, v = s a + (255 - a) 255 k / m in 65025ths is a multiple of
+/// 1 / m, m being odd: never halfway between two whole numbers, and at least 1 / (2 m) from there. It is
+/// rounded to one of them, which is on the same side of every halfway point between two 255ths.
 struct PackedExact : Packed {
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
-        return composed(s, under, Rounded{});
+        const std::uint32_t rest = 255 - s.a(), a = s.a() << fraction, w5 = weight<5>(rest),
+                            w6 = weight<6>(rest);
+        const std::uint32_t r = rounded<5>(s.r() * a + (under >> 11) * w5),
+                            g = rounded<6>(s.g() * a + ((under >> 5) & 63) * w6),
+                            b = rounded<5>(s.b() * a + (under & 31) * w5);
+        return (r & 0xF800) | ((g >> 5) & 0x07E0) | b >> 11;
     }
     /// Dithered: v is a whole number of 65025ths of a step, so that floor(v + t) is one of the whole numbers
     /// of them. Thresholds are odd 32nds: nothing is nearer to a step than 2^-21, more than Exact is off by.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, std::uint32_t threshold32) {
-        return composed(s, under, Dithered{(threshold32 * 65025 >> 5) + 511});
+        const std::uint32_t more = (threshold32 * 65025 >> 5) + 511;
+        // Of m s a + 255 (255 - a) k, which is below 2^22 with the threshold.
+        const auto steps = [more](std::uint32_t v) { return (v + more + 511 * ((v + more) >> 16)) >> 16; };
+        const std::uint32_t rest = 255 * (255 - s.a()), by5 = 31 * s.a(), by6 = 63 * s.a();
+        const std::uint32_t r = steps(s.r() * by5 + (under >> 11) * rest),
+                            g = steps(s.g() * by6 + ((under >> 5) & 63) * rest),
+                            b = steps(s.b() * by5 + (under & 31) * rest);
+        return r << 11 | g << 5 | b;
     }
 
   private:
-    /// The top bits of round(x / (255 m)): floor((x / (255 m) + 1/2) / 2^(8 - Bits)), x < 2^22.
-    struct Rounded {
-        template <unsigned Bits> SPANGLE_INLINE std::uint32_t top(std::uint32_t x) const {
-            constexpr std::uint32_t unit = 255 * ((1u << Bits) - 1), step = unit << (8 - Bits);
-            constexpr auto inverse = static_cast<std::uint32_t>((std::uint64_t{1} << 43) / step + 1);
-            return numeric::mul_high_u32(x + unit / 2, inverse) >> 11; // off by less than 2^-21
-        }
-    };
-    /// floor((x + T) / 65025), x + T < 2^22; `more` is T + 511.
-    struct Dithered {
-        std::uint32_t more;
-        template <unsigned> SPANGLE_INLINE std::uint32_t top(std::uint32_t x) const {
-            return (x + more + 511 * ((x + more) >> 16)) >> 16;
-        }
-    };
-    /// Of x = m s a + 255 (255 - a) k.
-    template <class How>
-    SPANGLE_INLINE static std::uint32_t composed(const Color& s, std::uint32_t under, const How& how) {
-        const std::uint32_t rest = 255 * (255 - s.a), by5 = 31 * s.a, by6 = 63 * s.a;
-        const std::uint32_t r = how.template top<5>((s.rb & 0xFF) * by5 + (under >> 11) * rest),
-                            g = how.template top<6>(s.g * by6 + ((under >> 5) & 63) * rest),
-                            b = how.template top<5>((s.rb >> 16) * by5 + (under & 31) * rest);
-        return r << 11 | g << 5 | b;
+    static constexpr unsigned fraction = 13;
+    /// rest 255 / m in 2^-13, less than 2 too small.
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t weight(std::uint32_t rest) {
+        constexpr unsigned more = Bits + 2; // rest scale < 2^32
+        constexpr std::uint32_t m = (1u << Bits) - 1, scale = (255u << (fraction + more)) / m;
+        return (rest * scale) >> more;
+    }
+    /// Of v in 2^-13, less than 2 m too small, m being added: what is left is less than 1 / (2 m). 256 times
+    /// v / 255, to 8 bits.
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t rounded(std::uint32_t v) {
+        constexpr std::uint32_t m = (1u << Bits) - 1, half = (128u << fraction) + (1u << (fraction - 1)) + m;
+        const std::uint32_t x = (v + half) >> fraction;
+        return x + (x >> 8);
     }
 };
-template <class N>
-inline constexpr bool is_packed = std::is_same_v<N, Packed> || std::is_same_v<N, PackedExact>;
 
-/// The bits of Exact again, in lanes of 16 bits: components are whole 255ths.
-template <int Count> struct ExactBytes {
+/// The same of the fast tier (Coarse): all three components at once.
+struct PackedCoarse : Packed {
+    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // 0 of 32
+    SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // all of them
+    /// Of a colour that is not solid. Every sum is below 2^10 or, of six bits, 2^11: none reaches the next.
+    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
+        const std::uint32_t a = (s.word + (4u << 24)) >> 27;
+        // Taken out before they are put in: five instructions of ARM.
+        const std::uint32_t r = numeric::factor32(s.word >> 3 & 31), g = numeric::factor32(s.word >> 10 & 63);
+        const std::uint32_t source = (s.word >> 19 & 31) | r << 11 | g << 21;
+        const std::uint32_t stored = (under | under << 16) & components;
+        constexpr std::uint32_t halves = 16u << 21 | 16u << 11 | 16u;
+        const std::uint32_t sum = (stored + (((source - stored) * a + halves) >> 5)) & components; // mod 2^27
+        return (sum | sum >> 16) & 0xFFFF;
+    }
+
+  private:
+    static constexpr std::uint32_t components = 0x07E0F81F; ///< G in the high half, R and B in the low one
+};
+template <class N> inline constexpr bool is_packed = std::is_base_of_v<Packed, N>;
+
+/// In lanes of 16 bits components are whole 255ths.
+template <int Count> struct Bytes {
     using Policy = Fixed;
     static constexpr int lanes = Count;
     using L = Lanes<Count>;
@@ -113,6 +140,19 @@ template <int Count> struct ExactBytes {
     SPANGLE_INLINE static T from8(T k) { return k; }
     SPANGLE_INLINE static T to8(T v) { return v; }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat(c >> color_fraction_bits); }
+};
+
+/// The bits of PackedCoarse.
+template <int Count> struct CoarseBytes : Bytes<Count> {
+    using T = typename Bytes<Count>::T;
+    template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
+        return Coarse::over<T>(s >> (8 - Bits), Coarse::alpha<T>(a), k) << (8 - Bits);
+    }
+};
+
+/// The bits of Exact.
+template <int Count> struct ExactBytes : Bytes<Count> {
+    using typename Bytes<Count>::L, typename Bytes<Count>::T;
     /// v (PackedExact) in 65025ths is s a + (255 - a) k 255 / m. With 255 = whole m + rest the second product
     /// is `parts`, a whole number, and parts rest / (whole m), which is never halfway between two. Rounded to
     /// a whole number the sum is on the same side of every halfway point between two 255ths.

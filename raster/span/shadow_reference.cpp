@@ -202,6 +202,12 @@ template <class N> class Fragment {
     }
     template <PixelFormat Format> void blend() {
         const FragmentState& state = fixed_.state->fragment;
+        if constexpr (is_balanced<N> && is_565(Format))
+            if (make_key(state, *fixed_.target, fixed_.kind).coarse) {
+                if (run<BlendCoarse<N, Format>, BlendAlpha<Reference, Format>>())
+                    colors(ShadowStage::blend);
+                return;
+            }
         const bool over = state.blend_rgb == blend_over && state.blend_alpha == blend_over;
         if (over ? run<BlendAlpha<N, Format>, BlendAlpha<Reference, Format>>()
                  : run<Blend<N, Stored<N, Format>>, Blend<Reference, Stored<Reference, Format>>>())

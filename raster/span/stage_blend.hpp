@@ -66,6 +66,24 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
     }
 };
 
+/// The same of the fast tier, into 565: what is stored afterwards is exact, and no bits below are left.
+template <class N, PixelFormat Format> struct BlendCoarse : StageBase {
+    static_assert(is_balanced<N> && is_565(Format));
+    static constexpr unsigned in = field_color, out = field_color;
+    using L = typename N::L;
+    using T = typename N::T;
+    template <class S> SPANGLE_INLINE BlendCoarse(const S&, std::int32_t) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        typename N::Color& s = p.color;
+        const T a = Coarse::alpha<T>(N::to8(s.a)), word = Words565<L, Format>::load(p.color_plane + 2 * p.i);
+        const auto over = [&](T c, int down, T k) { return Coarse::over<T>(N::to8(c) >> down, a, k); };
+        s.r = N::from5(over(s.r, 3, word >> 11));
+        s.g = N::from6(over(s.g, 2, (word >> 5) & 63));
+        s.b = N::from5(over(s.b, 3, word & 31));
+        return true;
+    }
+};
+
 /// BlendAlpha and Store, or StoreDithered, of the packed systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
     static_assert(is_packed<N>);
@@ -76,14 +94,23 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     [[no_unique_address]] Row dither;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        if (p.color.a == 0)
+        if (N::clear(p.color))
             return false;
-        asm("" : "+r"(p.color.a)); // what follows is not begun before the branch
         std::uint8_t* const at = p.color_plane + 2 * p.i;
-        if constexpr (Dither)
+        if constexpr (Dither) {
             Words::store(at, N::over(p.color, Words::load(at), dither.threshold()));
-        else
-            Words::store(at, p.color.a == 255 ? N::opaque(p.color) : N::over(p.color, Words::load(at)));
+        } else {
+            // What follows a branch is not begun before it.
+            auto s = p.color;
+            asm("" : "+r"(s.word));
+            if (N::solid(s)) {
+                auto copy = s;
+                asm("" : "+r"(copy.word));
+                Words::store(at, N::opaque(copy));
+            } else {
+                Words::store(at, N::over(s, Words::load(at)));
+            }
+        }
         return true;
     }
     SPANGLE_INLINE void step() { dither.step(); }

@@ -62,6 +62,8 @@ template <bool Cubic> struct CoordWalk {
     /// n steps go one way, not round the texture, and leave at >> shift as it is.
     SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
         const auto slope = static_cast<std::int32_t>(ahead(1) - at);
+        if (straight() && slope == 0) // sprites: no product
+            return true;
         return straight() && numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 &&
                at >> shift == ahead(n) >> shift;
     }

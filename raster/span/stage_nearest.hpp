@@ -16,8 +16,8 @@ template <class T, int Unit, class Runs>
 class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     using Base = TexelWalk<T, Unit, Runs, NearestPosition>;
     using Base::s, Base::t;
-    /// Sprites: such a row is texel after texel.
-    static constexpr bool in_order = is_packed<typename Base::N>;
+    /// Sprites: such a row is texel after texel. Fragments are counted up to 0 (fused.hpp), so are they.
+    static constexpr bool in_order = is_packed<typename Base::N> && !Base::runs;
 
   public:
     using N = typename Base::N;
@@ -32,7 +32,7 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
             return false;
         row_at_ = this->row_of(t.texel());
         if constexpr (in_order) {
-            row_at_ = this->texel(row_at_, s.texel());
+            row_at_ = numeric::factor32(this->texel(row_at_, s.texel() + static_cast<std::uint32_t>(n)));
             return s.one_to_one(static_cast<std::uint32_t>(n)) && inside(n);
         }
         if constexpr (N::lanes > 1)
@@ -42,7 +42,9 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row) {
             if constexpr (in_order)
-                return this->combine(p, [&](std::uint32_t) { return row_at_; });
+                return this->combine(p, [&](std::uint32_t) {
+                    return row_at_ + std::ptrdiff_t{p.i} * std::ptrdiff_t{T::bytes};
+                });
             if constexpr (N::lanes > 1 && T::loads_words) {
                 if (one_to_one_ && inside(N::lanes))
                     return this->combine_words(p, N::L::load32(this->texel(row_at_, s.texel())));
@@ -60,9 +62,7 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
             });
     }
     SPANGLE_INLINE void step_row() {
-        if constexpr (in_order)
-            row_at_ += T::bytes;
-        else
+        if constexpr (!in_order)
             Base::step_row();
     }
 

@@ -51,6 +51,8 @@ template <bool Cubic, int FractionBits> class TexelAxis {
     SPANGLE_INLINE bool one_to_one(std::uint32_t n) const {
         static_assert(!Cubic);
         const auto excess = static_cast<std::int32_t>(v_.by - (1u << shift_));
+        if (excess == 0) // sprites: no product
+            return true;
         const std::int64_t last = std::int64_t{v_.at & ((1u << shift_) - 1)} + std::int64_t{excess} * (n - 1);
         return last >= 0 && last >> shift_ == 0;
     }

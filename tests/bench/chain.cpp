@@ -35,8 +35,8 @@ std::string name_of(const Key& key) {
         name += " fog";
     if (key.depth != Compare::always)
         name += key.depth == Compare::less ? " less" : " lequal";
-    name +=
-        std::string(key.blend ? " blend" : "") + (key.dither ? " dither" : "") + (key.cubic ? " cubic" : "");
+    name += std::string(key.blend ? " blend" : "") + (key.dither ? " dither" : "") +
+            (key.cubic ? " cubic" : "") + (key.coarse ? " coarse" : "");
     return name;
 }
 

@@ -148,6 +148,10 @@ TEST_F(ConstantImages, ErrorsChangeNothing) {
     }
     image(GL_RGB5, 4, 0, 32, bytes.data() + 1); // words at an odd address
     refused(GL_INVALID_VALUE);
+    for (int i = 1; i < 4; ++i) { // the same of 32 bits
+        image(GL_RGBA8, 3, 0, 48, bytes.data() + i);
+        refused(GL_INVALID_VALUE);
+    }
     image(GL_LUMINANCE8, 4, 0, 15, bytes.data());
     refused(GL_INVALID_VALUE);
     image(GL_LUMINANCE8, 4, 0, -16, bytes.data());

@@ -1,7 +1,9 @@
 // SRC_ALPHA, ONE_MINUS_SRC_ALPHA of the balanced tier: its bound, its identities, and the packed form's bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "raster/span/number_packed.hpp"
 
@@ -137,6 +139,64 @@ template <unsigned Bits> void dithered_exact() {
 TEST(Over, DitheredPackedAndBytesHaveTheBitsOfExact) {
     dithered_exact<5>();
     dithered_exact<6>();
+}
+
+/// Of the fast tier, against blending in real numbers, steps of the target rounded down: at most one of five
+/// bits, two of six. The eight bits of a fully transparent or opaque colour are stored, or not, as they are.
+template <unsigned Bits> int coarse() {
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    int worst = 0;
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k <= most; ++k) {
+                const double exact = (s * a + (255. - a) * k * 255 / most) / 255;
+                const int want = static_cast<int>(exact + 0.5) >> (8 - Bits);
+                const auto got = static_cast<int>(CoarseBytes<1>::over<Bits>(s, a, k) >> (8 - Bits));
+                worst = std::max(worst, std::abs(got - want));
+                if (a == 0) {
+                    EXPECT_EQ(got, static_cast<int>(k));
+                }
+                if (a == 255) {
+                    EXPECT_EQ(got, static_cast<int>(s >> (8 - Bits)));
+                }
+            }
+    return worst;
+}
+
+TEST(Coarse, ErrorOfStoredBits) {
+    EXPECT_EQ(coarse<5>(), 1);
+    EXPECT_EQ(coarse<6>(), 2);
+}
+
+/// Neighbours in the word are the extremes: a sum that reached the next would show.
+TEST(Coarse, PackedHasTheSameBits) {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 64; ++k)
+                for (std::uint32_t other : {s, 255 - s, 0u, 255u}) {
+                    const std::uint32_t r5 = k & 31, b5 = other != 0 ? 31 : 31 - r5;
+                    const auto over = [&]<unsigned Bits>(std::uint32_t c, std::uint32_t under) {
+                        return CoarseBytes<1>::over<Bits>(c, a, under) >> (8 - Bits);
+                    };
+                    const std::uint32_t want = over.operator()<5>(s, r5) << 11 |
+                                               over.operator()<6>(other, k) << 5 |
+                                               over.operator()<5>(255 - other, b5);
+                    const std::uint32_t under = r5 << 11 | k << 5 | b5;
+                    const auto c = PackedCoarse::from_word(s | other << 8 | (255 - other) << 16 | a << 24);
+                    ASSERT_EQ(PackedCoarse::clear(c)   ? under
+                              : PackedCoarse::solid(c) ? PackedCoarse::opaque(c)
+                                                       : PackedCoarse::over(c, under),
+                              want)
+                        << s << " " << a << " " << k << " " << other;
+                }
+}
+
+/// Steps come back from what a list makes of them.
+TEST(Coarse, StepsAreStoredAsTheyAre) {
+    for (std::uint32_t k = 0; k < 64; ++k) {
+        EXPECT_EQ(N::to8(N::from6(k)) >> 2, k);
+        EXPECT_EQ(N::to8(N::from5(k & 31)) >> 3, k & 31);
+    }
 }
 
 } // namespace

@@ -122,6 +122,23 @@ TEST(Runs, LinesKeepAQuarterOfATexel) {
     }
 }
 
+/// The fast tier has runs of 16, or longer ones that are proven.
+TEST(Runs, LongLinesOfTheFastTierKeepHalfATexel) {
+    int longer = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        RandomRow row(seed, 6, true);
+        row.state.tier = Tier::fast;
+        const Found f = follow<CoordRuns>(row, 6);
+        const long sixteens = (row.span.length + 15) / 16;
+        ASSERT_LE(f.runs, sixteens) << seed;
+        if (f.runs == sixteens)
+            continue;
+        ASSERT_LE(f.worst, .5 + row.division(6)) << seed;
+        ++longer;
+    }
+    EXPECT_GT(longer, 30);
+}
+
 /// Coordinates that do not wrap divide at every fragment.
 TEST(Runs, ClampedCoordinatesDivide) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {

@@ -13,7 +13,9 @@ struct StateOfKey {
     FragmentState state;
     std::vector<std::unique_ptr<TestTexture>> textures;
     StateOfKey(const Key& key, int width, int height, int log2_texels = 6, int log2_rows = 5) {
-        state.tier = key.number == Number::exact || key.cubic ? Tier::exact : Tier::balanced;
+        state.tier = key.number == Number::exact || key.cubic ? Tier::exact
+                     : key.coarse                             ? Tier::fast
+                                                              : Tier::balanced;
         state.scissor = {0, 0, width, height};
         state.dither = key.dither;
         for (int i = 0; i < max_texture_units; ++i) {

@@ -125,7 +125,7 @@ enum class TextureShape : std::uint8_t { line, plane, volume, cube };
 
 struct TextureLevel {
     const std::uint8_t* texels =
-        nullptr; ///< first texel inside the border, row t = 0 first (see border below)
+        nullptr; ///< first texel inside the border, row t = 0 first; texels of 16 and 32 bits are aligned
     std::uint16_t width = 0, height = 0; ///< without border
     std::uint32_t stride = 0;            ///< bytes from row t to t + 1
     friend constexpr bool operator==(const TextureLevel&, const TextureLevel&) = default;
