@@ -1,6 +1,8 @@
 // What becomes a path: where its fragments lie, and its depth. Lines side by side or one alone.
 #pragma once
 
+#include <bit>
+
 #include "raster/primitive/diamond.hpp"
 #include "raster/primitive/setup_math.hpp"
 #include "raster/span/path.hpp"
@@ -29,8 +31,10 @@ SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const
     L::exchange(along_y, x, y);
     const auto store = [&](Paths::Word word, Int v) { L::store(&paths.at(word, i), v); };
     store(Paths::first, y * row + x);
-    if constexpr (!numeric::cheap_branches)
-        store(Paths::place, y + x * (1 << 30));
+    if constexpr (!numeric::cheap_branches) {
+        using Word = typename L::Word; // DitheredWord::place
+        store(Paths::place, std::bit_cast<Int>(std::bit_cast<Word>(y) + (std::bit_cast<Word>(x) << 30)));
+    }
     store(Paths::along, along);
     store(Paths::aside, L::negate(falls, across));
     store(Paths::rest, L::select(falls, Int(-1 - remainder), Int(remainder - denominator)));

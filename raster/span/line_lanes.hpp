@@ -15,6 +15,7 @@ template <int Count> struct LineLanes;
 template <> struct LineLanes<1> {
     static constexpr int count = 1;
     using Int = std::int32_t;
+    using Word = std::uint32_t;
     using Mask = bool;
     SPANGLE_INLINE static Int load(const std::int32_t* at) { return *at; }
     SPANGLE_INLINE static void store(std::int32_t* at, Int v) { *at = v; }
