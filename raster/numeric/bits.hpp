@@ -7,8 +7,12 @@
 #include <limits>
 #include <type_traits>
 
-/// For kernels whose call would cost more than their body; where size counts (-Os) the compiler decides.
-#ifdef __OPTIMIZE_SIZE__
+#ifndef SPANGLE_KERNELS_INLINE
+#define SPANGLE_KERNELS_INLINE 1
+#endif
+/// For kernels whose call would cost more than their body. Where a build says so, code for size (-Os) has
+/// calls.
+#if defined(__OPTIMIZE_SIZE__) && !SPANGLE_KERNELS_INLINE
 #define SPANGLE_INLINE inline
 #else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline

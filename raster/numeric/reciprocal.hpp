@@ -37,8 +37,8 @@ inline constexpr int reciprocal_ulp_percent = 54; ///< bound of the absolute err
 /// One Newton step: Q2.30 of 1/a, a in [2^31, 2^32) standing for [1/2, 1). Relative error in [-2^-17.9,
 /// 2^-30].
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
-    // Twice the seed is the table's number 2^16, and twice what is left of 2 without the product (Q2.30, near 1)
-    // makes the 30 bits down a word.
+    // Twice the seed is the table's number 2^16, and twice what is left of 2 without the product (Q2.30, near
+    // 1) makes the 30 bits down a word.
     const std::uint32_t seed = detail::reciprocal_seed(a) >> 15;
     return mul_by_half(0 - (mul_by_half(a, seed) & ~1u), seed);
 }
