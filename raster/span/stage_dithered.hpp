@@ -6,17 +6,22 @@
 
 namespace spangle::raster {
 
-/// Colours that set-up has counted in steps (Variant::steps): floor(step + t) is one sum.
-template <int Count> struct GouraudDithered : Gouraud<Raw565<Count>, false> {
+/// Smooth colours as the bits that are stored of them. Dither: counted in steps by set-up (Variant::steps),
+/// so that floor(step + t) is one sum.
+template <int Count, bool Dither> struct GouraudTops : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using Base = Gouraud<N, false>;
-    detail::DitherPlace<typename N::L> dither;
+    using Place = std::conditional_t<Dither, detail::DitherPlace<typename N::L>, detail::NoThreshold>;
+    [[no_unique_address]] Place dither;
 
     template <class S>
-    SPANGLE_INLINE GouraudDithered(const S& s, std::int32_t x) : Base(s, x), dither(s.x + x, s.y) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color = N::word(N::dithered(N::tops(this->r.at, this->g.at, this->b.at), dither.threshold()));
-        return true;
+    SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), dither(s.x + x, s.y) {}
+    SPANGLE_INLINE typename N::Tops tops() const {
+        const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
+        if constexpr (Dither)
+            return N::dithered(v, dither.threshold());
+        else
+            return v;
     }
     SPANGLE_INLINE void step() {
         Base::step();
@@ -28,7 +33,16 @@ template <int Count> struct GouraudDithered : Gouraud<Raw565<Count>, false> {
     }
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         Base::start(s, x);
-        dither = detail::DitherPlace<typename N::L>(s.x + x, s.y);
+        dither = Place(s.x + x, s.y);
+    }
+};
+
+template <int Count> struct GouraudDithered : GouraudTops<Count, true> {
+    using N = Raw565<Count>;
+    using GouraudTops<Count, true>::GouraudTops;
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color = N::word(this->tops());
+        return true;
     }
 };
 

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "raster/span/rows.hpp"
-#include "raster/span/stage_color.hpp"
+#include "raster/span/stage_dithered.hpp"
 #include "raster/span/stage_raw.hpp"
-#include "raster/span/stage_thresholds.hpp"
 
 namespace spangle::raster {
 
@@ -15,20 +14,16 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 /// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
 /// sixteen bits of it and leave it to others to divide (Px::open, divide_open): a loop that calls keeps
 /// nothing in registers. Dithered colours are counted in steps (Variant::steps), and a threshold moves both.
-template <int Count, bool Dither> struct GouraudGuessed : Gouraud<Raw565<Count>, false> {
+template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dither> {
     using N = Raw565<Count>;
     using L = typename N::L;
-    using Base = Gouraud<N, false>;
-    [[no_unique_address]] std::conditional_t<Dither, detail::DitherPlace<L>, detail::NoThreshold> dither;
 
     template <class S>
     SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
-        : Base(at, x), dither(at.x + x, at.y), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
+        : GouraudTops<Count, Dither>(at, x), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
           open6_(limit(at.planes.guess.open6, 6)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
-        if constexpr (Dither)
-            v = N::dithered(v, dither.threshold());
+        const typename N::Tops v = this->tops();
         if constexpr (Count == 1) {
             if (v.r << 5 >= open5_ || v.g << 6 >= open6_ || v.b << 5 >= open5_) [[unlikely]] {
                 p.color.word = divided_word(here_.row.planes, here_.row.counted_from + p.i, here_.row.y);
@@ -39,18 +34,6 @@ template <int Count, bool Dither> struct GouraudGuessed : Gouraud<Raw565<Count>,
         }
         p.color = N::word(v);
         return true;
-    }
-    SPANGLE_INLINE void step() {
-        Base::step();
-        dither.step();
-    }
-    SPANGLE_INLINE void next_row() {
-        Base::next_row();
-        dither.next_row();
-    }
-    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        Base::start(s, x);
-        dither = {s.x + x, s.y};
     }
 
   private:

@@ -14,6 +14,17 @@ struct Size {
     int width, height;
 };
 
+/// Of some 1/w varies little, some have a side that is flat or upright.
+inline void make_special(Triangle& t, RandomVertices& source, Kind kind) {
+    if (kind == Kind::full && source.below(2) == 0)
+        for (FixedVertex& v : t.v)
+            v.w_mantissa = 0xB0000000u + source.below(1u << source.below(28)), v.w_exponent = -32;
+    if (source.below(4) == 0)
+        t.v[1].y = t.v[0].y;
+    if (source.below(4) == 0)
+        t.v[2].x = t.v[1].x;
+}
+
 /// `shapes` take the place of the key's; next(source): the triangle of a round. Every fourth round is cut,
 /// every third one records.
 template <class Next>

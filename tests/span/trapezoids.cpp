@@ -60,13 +60,7 @@ Triangle triangle(RandomVertices& source, Kind kind) {
         v.x = place(left, wide);
         v.y = place(low, high);
     }
-    if (kind == Kind::full && source.below(2) == 0) // 1/w varies little
-        for (FixedVertex& v : t.v)
-            v.w_mantissa = 0xB0000000u + source.below(1u << source.below(28)), v.w_exponent = -32;
-    if (source.below(4) == 0)
-        t.v[1].y = t.v[0].y;
-    if (source.below(4) == 0)
-        t.v[2].x = t.v[1].x;
+    make_special(t, source, kind);
     return t;
 }
 
