@@ -175,16 +175,23 @@ template <> struct Lanes<8> {
             r[i] = static_cast<std::int16_t>((std::int32_t{s[i]} * t[i]) >> 16);
         return std::bit_cast<U16>(r);
     }
+    SPANGLE_INLINE static U16 maximum_signed(U16 a, U16 b) {
+        const auto s = std::bit_cast<Signed>(a), t = std::bit_cast<Signed>(b);
+        Signed r;
+        for (int i = 0; i < 8; ++i)
+            r[i] = s[i] < t[i] ? t[i] : s[i];
+        return std::bit_cast<U16>(r);
+    }
     /// min(max(v, low), high), all signed.
     SPANGLE_INLINE static U16 clamped_signed(U16 v, U16 low, U16 high) {
-        const auto s = std::bit_cast<Signed>(v), l = std::bit_cast<Signed>(low),
-                   h = std::bit_cast<Signed>(high);
-        Signed raised, r;
-        for (int i = 0; i < 8; ++i)
-            raised[i] = s[i] < l[i] ? l[i] : s[i];
+        const auto raised = std::bit_cast<Signed>(maximum_signed(v, low)), h = std::bit_cast<Signed>(high);
+        Signed r;
         for (int i = 0; i < 8; ++i)
             r[i] = raised[i] < h[i] ? raised[i] : h[i];
         return std::bit_cast<U16>(r);
+    }
+    SPANGLE_INLINE static Mask less_signed(U16 a, U16 b) {
+        return std::bit_cast<Mask>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
     }
     SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) { return mul_high_signed(a, b << 7); }
     SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }

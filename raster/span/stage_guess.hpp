@@ -20,17 +20,17 @@ template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dit
 
     template <class S>
     SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
-        : GouraudTops<Count, Dither>(at, x), here_{at}, open5_(limit(at.planes.guess.open5, 5)),
-          open6_(limit(at.planes.guess.open6, 6)) {}
+        : GouraudTops<Count, Dither>(at, x), here_{at}, limit_(at.planes.guess) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::Tops v = this->tops();
         if constexpr (Count == 1) {
-            if (v.r << 5 >= open5_ || v.g << 6 >= open6_ || v.b << 5 >= open5_) [[unlikely]] {
+            if (v.r << 5 >= limit_.open5 || v.g << 6 >= limit_.open6 || v.b << 5 >= limit_.open5)
+                [[unlikely]] {
                 p.color.word = divided_word(here_.row.planes, here_.row.counted_from + p.i, here_.row.y);
                 return true;
             }
         } else {
-            p.open = reaches(v.r, 5, open5_) | reaches(v.g, 6, open6_) | reaches(v.b, 5, open5_);
+            p.open = limit_.reached(v);
         }
         p.color = N::word(v);
         return true;
@@ -45,17 +45,25 @@ template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dit
         template <class S> SPANGLE_INLINE explicit Nowhere(const S&) {}
     };
     [[no_unique_address]] std::conditional_t<Count == 1, Here, Nowhere> here_;
-    using Limit = std::conditional_t<Count == 1, std::uint32_t, typename L::U16>;
-    SPANGLE_INLINE static Limit limit(std::uint32_t open, int bits) {
-        if constexpr (Count == 1)
-            return open;
-        else
-            return L::splat((open >> 16 >> bits) << bits);
-    }
-    SPANGLE_INLINE static typename L::Mask reaches(const typename N::T& v, int bits, const Limit& open) {
-        return L::negate(L::less(v << static_cast<std::uint16_t>(bits), open));
-    }
-    Limit open5_, open6_;
+    /// Eight lanes: a component with ones in place of its step is what it lacks of the next one, negated. The
+    /// doubt is the same for steps of five bits and of six.
+    class Missing {
+      public:
+        SPANGLE_INLINE explicit Missing(const Span<Fixed>::Guess& guess)
+            : most_(L::splat((guess.open5 >> (16 + 5)) - (1u << (16 - 5)) - 1)) {}
+        SPANGLE_INLINE typename L::Mask reached(const typename N::Tops& v) const {
+            const typename L::U16 five = L::maximum_signed(v.r | rest(5), v.b | rest(5)),
+                                  least = L::maximum_signed(five, v.g | rest(6));
+            return L::less_signed(most_, least);
+        }
+
+      private:
+        SPANGLE_INLINE static std::uint16_t rest(int bits) {
+            return static_cast<std::uint16_t>(0xFFFF0000u >> bits);
+        }
+        typename L::U16 most_;
+    };
+    std::conditional_t<Count == 1, Span<Fixed>::Guess, Missing> limit_;
 };
 
 /// f(i) for the lanes that a guess left open: those with any bit.
