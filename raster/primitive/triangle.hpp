@@ -147,11 +147,11 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
                               const typename P::Vertex& provoking, std::int32_t left, std::int32_t right) {
     if constexpr (host_lanes > 1 && std::is_same_v<P, Fixed>) {
         const DrawState& state = *pen.span.state;
-        const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
         Tile tile;
         int tiles;
         if (!state.shapes || pen.cuts() || state.counters != nullptr ||
-            !make_tile(tile, tiles, xs, ys, t.area2 < 0, left, right, pen.clip()))
+            !make_tile(tile, tiles, *t.a.vertex, *t.b.vertex, *t.c.vertex, t.area2 < 0, left, right,
+                       pen.clip()))
             return false;
         if (tile.rows <= 0)
             return true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 
 #include "raster/primitive/edge.hpp"
 #include "raster/span/lanes.hpp"
@@ -11,29 +12,56 @@
 
 namespace spangle::raster {
 
-/// A side of a triangle, (x0, y0) up to (x1, y1). Left edges own their centres, right ones do not; the one
-/// that lies flat on the ground, which counts as right, does.
+/// The edges of a triangle, corners upwards: from the lowest to the highest, from the lowest to the middle
+/// one, from there to the highest. Left edges own their centres, right ones do not; the one that lies flat on
+/// the ground, which counts as right, does.
 ///
-/// Ends and centres lie within 9 columns and 13 rows, so that twice an area is at most 9 13 2^16, or within
-/// 17 and 7, or 5 and 24; from centre to centre it changes by whole multiples of 2^8, so what is dropped
-/// below decides nothing.
-SPANGLE_INLINE Tile::Edge tile_edge(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
-                                    std::int32_t center_x, std::int32_t center_y, bool right) {
+/// Corners and centres lie within 9 columns and 13 rows, so that twice an area is at most 9 13 2^16, or
+/// within 17 and 7, or 5 and 24: differences fit 16 bits. From centre to centre the area changes by whole
+/// multiples of 2^8, so what is dropped below decides nothing.
+SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
+                              bool middle_left) {
     static_assert((Tile::columns + 1) * (Tile::most_rows + 1) * subpixel_one < 1 << 15);
     static_assert((Tile::narrow_columns + 1) * (Tile::most_narrow_rows + 2) * subpixel_one < 1 << 15);
     static_assert((2 * Tile::columns + 1) * (Tile::most_rows_of_two + 1) * subpixel_one < 1 << 15);
-    const std::int32_t dx = x1 - x0, dy = y1 - y0, flip = -static_cast<std::int32_t>(right);
-    const std::int32_t area =
-        (center_x - x0) * dy - (center_y - y0) * dx - static_cast<std::int32_t>(dy == 0);
-    return {(area >> subpixel_bits) ^ flip, (dy ^ flip) - flip, (-dx ^ flip) - flip};
+    using L = Lanes<8>;
+    using U16 = L::U16;
+    const auto words = [](U16 v) { return std::bit_cast<L::Words>(v); };
+    const auto corner = [](const FixedVertex& v) {
+        static_assert(offsetof(FixedVertex, x) == 0 && offsetof(FixedVertex, y) == 4);
+        std::uint64_t at;
+        __builtin_memcpy(&at, &v, sizeof at);
+        return L::halves(at, 0);
+    };
+    // x of the edges in lanes 0 to 2, y in lanes 4 to 6.
+    const U16 ab = L::mixed_low(corner(a), corner(b)), cb = L::mixed_low(corner(c), corner(b)),
+              from = __builtin_shufflevector(ab, ab, 0, 0, 1, 1, 4, 4, 5, 5),
+              to = __builtin_shufflevector(cb, cb, 0, 1, 0, 0, 4, 5, 4, 4);
+    const std::uint32_t at =
+        (static_cast<std::uint32_t>(tile.x) & 0xFFFF) | static_cast<std::uint32_t>(tile.y) << 16;
+    const auto pixel = std::bit_cast<U16>(L::Words{at, at, at, at});
+    const L::Words xy = words(L::mixed_low(pixel, pixel)), along = words(to - from);
+    const U16 corner_of_pixel = std::bit_cast<U16>(__builtin_shufflevector(xy, xy, 0, 0, 1, 1))
+                                << subpixel_bits,
+              off = corner_of_pixel + subpixel_one / 2 - from,
+              across = std::bit_cast<U16>(__builtin_shufflevector(along, along, 2, 3, 0, 1)); // y, x
+    const U16 product = off * across, product_high = L::mul_high_signed(off, across),
+              flat = L::equal(across, U16{}); // -1
+    const L::Words area = words(L::mixed_low(product, product_high)) -
+                          words(L::mixed_high(product, product_high)) + words(L::mixed_low(flat, flat));
+    constexpr std::uint16_t on = 0xFFFF;
+    constexpr U16 if_right = {0, on, on, 0, on, 0, 0, 0};
+    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // what is to be negated: x where y is not
+    tile.value = std::bit_cast<U16>(area >> subpixel_bits) ^ L::mixed_low(flip, flip);
+    tile.by = (across ^ flip) - flip;
 }
 
 /// Corners upwards; columns [left, right) hold all its centres and lie inside of `clip`, as do the rows that
 /// are left. The first of `tiles` side by side; false where it takes more than two.
-SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const std::int32_t (&xs)[3],
-                              const std::int32_t (&ys)[3], bool middle_left, std::int32_t left,
-                              std::int32_t right, const Rect& clip) {
-    const std::int32_t low = first_center(ys[0]), high = first_center(ys[2]), top = clip.y + clip.h;
+SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const FixedVertex& a, const FixedVertex& b,
+                              const FixedVertex& c, bool middle_left, std::int32_t left, std::int32_t right,
+                              const Rect& clip) {
+    const std::int32_t low = first_center(a.y), high = first_center(c.y), top = clip.y + clip.h;
     const std::int32_t begin = low < clip.y ? clip.y : low, end = high < top ? high : top;
     // The row below the lowest corner is outside of one edge at least.
     const std::int32_t odd = (end - begin) & 1;
@@ -50,11 +78,7 @@ SPANGLE_INLINE bool make_tile(Tile& tile, int& tiles, const std::int32_t (&xs)[3
     tile.x = left < last ? left : last;
     tile.y = begin - tile.dead_rows;
     tile.rows = end - tile.y;
-    const std::int32_t x = tile.x * subpixel_one + subpixel_one / 2,
-                       y = tile.y * subpixel_one + subpixel_one / 2;
-    tile.edge[0] = tile_edge(xs[0], ys[0], xs[2], ys[2], x, y, middle_left);
-    tile.edge[1] = tile_edge(xs[0], ys[0], xs[1], ys[1], x, y, !middle_left);
-    tile.edge[2] = tile_edge(xs[1], ys[1], xs[2], ys[2], x, y, !middle_left);
+    set_edges(tile, a, b, c, middle_left);
     return true;
 }
 
@@ -76,8 +100,10 @@ SPANGLE_INLINE bool is_touched(const Surface& target, const Tile& tile, std::int
     for (std::int32_t row = 0; row != tile.rows; ++row) {
         const auto alive = [&](std::int32_t column) {
             std::int32_t sides = 0;
-            for (const Tile::Edge& e : tile.edge)
-                sides |= e.value + column * e.dx + row * e.dy;
+            for (int k = 0; k < 3; ++k) {
+                const auto word = [](std::uint16_t v) { return static_cast<std::int16_t>(v); };
+                sides |= word(tile.value[2 * k]) + column * word(tile.by[k]) + row * word(tile.by[k + 4]);
+            }
             return sides >= 0;
         };
         std::int32_t first = 0, last = columns;

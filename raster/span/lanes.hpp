@@ -128,6 +128,17 @@ template <> struct Lanes<8> {
         const Words w = {v, v, v, v};
         return {w, w};
     }
+    /// Lane I in all of them.
+    template <int I> SPANGLE_INLINE static U16 spread(U16 v) {
+        return __builtin_shufflevector(v, v, I, I, I, I, I, I, I, I);
+    }
+    /// Lanes 0 to 3 of both in turn, or 4 to 7.
+    SPANGLE_INLINE static U16 mixed_low(U16 a, U16 b) {
+        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+    }
+    SPANGLE_INLINE static U16 mixed_high(U16 a, U16 b) {
+        return __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15);
+    }
     /// By masks: words put together one by one would take twice as long.
     SPANGLE_INLINE static U32 ramp(std::uint32_t start, std::uint32_t step) {
         constexpr std::uint32_t on = 0xFFFFFFFF;
@@ -136,9 +147,7 @@ template <> struct Lanes<8> {
         return {even, even + by};
     }
     SPANGLE_INLINE static U32 offsets(std::uint32_t dx, std::uint32_t) { return ramp(0, dx); }
-    SPANGLE_INLINE static U16 offsets16(std::uint32_t dx, std::uint32_t) {
-        return splat(dx) * U16{0, 1, 2, 3, 4, 5, 6, 7};
-    }
+    SPANGLE_INLINE static U16 offsets16(U16 dx, U16) { return dx * U16{0, 1, 2, 3, 4, 5, 6, 7}; }
     SPANGLE_INLINE static Place place(std::uint8_t* first, std::ptrdiff_t) { return first; }
     SPANGLE_INLINE static std::uint8_t* pixel(Place at, int lane, int bytes) { return at + bytes * lane; }
     SPANGLE_INLINE static U16 high_half(const U32& v) {
@@ -283,9 +292,9 @@ template <> struct Lanes<two_rows> : Lanes<8> {
         const Words even = one + one + (splat32(dy).even & Words{0, 0, on, on});
         return {even, even + by};
     }
-    SPANGLE_INLINE static U16 offsets16(std::uint32_t dx, std::uint32_t dy) {
+    SPANGLE_INLINE static U16 offsets16(U16 dx, U16 dy) {
         constexpr std::uint16_t on = 0xFFFF;
-        return splat(dx) * U16{0, 1, 2, 3, 0, 1, 2, 3} + (splat(dy) & U16{0, 0, 0, 0, on, on, on, on});
+        return dx * U16{0, 1, 2, 3, 0, 1, 2, 3} + (dy & U16{0, 0, 0, 0, on, on, on, on});
     }
     SPANGLE_INLINE static U16 load(const Place& at) {
         std::uint64_t row[2];

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "raster/span/lanes.hpp"
 
@@ -16,22 +17,19 @@ struct Tile {
     static constexpr std::int32_t columns = 8, most_rows = 12, most_rows_of_two = 6;
     static constexpr std::int32_t narrow_columns = 4, most_narrow_rows = 22;
 
-    /// Twice the signed area that the centre of a lane spans with an edge, in units of 2^-8 pixels, rounded
-    /// down: negative outside. A pixel further it is `dx` more, a row further `dy`.
-    struct Edge {
-        std::int32_t value, dx, dy; ///< of 16 bits
-    };
     std::int32_t x, y; ///< window position of lane 0 of the first row
     std::int32_t rows;
     std::int32_t dead_rows; ///< the first ones, that make them even
     bool narrow;
-    Edge edge[3];
+    /// Three edges, k = 0, 1, 2. Twice the signed area that the centre of a lane spans with one of them, in
+    /// units of 2^-8 pixels, rounded down, is negative outside: in the first lane value[2 k]. A pixel further
+    /// it is by[k] more, a row further by[k + 4].
+    Lanes<8>::U16 value, by;
 
     /// On to the one right of it.
     void move_right() {
         x += columns;
-        for (Edge& e : edge)
-            e.value += columns * e.dx;
+        value += Lanes<8>::mixed_low(by, by) * columns;
     }
 };
 
@@ -39,7 +37,8 @@ struct Tile {
 template <class L> class TileLanes {
   public:
     SPANGLE_INLINE explicit TileLanes(const Tile& tile)
-        : a_(tile.edge[0]), b_(tile.edge[1]), c_(tile.edge[2]) {}
+        : a_(std::integral_constant<int, 0>{}, tile), b_(std::integral_constant<int, 1>{}, tile),
+          c_(std::integral_constant<int, 2>{}, tile) {}
     SPANGLE_INLINE Lanes<8>::Mask alive() const {
         using Signed [[gnu::vector_size(16)]] = std::int16_t;
         return ~std::bit_cast<Lanes<8>::Mask>(std::bit_cast<Signed>(a_.at | b_.at | c_.at) >> 15);
@@ -53,10 +52,12 @@ template <class L> class TileLanes {
   private:
     struct Side {
         Lanes<8>::U16 at, by;
-        SPANGLE_INLINE explicit Side(const Tile::Edge& e)
-            : at(L::splat(word(e.value)) + L::offsets16(word(e.dx), word(e.dy))),
-              by(L::splat(word(e.dy) * static_cast<std::uint32_t>(L::rows))) {}
-        SPANGLE_INLINE static std::uint32_t word(std::int32_t v) { return static_cast<std::uint32_t>(v); }
+        template <int K>
+        SPANGLE_INLINE Side(std::integral_constant<int, K>, const Tile& tile)
+            : by(L::template spread<K + 4>(tile.by)) {
+            at = L::template spread<2 * K>(tile.value) + L::offsets16(L::template spread<K>(tile.by), by);
+            by *= L::rows;
+        }
     } a_, b_, c_;
 };
 

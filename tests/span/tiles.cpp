@@ -65,7 +65,7 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
     hits = {};
     const Shapes shapes = {&note_and_draw, fused.shapes->trapezoids};
     expect_chain(fused, name, {width, height}, 6000, shapes, [&](RandomVertices& source) {
-        hits.last = {};
+        hits.last = Tile();
         return small_triangle(source, fused.key.kind);
     });
     EXPECT_GE(hits.tiles, 1500) << name;
