@@ -371,9 +371,10 @@ template <class M, class L> class Pipeline {
     /// Lines and strips on their way: vertices, those among them that are still to be divided by w, and clip
     /// coordinates of these.
     struct Pending {
-        Vertex *vertex[pending_vertices] = {}, *fresh[line_batch];
+        Vertex *vertex[pending_vertices], *fresh[line_batch];
         typename M::template Projections<line_batch> projections;
         int count = 0, fresh_count = 0;
+        Pending() { vertex[0] = vertex[1] = nullptr; } // who asks for those need not know how many there are
     };
 
     struct Corner {

@@ -249,12 +249,15 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
 template <class M, class L>
 inline void Pipeline<M, L>::strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals, bool textured) {
-    if constexpr (!numeric::cheap_branches)
-        if (count > line_batch)
-            return strip_batches(reader, count, indices, normals, textured);
+    const auto strip = [&](const auto& of) {
+        if constexpr (!numeric::cheap_branches)
+            if (count > line_batch)
+                return strip_batches(reader, count, of, normals, textured);
+        strip_elements(reader, count, of, normals, textured);
+    };
     if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
-        return strip_elements(reader, count, shorts, normals, textured);
-    strip_elements(reader, count, indices, normals, textured);
+        return strip(shorts);
+    strip(indices);
 }
 
 /// Many corners at a time, then their triangles: which of them face away is known long before it is asked.

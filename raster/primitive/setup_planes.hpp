@@ -3,6 +3,8 @@
 
 #include "raster/primitive/setup.hpp"
 #include "raster/primitive/setup_math.hpp"
+#include "raster/span/lanes.hpp"
+#include "raster/span/line_lanes.hpp"
 
 namespace spangle::raster {
 
@@ -40,8 +42,29 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add)
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
 }
 
+/// Largest range of the first three components of colours: of three numbers it is half the sum of how far
+/// each two of them lie apart.
+SPANGLE_INLINE static std::uint32_t widest_of_three(const std::uint32_t (&a)[4], const std::uint32_t (&b)[4],
+                                                    const std::uint32_t (&c)[4]) {
+    using L = LineLanes<4>;
+    const auto load = [](const std::uint32_t(&color)[4]) {
+        L::Int v;
+        __builtin_memcpy(&v, color, sizeof v);
+        return v;
+    };
+    const auto apart = [](L::Int v, L::Int w) {
+        const L::Int d = v - w;
+        return L::negate(d >> 31, d);
+    };
+    const L::Int x = load(a), y = load(b), z = load(c), sum = apart(y, x) + apart(z, x) + apart(z, y);
+    const std::int32_t some = sum[0] > sum[1] ? sum[0] : sum[1];
+    return static_cast<std::uint32_t>(some > sum[2] ? some : sum[2]) >> 1;
+}
+
 /// Largest range of a colour.
 template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() const {
+    if constexpr (Rgb && host_lanes > 1)
+        return widest_of_three(v(0).color, v(1).color, v(2).color);
     std::uint32_t widest = 0;
     each_color<Rgb>([&](const ColorSource& from, int i, auto&, auto&) {
         const std::uint32_t range = range_of(0, from.difference(1, i), from.difference(2, i));
