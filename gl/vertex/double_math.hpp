@@ -76,7 +76,7 @@ struct DoubleMath {
             if (fog)
                 set_fog(depth(t, v), out);
         }
-        void finish() {}
+        void finish(int) {}
         bool divide(int, const Transforms&, const Real (&)[4], Window&, unsigned&) const { return false; }
     };
     using Place = Window;

@@ -152,7 +152,8 @@ struct FixedMath {
             clip.e = v.e;
             of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
         }
-        SPANGLE_INLINE void finish() { of_w_.finish(); }
+        /// Of the first so many.
+        SPANGLE_INLINE void finish(int count) { of_w_.finish(count); }
 
         /// `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on those
         /// that it must be clipped by. False: not in front of the eye, or so far outside that the quotients
@@ -440,11 +441,9 @@ struct FixedMath {
 #endif
     };
     template <class From, class To> static void copy_color(const From& from, To& to) {
-        for (int c = 0; c < 4; ++c)
-            to.color[c] = from.color[c];
+        __builtin_memcpy(to.color, from.color, sizeof to.color);
 #if SPANGLE_SECONDARY_COLORS
-        for (int c = 0; c < 3; ++c)
-            to.secondary[c] = from.secondary[c];
+        __builtin_memcpy(to.secondary, from.secondary, sizeof to.secondary);
 #endif
     }
 

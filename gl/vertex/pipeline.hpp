@@ -160,7 +160,7 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
-    static constexpr int pending_vertices = numeric::cheap_branches ? line_batch + 1 : 4 * line_batch;
+    static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
     static constexpr int slot_count = 4;
     /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
     /// at every edge. Cuts that a plane took away are those that the next one makes.
@@ -428,8 +428,9 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
-    void line_elements(const ElementReader& reader, std::uint32_t count, const Indices& indices,
-                       bool normals);
+    void lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals);
+    template <class I>
+    void line_elements(const ElementReader& reader, std::uint32_t count, I indices, bool normals);
     void strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals,
                   bool textured);
     template <class I>

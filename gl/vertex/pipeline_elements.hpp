@@ -52,7 +52,7 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
         for (std::uint32_t i = 0; i < count; ++i)
             next(unusual_element(context, reader, indices.at(i)));
     else if (raster::has_shortcuts && draws_lines())
-        line_elements(reader, count, indices, normals);
+        lines_of(reader, count, indices, normals);
     else if (raster::has_shortcuts && mode_ == GL_TRIANGLE_STRIP && !whole_polygons_)
         strip_of(reader, count, indices, normals, textured);
     else
@@ -201,9 +201,9 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pendin
 /// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so
 /// that none waits for another.
 template <class M, class L>
-inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count,
-                                          const Indices& given, bool normals) {
-    const Indices indices = given; // in registers
+template <class I>
+inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count, const I indices,
+                                          bool normals) {
     Pending lines;
     int held = 0; // as well; lines.count while others look
     const auto draw = [&] {
@@ -231,7 +231,9 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
             divide(lines);
             slot_[2] = v;
         }
-        if (held == line_batch + 1 || (!numeric::cheap_branches && lines.fresh_count == line_batch))
+        if (!numeric::cheap_branches && lines.fresh_count == line_batch)
+            divide(lines);
+        if (held == pending_vertices)
             draw();
     }
     draw();
@@ -243,6 +245,16 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
         corner_[1] = lines.vertex[0];
         held_ = 2;
     }
+}
+
+/// Lines by what their indices are.
+template <class M, class L>
+inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
+                                     bool normals) {
+    if constexpr (!numeric::cheap_branches) // else one loop has to do: it is a large one
+        if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
+            return line_elements(reader, count, shorts, normals);
+    line_elements(reader, count, indices, normals);
 }
 
 /// A strip by what its indices are.
@@ -340,7 +352,7 @@ void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t c
 }
 
 template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
-    lines.projections.finish();
+    lines.projections.finish(lines.fresh_count);
     for (int i = 0; i < lines.fresh_count; ++i) {
         Vertex& v = *lines.fresh[i];
         unsigned planes = 0;
@@ -355,7 +367,8 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
-    lines(p.vertex, p.count, step, !lit_);
+    for (int i = 0; i + 1 < p.count; i += line_batch)
+        lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !lit_);
     let_go(p, left);
 }
 

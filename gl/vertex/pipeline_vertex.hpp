@@ -59,7 +59,7 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
 template <class M, class L> void Pipeline<M, L>::process(Vertex& v) const {
     typename M::template Projections<1> projection;
     projection.add(0, transforms_, v.position, v.window, fog_);
-    projection.finish();
+    projection.finish(1);
     unsigned planes = 0;
     const bool divided = projection.divide(0, transforms_, v.position, v.window, planes);
     set_flags(v, divided, planes);

@@ -32,7 +32,7 @@ struct ShadowMath {
                 set_fog(depth(t, v), out);
             fixed_.add(i, t.fixed, v, out.fixed, fog);
         }
-        void finish() { fixed_.finish(); }
+        void finish(int count) { fixed_.finish(count); }
         bool divide(int i, const Transforms& t, const Real (&v)[4], Window& out, unsigned& planes) const {
             if (!fixed_.divide(i, t.fixed, v, out.fixed, planes))
                 return false;

@@ -70,27 +70,34 @@ template <int N> class Reciprocals {
         a_[i] = a;
         r_[i] = in_words ? reciprocal(a) : detail::reciprocal_seed(a);
     }
-    /// After the last of them.
-    SPANGLE_INLINE void finish() {
-        for (int i = 0; i < N && !in_words; ++i) {
-            const std::uint32_t a = a_[i], seed = r_[i], product = mul_high_u32(a, seed);
-            r_[i] = static_cast<std::uint32_t>(mul_u32(seed, 0x80000000u - product) >> 30);
-        }
-        // A signed factor is one without a sign, 2^31 less; 48 bits down are 32 and 16.
-        for (int i = 0; i < N && !in_words; ++i) {
-            const std::uint32_t r = r_[i];
-            const auto residual =
-                static_cast<std::uint32_t>(((std::uint64_t{1} << 62) - mul_u32(a_[i], r)) >> 14);
-            const std::uint64_t step =
-                mul_u32(r, residual ^ 0x80000000u) + (std::uint64_t{1} << 47) - (std::uint64_t{r} << 31);
-            r_[i] = r + static_cast<std::uint32_t>(
+    /// After the last of them: the first so many, N or less.
+    SPANGLE_INLINE void finish(int count) {
+        if constexpr (in_words)
+            return;
+        for (int first = 0; first < count; first += block) {
+            std::uint32_t once[block];
+            for (int i = 0; i < block; ++i) {
+                const std::uint32_t a = a_[first + i], seed = r_[first + i], product = mul_high_u32(a, seed);
+                once[i] = static_cast<std::uint32_t>(mul_u32(seed, 0x80000000u - product) >> 30);
+            }
+            // A signed factor is one without a sign, 2^31 less; 48 bits down are 32 and 16.
+            for (int i = 0; i < block; ++i) {
+                const std::uint32_t r = once[i];
+                const auto residual =
+                    static_cast<std::uint32_t>(((std::uint64_t{1} << 62) - mul_u32(a_[first + i], r)) >> 14);
+                const std::uint64_t step =
+                    mul_u32(r, residual ^ 0x80000000u) + (std::uint64_t{1} << 47) - (std::uint64_t{r} << 31);
+                r_[first + i] =
+                    r + static_cast<std::uint32_t>(
                             static_cast<std::int32_t>(static_cast<std::uint32_t>(step >> 32)) >> 16);
+            }
         }
     }
     SPANGLE_INLINE std::uint32_t at(int i) const { return r_[i]; }
 
   private:
     static constexpr bool in_words = cheap_branches || N == 1; ///< no vectors, and few registers
+    static constexpr int block = N % 4 == 0 ? 4 : 1;           ///< of a vector
     alignas(16) std::uint32_t a_[N];
     alignas(16) std::uint32_t r_[N];
 };

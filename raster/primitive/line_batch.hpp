@@ -94,8 +94,8 @@ template <class L> class LineBatch {
     }
     SPANGLE_INLINE void paint(std::uint32_t word) {
         paths_.one_color = true;
-        for (int i = 0; i < count_; ++i)
-            paths_.at(Paths::flat, i) = static_cast<std::int32_t>(word);
+        for (int i = 0; i < count_; i += L::count)
+            L::store(&paths_.at(Paths::flat, i), typename L::Int{} + static_cast<std::int32_t>(word));
     }
     void paint() {
         paths_.one_color = false;

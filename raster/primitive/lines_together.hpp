@@ -140,6 +140,8 @@ template <class L> class LinesTogether {
         L::store(of.from_begin, at.from_begin);
         if (L::any(L::less(Int{} + (detail::CoefficientTable::size - 1), length))) [[unlikely]]
             return set_long_depths(paths, i, of);
+        // Scalars are read from memory, not taken out of vectors one by one.
+        asm("" : "+m"(of)); // NOLINT(hicpp-no-assembler): no instruction
         // Whole vectors: a load does not wait for four stores.
         const ShortDepth path[4] = {{of, 0}, {of, 1}, {of, 2}, {of, 3}};
         L::store(&paths.at(Paths::depth, i), Int{path[0].at, path[1].at, path[2].at, path[3].at});

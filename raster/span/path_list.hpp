@@ -67,12 +67,14 @@ template <class Case> class PathList {
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];
-            const auto depth_and_color = static_cast<std::uint32_t>(f[1]);
-            const std::uint32_t color_word =
-                dithers ? word_[depth_and_color & 0xFFFF] : depth_and_color & 0xFFFF;
+            const auto* const half = reinterpret_cast<const std::uint8_t*>(f + 1);
+            std::uint32_t color_word = One::load(half + (little ? 0 : 2));
+            if constexpr (dithers)
+                color_word = word_[color_word];
             bool live = true;
             if constexpr (Case::tested) {
-                const std::uint32_t incoming = depth_and_color >> 16, stored = One::load(depth + offset);
+                const std::uint32_t incoming = One::load(half + (little ? 2 : 0)),
+                                    stored = One::load(depth + offset);
                 live = compare<Case::key.depth>(incoming, stored);
                 if constexpr (Case::key.depth_write)
                     One::store(depth + offset, One::select(live, incoming, stored));
@@ -88,6 +90,7 @@ template <class Case> class PathList {
     using Word = L::Word;
     static constexpr Int lane = {0, 1, 2, 3};
     static constexpr int cells = dithers ? 16 : 1; ///< of the dither matrix
+    static constexpr bool little = std::endian::native == std::endian::little;
 
     static constexpr bool swaps = StoreRaw<1, Case::key.format>::swaps;
     SPANGLE_INLINE static std::uint16_t dithered(std::uint32_t flat, int cell) {
