@@ -10,14 +10,17 @@ namespace spangle::raster {
 
 namespace detail {
 
-/// PerPixel::coefficient of lengths below 16 pixels.
+/// PerPixel::coefficient of lengths below 16 pixels, and what their exponents are less than 32.
 struct CoefficientTable {
     static constexpr std::uint32_t size = 16 * subpixel_one;
     std::int32_t at[size];
-    constexpr CoefficientTable() : at{} {
-        for (std::uint32_t length = 1; length < size; ++length)
-            at[length] =
-                static_cast<std::int32_t>(numeric::reciprocal(length << numeric::clz32(length)) >> 1);
+    std::uint8_t lift[size];
+    constexpr CoefficientTable() : at{}, lift{} {
+        for (std::uint32_t length = 1; length < size; ++length) {
+            const int zeros = numeric::clz32(length); // 20 of the longest
+            at[length] = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
+            lift[length] = static_cast<std::uint8_t>(zeros - 20);
+        }
     }
 };
 inline constexpr CoefficientTable coefficient_table;
@@ -131,54 +134,49 @@ template <class L> class LinesTogether {
         const Word from = depth_code(std::bit_cast<Word>(z[0]), 16),
                    to = depth_code(std::bit_cast<Word>(z[1]), 16);
         const Int difference = std::bit_cast<Int>(to >> 1) - std::bit_cast<Int>(from >> 1);
+        if (L::any(L::less(Int{} + (detail::CoefficientTable::size - 1), length))) [[unlikely]]
+            return set_long_depths(paths, i, std::bit_cast<Int>(from), difference, at);
         alignas(16) Of4 of;
-        L::store(of.from, std::bit_cast<Int>(from));
         L::store(of.difference, difference);
         L::store(of.length, length);
         L::store(of.back, back);
-        L::store(of.begin, at.begin);
-        L::store(of.from_begin, at.from_begin);
-        if (L::any(L::less(Int{} + (detail::CoefficientTable::size - 1), length))) [[unlikely]]
-            return set_long_depths(paths, i, of);
+        L::store(of.to_center, Int{} + subpixel_one / 2 - (at.begin & (subpixel_one - 1)));
         // Scalars are read from memory, not taken out of vectors one by one.
         asm("" : "+m"(of)); // NOLINT(hicpp-no-assembler): no instruction
-        // Whole vectors: a load does not wait for four stores.
         const ShortDepth path[4] = {{of, 0}, {of, 1}, {of, 2}, {of, 3}};
-        L::store(&paths.at(Paths::depth, i), Int{path[0].at, path[1].at, path[2].at, path[3].at});
-        L::store(&paths.at(Paths::depth_step, i),
-                 Int{path[0].step, path[1].step, path[2].step, path[3].step});
+        // Whole vectors: a load does not wait for four stores.
+        const Word step = {path[0].step, path[1].step, path[2].step, path[3].step},
+                   start = {path[0].start, path[1].start, path[2].start, path[3].start};
+        L::store(&paths.at(Paths::depth_step, i), std::bit_cast<Int>(step));
+        L::store(&paths.at(Paths::depth, i),
+                 std::bit_cast<Int>(from + (1u << 15) + start + std::bit_cast<Word>(at.from_begin) * step));
     }
 
     struct Of4 {
-        std::int32_t from[4], difference[4], length[4], back[4], begin[4], from_begin[4];
+        std::int32_t difference[4], length[4], back[4], to_center[4];
     };
 
-    /// set_path_depth(): v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. 20 leading zeros: n is 32.
+    /// set_path_depth(): v 2^(32 - n) / 2^32 in place of v / 2^n, mod 2^32. Per pixel, and from the beginning
+    /// to the centre of its pixel.
     struct ShortDepth {
-        std::int32_t at, step;
+        std::uint32_t step, start;
         SPANGLE_INLINE ShortDepth(const Of4& of, int k) {
             const auto length = static_cast<std::uint32_t>(of.length[k]);
             const auto lifted = static_cast<std::uint64_t>(std::int64_t{of.difference[k]})
-                                << (numeric::clz32(length | 1) - 20);
-            PerPixel per_pixel(0, 0);
-            per_pixel.coefficient = (detail::coefficient_table.at[length] ^ of.back[k]) - of.back[k];
-            const auto part = [&](std::int32_t coefficient) {
-                return static_cast<std::uint32_t>(
-                    (lifted * static_cast<std::uint64_t>(std::int64_t{coefficient})) >> 32);
+                                << detail::coefficient_table.lift[length];
+            const std::int32_t per_pixel = (detail::coefficient_table.at[length] ^ of.back[k]) - of.back[k];
+            const auto part = [&](std::int64_t coefficient) {
+                return static_cast<std::uint32_t>((lifted * static_cast<std::uint64_t>(coefficient)) >> 32);
             };
-            const std::uint32_t per_step = part(per_pixel.coefficient);
-            step = static_cast<std::int32_t>(per_step);
-            at = static_cast<std::int32_t>(static_cast<std::uint32_t>(of.from[k]) + (1u << 15) +
-                                           part(per_pixel.to_center(of.begin[k])) +
-                                           static_cast<std::uint32_t>(of.from_begin[k]) * per_step);
+            step = part(per_pixel);
+            start = part(numeric::mul_s32(per_pixel, of.to_center[k]) >> subpixel_bits);
         }
     };
-    [[gnu::noinline]] static void set_long_depths(Paths& paths, int i, const Of4& of) {
-        for (int k = 0; k < L::count; ++k) {
-            const std::int32_t along = (of.length[k] ^ of.back[k]) - of.back[k];
-            set_path_depth(paths, i + k, static_cast<std::uint32_t>(of.from[k]), of.difference[k],
-                           PerPixel(of.begin[k], of.begin[k] + along), of.begin[k], of.from_begin[k]);
-        }
+    [[gnu::noinline]] static void set_long_depths(Paths& paths, int i, Int from, Int difference,
+                                                  const PathInterval<Int>& at) {
+        for (int k = 0; k < L::count; ++k)
+            set_path_depth(paths, i + k, static_cast<std::uint32_t>(from[k]), difference[k],
+                           PerPixel(at.begin[k], at.end[k]), at.begin[k], at.from_begin[k]);
     }
 
     const FixedVertex* const* vertex_ = nullptr;

@@ -112,7 +112,7 @@ template <class Case> class PathList {
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along), aside = load(Paths::aside), bytes_along = along * 2,
                   bytes_aside = aside * 2;
-        Int offset = load(Paths::first) * 2, rest = load(Paths::rest);
+        Int offset = load(Paths::first) * 2, left = ~load(Paths::rest); // whose sign is a mask
         Word depth{}, depth_step{}, place{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);
@@ -129,13 +129,13 @@ template <class Case> class PathList {
             const Int code = std::bit_cast<Int>(word);
             low[k] = __builtin_shufflevector(offset, code, 0, 4, 1, 5);
             high[k] = __builtin_shufflevector(offset, code, 2, 6, 3, 7);
-            rest += rise;
-            const Int straight = rest >> 31; // all ones: not yet
-            rest -= denominator & ~straight;
-            offset += bytes_along + (bytes_aside & ~straight);
+            left -= rise;
+            const Int over = left >> 31;
+            left += denominator & over;
+            offset += bytes_along + (bytes_aside & over);
             depth += depth_step;
             if constexpr (dithers)
-                place += steps.along + (steps.aside & ~std::bit_cast<Word>(straight));
+                place += steps.along + (steps.aside & std::bit_cast<Word>(over));
         }
         std::int32_t* out = next_; // in a register
 #pragma GCC unroll 4
