@@ -367,8 +367,11 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
     const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
-    for (int i = 0; i + 1 < p.count; i += line_batch)
-        lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !lit_);
+    if constexpr (pending_vertices == line_batch + 1)
+        lines(p.vertex, p.count, step, !lit_);
+    else
+        for (int i = 0; i + 1 < p.count; i += line_batch)
+            lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !lit_);
     let_go(p, left);
 }
 
