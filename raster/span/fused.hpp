@@ -282,12 +282,22 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
 /// apart (the stages have no start()), numbered (they ask for the number of the fragment in its row).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
-    if constexpr (Wide == 8 && Case::lit) {
-        if (span.state->fragment.scissor.w >= 8)
-            return fused_divided_rows<Case>(span, row, end, [](Span<Fixed>& at, const Row& piece) {
-                enter_fused<Case>(at, piece);
-                fused_narrow_row<Case>(at, piece);
-            });
+    if constexpr (Case::lit && (Wide == 8 || Case::in_words)) {
+        const auto narrow = [](Span<Fixed>& at, const Row& piece) {
+            enter_fused<Case>(at, piece);
+            fused_narrow_row<Case>(at, piece);
+        };
+        const Rect& clip = span.state->fragment.scissor;
+        if constexpr (Wide == 8) {
+            const auto draw = [room = clip.x + clip.w - 8](Span<Fixed>& at, const Row* first,
+                                                           const Row* last) {
+                return draw_patch<Case>(at, first, last, room);
+            };
+            if (clip.w >= 8)
+                return fused_divided_rows(span, row, end, draw, narrow);
+        } else if (PatchOfRows::are_many(row, end)) {
+            return fused_divided_rows(span, row, end, &draw_patch_in_words<Case>, narrow);
+        }
         fused_narrow_rows<Case>(span, row, end);
     } else if constexpr (Wide == 8 && Case::heavy) {
         using List = typename Case::template List<8>;

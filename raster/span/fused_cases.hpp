@@ -87,8 +87,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         K.unit[0].env == TexEnv::modulate &&
         (K.unit[0].texels == TexelFormat::rgb565 || K.unit[0].texels == TexelFormat::rgb888) && K.color &&
         !K.color_alpha && !K.blend && !K.dither && is_565(K.format) && !Apart;
-    /// There is no lane for it that has long products.
-    static constexpr bool halved = lit && !numeric::long_products;
+    /// There is no lane for it that has long products, or there is one.
+    static constexpr bool halved = lit && !numeric::long_products, in_words = lit && numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
 
@@ -261,6 +261,15 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             enter_fused<Case>(span, fragment);
             fused_narrow_row<Case>(span, fragment);
         }
+    };
+    /// Its one lane where `in_words`.
+    struct LitOne {
+        using N = ExactLit;
+        using Texture = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+        using Test =
+            std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
+        using Words = LitWords<Texture, full, Gray, K.fog, K.format>;
+        using Patch = typename Words::Patch;
     };
     /// Parts of a GatheredPacket.
     static constexpr bool gathered = heavy && !exact && tested && textured && !projective &&

@@ -1,8 +1,8 @@
-// Rows of which every fragment divides, in eight lanes: pieces of a primitive over which 16 bits are enough.
+// Rows of which every fragment divides: pieces of a primitive over which 16 bits are enough.
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
-#include "raster/span/stage_lit.hpp"
+#include "raster/span/stage_lit_words.hpp"
 
 namespace spangle::raster {
 
@@ -10,8 +10,9 @@ namespace spangle::raster {
 struct PatchOfRows {
     Patch patch;
     bool fits;
-    std::int32_t count;                    ///< of fragments
-    static constexpr std::int32_t few = 6; ///< one by one they take less than a patch
+    std::int32_t count; ///< of fragments
+    /// One by one they take less than a patch, of eight lanes or of one.
+    static constexpr std::int32_t few = 6, few_in_words = 14;
     SPANGLE_INLINE PatchOfRows(const Row* row, const Row* end) {
         std::int32_t first = row->first, last = row->last;
         count = last - first;
@@ -29,9 +30,16 @@ struct PatchOfRows {
         patch.rows = below > above ? below : above;
         fits = patch.columns <= Patch::most_columns && patch.rows <= Patch::most_rows;
     }
+    /// Worth patches of one lane.
+    SPANGLE_INLINE static bool are_many(const Row* row, const Row* end) {
+        std::int32_t count = 0;
+        for (; row != end && count < few_in_words; ++row)
+            count += row->last - row->first;
+        return count >= few_in_words;
+    }
 };
 
-/// Those of a patch, or false. Case has: key, LitPatch, List; redo(span, row) draws a fragment with one lane,
+/// Those of a patch, or false. Case has Lit: Patch, List; redo(span, row) draws a fragment with one lane,
 /// without a test of its depth.
 template <class Case>
 [[gnu::noinline]] bool draw_patch(Span<Fixed>& span, const Row* row, const Row* end, std::int32_t room) {
@@ -59,14 +67,44 @@ template <class Case>
     return true;
 }
 
-/// `narrow` draws what there are no lanes for.
-template <class Case, class Narrow>
-SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const Row* end, Narrow narrow) {
-    const Rect& clip = span.state->fragment.scissor;
-    const std::int32_t room = clip.x + clip.w - 8;
+/// The same one by one. Case has LitOne: Patch, Test, Words.
+template <class Case>
+[[gnu::noinline]] bool draw_patch_in_words(Span<Fixed>& span, const Row* row, const Row* end) {
+    using Lit = typename Case::LitOne;
+    const PatchOfRows rows(row, end);
+    typename Lit::Patch patch;
+    if (rows.count < PatchOfRows::few_in_words || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
+        return false;
+    LitRow<typename Lit::Patch> at{{span, nullptr, nullptr, row->first, row->y, row->first}, patch};
+    typename Lit::Test test(at, 0);
+    typename Lit::Words words(at, 0);
+    for (;;) {
+        const RowPlace place = place_of<Case>(*span.target, *row, row->first);
+        Px<typename Lit::N> p(place);
+        const std::int32_t n = row->last - row->first;
+        p.i = 0;
+        do {
+            if (test(p) && !words.draw(p.i, place.color)) [[unlikely]]
+                Case::Lit::redo(span, {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
+            test.step();
+            p.i = numeric::factor32(p.i + 1); // one index for all planes, not a pointer for each
+        } while (p.i != n);
+        if (++row == end)
+            return true;
+        at.x = row->first;
+        at.y = row->y;
+        test.start(at, 0);
+        words.start(at, 0);
+    }
+}
+
+/// `draw` draws a patch, or says that there are more than one in its rows; `narrow` what there is none for.
+template <class Draw, class Narrow>
+SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const Row* end, Draw draw,
+                                       Narrow narrow) {
     for (std::ptrdiff_t n = end - row; row != end;) {
         const Row* const stop = end - row < n ? end : row + n;
-        if (draw_patch<Case>(span, row, stop, room)) [[likely]] {
+        if (draw(span, row, stop)) [[likely]] {
             row = stop;
         } else if (n > 1) {
             n = (n + 1) / 2;
@@ -74,7 +112,7 @@ SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const 
             constexpr std::int32_t columns = 32;
             for (Row piece = *row; piece.first != row->last; piece.first = piece.last) {
                 piece.last = row->last - piece.first < columns ? row->last : piece.first + columns;
-                if (!draw_patch<Case>(span, &piece, &piece + 1, room))
+                if (!draw(span, &piece, &piece + 1))
                     narrow(span, piece);
             }
             ++row;

@@ -1,8 +1,7 @@
-// What is divided by w, near a place, in words of 16 bits: quotients of planes of which so many bits are
-// enough.
+// What is divided by w, near a place: quotients of planes of which 16 bits are enough.
 //
 // With q = m (1 - u), where m is 1/w at the place, a/q = A + d (1 + u + u^2 + ...): d = (a - A q) / m is a
-// plane, u is one, and both are small where A is about a/q there. Two multiplications of 16 bits make the
+// plane, u is one, and both are small where A is about a/q there. Two multiplications of few bits make the
 // quotient of d and u.
 #pragma once
 
@@ -20,11 +19,12 @@ struct Patch {
     static constexpr std::int32_t most_columns = 128, most_rows = 16;
 };
 
-/// One quotient: what NearInverse::of() gives is at most the true one, which is less than `window` more.
+/// One quotient: what NearInverse::of(), or NearWords::of(), gives is at most the true one, which is less
+/// than `window` more.
 struct NearQuotient {
     Interpolant<std::uint32_t> d; ///< 16 fraction bits
     std::int32_t base = 0;        ///< A
-    std::uint32_t window = 0;
+    std::uint32_t window = 0;     ///< with the fraction bits of the products
 
     /// What of(), limited to it, adds to the base so that the sum is in [0, most]; the base is at most 2^15 -
     /// 1 less than 0 and 2^15 more than `most`.
@@ -39,96 +39,142 @@ struct NearQuotient {
     }
 };
 
+/// Products of 16 bits, for lanes.
+struct NearHalves {
+    static constexpr int fraction_bits = 0; ///< of quotients
+    /// Of 1/q, in 2^-16, where u is at most `most` 2^-32, below 2^30. What the series leaves out is below 8/7
+    /// u^4; u is rounded down twice, its powers once each.
+    SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
+        const std::uint32_t size = (most >> 16) + 1, square = (size * size >> 16) + 1,
+                            fourth = (square * square >> 16) + 1;
+        return 4 + fourth + (fourth >> 2);
+    }
+    /// That of a quotient of which so much is whole, in 2^-16.
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
+        return size * inaccuracy;
+    }
+    /// Lanes round d down twice and its product once, which makes up to 3.
+    SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return ((2 * off + 0xFFFF) >> 16) + 3; }
+};
+
+/// Products of 32 bits, for one fragment at a time.
+struct NearWords {
+    static constexpr int fraction_bits = 14;
+    /// In 2^-32. The plane of u is off by less than 2^8 over a patch, which 1/q is by a third more; its
+    /// powers are rounded down once each, and the sum to 30 bits.
+    SPANGLE_INLINE static std::uint32_t inaccuracy(std::uint32_t most) {
+        const std::uint32_t square = numeric::mul_high_u32(most, most) + 1,
+                            fourth = numeric::mul_high_u32(square, square) + 1;
+        return 352 + fourth + (fourth >> 2);
+    }
+    SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
+        return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1;
+    }
+    SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
+    /// 1 + u + u^2 + u^3 with 30 fraction bits.
+    SPANGLE_INLINE static std::int32_t inverse(std::uint32_t plane) {
+        const auto u = static_cast<std::int32_t>(plane);
+        const std::int32_t more = u + numeric::mul_high_s32(u, u + numeric::mul_high_s32(u, u));
+        return (1 << 30) + (more >> 2);
+    }
+    /// The quotient less its base.
+    SPANGLE_INLINE static std::int32_t of(std::uint32_t d, std::int32_t inverse) {
+        return numeric::mul_high_s32(static_cast<std::int32_t>(d), inverse);
+    }
+};
+
 /// 1/w near a place.
-class NearDivision {
+template <class Products> class NearDivisionOf {
   public:
     using Projective = Span<Fixed>::Projective;
     Interpolant<std::uint32_t> u{}; ///< of 2^-16, 16 fraction bits
     bool serves = false;            ///< 1/w is not too small, and differs by an eighth at most
 
-    SPANGLE_INLINE NearDivision(const Span<Fixed>& span, const Patch& patch)
+    SPANGLE_INLINE NearDivisionOf(const Span<Fixed>& span, const Patch& patch)
         : patch_(patch), column_(patch.x - span.anchor_x), row_(patch.y - span.anchor_y),
-          q_(span.q, column_, row_), vertices_(span.basis.v) {
-        const std::int64_t m = q_.center >> (guard_bits - dropped);
-        if (!q_.fit() || m < 1 << 28 || m > INT32_MAX)
+          vertices_(span.basis.v) {
+        const std::int64_t m = static_cast<std::int64_t>(span.q.at(column_, row_)) >> guard_bits;
+        if (m < 1 << 28 || m > INT32_MAX)
             return;
         zeros_ = numeric::clz32(static_cast<std::uint32_t>(m));
         mantissa_ = numeric::reciprocal(static_cast<std::uint32_t>(m) << zeros_);
-        const std::int64_t dx = over_m(-q_.dx * 65536), dy = over_m(-q_.dy * 65536);
-        const std::uint64_t most = spread(0, dx, dy, 1u << 29);
-        u = plane(0, dx, dy);
+        const Slopes of(-over_m(span.q.dx, 0), -over_m(span.q.dy, 0));
+        if (!of.fit)
+            return;
+        const std::uint64_t most = spread(0, of.dx, of.dy, 1u << 29);
+        u = plane(0, of.dx, of.dy);
         serves = most <= 1u << 29;
-        // What the series leaves out is below 8/7 u^4; u is rounded down twice, its powers once each.
-        const std::uint64_t size = (most >> 16) + 1, square = (size * size >> 16) + 1,
-                            fourth = (square * square >> 16) + 1;
-        inaccuracy_ = 4 + fourth + (fourth >> 2);
+        inaccuracy_ = Products::inaccuracy(static_cast<std::uint32_t>(most));
     }
 
     /// a/q 2^(exponent + 16), and `more` / 2^16. False where 16 bits do not hold it.
     ///
-    /// Lanes round d down twice and its product once, which makes up to 3, and multiply by a factor that is
-    /// off by `inaccuracy_` 2^-16. An eighth is for what planes lose over a patch, for what the bits that
-    /// divided values are made of lose (2^-6), and for `more`, of which below 1 is multiplied. All of it is
-    /// taken off d: a fourth more than it is, because that is multiplied, too.
+    /// A is a/m rounded down, so that d = a/m - A + A u is what that left and changes by the slopes of a/m
+    /// and those of u times A. These lose less than 2^8 2^-32 of A over a patch. d is multiplied by a factor
+    /// that is off by `inaccuracy_`. An eighth is for what planes lose else, for what the bits that divided
+    /// values are made of lose (2^-6), and for `more`, of which below 1 is multiplied. All of it is taken off
+    /// d: a fourth more than it is, because that is multiplied, too.
     SPANGLE_INLINE bool quotient(NearQuotient& to, const Projective& plane_of, int exponent,
                                  std::uint32_t more = 0) const {
         constexpr std::int64_t most_base = 1 << 19;
-        constexpr std::uint64_t most_d = (7u << 28) - (1 << 20);
-        const Halves a(plane_of, column_, row_);
-        if (!a.fit() || exponent < -8 || exponent > 6)
+        constexpr std::uint32_t most_d = (7u << 28) - (1 << 20);
+        if (exponent < -8 || exponent > 6)
             return false;
-        const std::int64_t base =
-            (a.center >> (guard_bits - dropped)) * std::int64_t{mantissa_} >> (46 - zeros_ - exponent);
-        if (base < -most_base || base > most_base)
+        const std::int64_t center = over_m(plane_of.at(column_, row_), exponent);
+        const Slopes a(over_m(plane_of.dx, exponent), over_m(plane_of.dy, exponent));
+        if (center < -most_base << 16 || center >= most_base << 16 || !a.fit)
             return false;
-        const auto less = [&](std::int64_t v, std::int64_t by) {
-            return over_m(v * (std::int64_t{1} << (exponent + 16)) - base * by);
+        const auto base = static_cast<std::int32_t>(center >> 16);
+        const auto rest = static_cast<std::int32_t>(center & 0xFFFF);
+        const auto with_base = [&](std::int32_t slope, std::uint32_t slope_of_u) {
+            return slope + (numeric::mul_long(base, static_cast<std::int32_t>(slope_of_u)) >> 16);
         };
-        const std::int64_t dx = less(a.dx, q_.dx), dy = less(a.dy, q_.dy), center = less(a.center, q_.center);
-        const std::uint64_t most = spread(center, dx, dy, most_d);
+        const Slopes d(with_base(a.dx, u.dx), with_base(a.dy, u.dy));
+        if (!d.fit)
+            return false;
+        const std::uint64_t most = spread(rest, d.dx, d.dy, most_d);
         if (most > most_d)
             return false;
-        const std::uint64_t size = (most >> 16) + 1;
-        std::uint64_t off = size * inaccuracy_ + (1u << 13);
+        const std::uint32_t size = (static_cast<std::uint32_t>(most) >> 16) + 1;
+        std::uint32_t off =
+            Products::of_quotient(size, inaccuracy_) + (numeric::abs_u32(base) >> 8) + (1u << 13);
         off += off >> 2;
-        to.d = plane(center - static_cast<std::int64_t>(off) + (more & 0xFFFF), dx, dy);
-        to.base = static_cast<std::int32_t>(base) + static_cast<std::int32_t>(more >> 16);
-        to.window = static_cast<std::uint32_t>((2 * off + 0xFFFF) >> 16) + 3;
-        return to.window <= 16;
+        to.d = plane(rest - static_cast<std::int32_t>(off) + static_cast<std::int32_t>(more & 0xFFFF), d.dx,
+                     d.dy);
+        to.base = base + static_cast<std::int32_t>(more >> 16);
+        to.window = Products::window(off);
+        return to.window <= 16u << Products::fraction_bits;
     }
 
   private:
-    /// A plane with half of its guard bits, signed, at the place: below 2^31 but for them.
-    struct Halves {
-        std::int64_t center, dx, dy;
-        SPANGLE_INLINE Halves(const Projective& p, std::int32_t column, std::int32_t row)
-            : center(half(p.at(column, row))), dx(half(p.dx)), dy(half(p.dy)) {}
-        SPANGLE_INLINE static std::int64_t half(std::uint64_t v) {
-            return static_cast<std::int64_t>(v) >> dropped;
-        }
-        SPANGLE_INLINE bool fit() const { return fits(center) && fits(dx) && fits(dy); }
-        SPANGLE_INLINE static bool fits(std::int64_t v) {
-            constexpr std::uint64_t most = std::uint64_t{1} << 39;
-            return static_cast<std::uint64_t>(v) + most < 2 * most;
-        }
+    struct Slopes {
+        std::int32_t dx, dy;
+        bool fit;
+        SPANGLE_INLINE Slopes(std::int64_t x, std::int64_t y)
+            : dx(static_cast<std::int32_t>(x)), dy(static_cast<std::int32_t>(y)), fit(dx == x && dy == y) {}
     };
-    static constexpr int dropped = guard_bits / 2;
-
-    /// v 2^8 / m.
-    SPANGLE_INLINE std::int64_t over_m(std::int64_t v) const {
-        const std::int64_t high = (v >> 32) * std::int64_t{mantissa_};
-        const std::uint64_t low = numeric::mul_u32(static_cast<std::uint32_t>(v), mantissa_) >> 32;
-        return (high + static_cast<std::int64_t>(low)) >> (22 - zeros_);
+    /// v 2^(exponent + 32) / m of a plane with its guard bits.
+    SPANGLE_INLINE std::int64_t over_m(std::uint64_t v, int exponent) const {
+        const std::int64_t high = numeric::mul_s32_u32(
+                               static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32)), mantissa_),
+                           product = high + numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
+        const int n = 14 - zeros_ - exponent; // 5 .. 21
+        if constexpr (sizeof(void*) > 4)
+            return product >> n;
+        const auto top = static_cast<std::int32_t>(product >> 32);
+        return static_cast<std::int64_t>(
+            static_cast<std::uint64_t>(std::int64_t{top >> n}) << 32 |
+            (static_cast<std::uint32_t>(product) >> n | static_cast<std::uint32_t>(top) << (32 - n)));
     }
     /// How far from 0 a plane is at most: all over the patch, or, where that is more than `enough`, between
     /// the corners of the primitive. The centres of a line's fragments lie up to a pixel beyond those.
-    SPANGLE_INLINE std::uint64_t spread(std::int64_t center, std::int64_t dx, std::int64_t dy,
-                                        std::uint64_t enough) const {
-        const std::uint64_t x = numeric::abs_u64(dx), y = numeric::abs_u64(dy),
-                            over_patch = numeric::abs_u64(center) +
-                                         x * static_cast<std::uint32_t>(patch_.columns) +
-                                         y * static_cast<std::uint32_t>(patch_.rows);
-        if (over_patch <= enough || (x | y) >> 38 != 0) [[likely]] // corners are within 2^22
+    SPANGLE_INLINE std::uint64_t spread(std::int32_t center, std::int32_t dx, std::int32_t dy,
+                                        std::uint32_t enough) const {
+        const std::uint32_t x = numeric::abs_u32(dx), y = numeric::abs_u32(dy);
+        const std::uint64_t over_patch = numeric::mul_u32(x, static_cast<std::uint32_t>(patch_.columns)) +
+                                         numeric::mul_u32(y, static_cast<std::uint32_t>(patch_.rows)) +
+                                         numeric::abs_u32(center);
+        if (over_patch <= enough) [[likely]]
             return over_patch;
         return between_corners(center, dx, dy) + x + y;
     }
@@ -144,8 +190,8 @@ class NearDivision {
         return most + 1;
     }
     /// From the value at the place.
-    SPANGLE_INLINE Interpolant<std::uint32_t> plane(std::int64_t center, std::int64_t dx,
-                                                    std::int64_t dy) const {
+    SPANGLE_INLINE Interpolant<std::uint32_t> plane(std::int32_t center, std::int32_t dx,
+                                                    std::int32_t dy) const {
         const auto x = static_cast<std::uint32_t>(dx), y = static_cast<std::uint32_t>(dy);
         return {static_cast<std::uint32_t>(center) - x * static_cast<std::uint32_t>(column_) -
                     y * static_cast<std::uint32_t>(row_),
@@ -154,12 +200,12 @@ class NearDivision {
 
     const Patch& patch_;
     std::int32_t column_, row_;
-    Halves q_;
     const FixedVertex* const (&vertices_)[3]; ///< of the primitive
     int zeros_ = 1;
     std::uint32_t mantissa_ = 0;
-    std::uint64_t inaccuracy_ = 0; ///< of 1/q, in 2^-16
+    std::uint32_t inaccuracy_ = 0; ///< of 1/q
 };
+using NearDivision = NearDivisionOf<NearHalves>;
 
 /// A plane of these along rows, whole parts in eight lanes, up to 2 less than they are. What is constant lies
 /// in lanes: a store to the surface might change anything else.

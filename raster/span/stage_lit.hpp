@@ -10,7 +10,7 @@
 
 namespace spangle::raster {
 
-/// What is guessed of a component, and by how much that may be wrong.
+/// What is guessed of a component, and by how much that may be wrong, where its colour and fog are not.
 ///
 /// In 256ths of 255ths: the colour, rounded to these, is off by 1/2; a factor F of 16 bits stands for (F + e)
 /// / 2^16, 0 <= e <= 1, and products are rounded down, so the modulated colour is up to 1/2 less than the
@@ -20,15 +20,17 @@ template <bool Fog> struct LitGuess { static constexpr std::uint32_t under = 1, 
 
 /// The attributes of a lit texture near a place. Full: colours are projective; Gray: red stands for all
 /// three.
-template <bool Full, bool Gray, bool Fog> struct LitPatch {
+template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct LitPatch {
     static constexpr int unit = 0, colors = Gray ? 1 : 3;
     Interpolant<std::uint32_t> u;
     NearQuotient s, t, color[3], fog;
-    std::uint32_t under, over; ///< 256ths of 255ths: how much less or more than guessed a component may be
+    /// How much less or more than guessed a component may be but for what its products leave out: 256ths of
+    /// 255ths, with the fraction bits of these.
+    std::uint32_t under, over;
 
     /// False where 16 bits do not do.
     [[gnu::noinline]] bool set(const Span<Fixed>& span, const Patch& patch) {
-        const NearDivision by(span, patch);
+        const NearDivisionOf<Products> by(span, patch);
         const DrawState& state = *span.state;
         const auto& at = span.unit[unit];
         const int width = state.log2_width[unit], height = state.log2_height[unit];
@@ -40,26 +42,30 @@ template <bool Full, bool Gray, bool Fog> struct LitPatch {
         for (int i = 0; Full && i < colors; ++i) {
             if (!by.quotient(color[i], span.color_q[i], 0))
                 return false;
+            color[i].base = limited(color[i].base);
             color_window = color[i].window > color_window ? color[i].window : color_window;
         }
         if (Fog) {
             if (!by.quotient(fog, span.fog_q, usual_fog))
                 return false;
-            const auto half = static_cast<std::int32_t>(fog.window - 1) / 2;
-            // Where even the least or the largest of() leaves it beyond 0 and 1, so does the next base.
-            fog.base = numeric::clamp<std::int32_t>(fog.base + half, -INT16_MAX, 0xFFFF - INT16_MIN);
-            fog_off = fog.window - 1 - static_cast<std::uint32_t>(half);
+            const auto half = static_cast<std::int32_t>((fog.window - 1) >> Products::fraction_bits) / 2;
+            fog.base = limited(fog.base + half);
+            fog_off = fog.window - 1 - (static_cast<std::uint32_t>(half) << Products::fraction_bits);
         }
         u = by.u;
-        // LitGuess, whose colour is off by less than 1 from least to most; here it is by `window`. Where the
-        // factor of fog is off by -f .. f + 1, so is the sum.
-        under = LitGuess<Fog>::under + fog_off;
-        over = LitGuess<Fog>::over + color_window - 1 + fog_off;
+        // A colour is off by `window`. Where the factor of fog is off by -f .. f + 1, so is the sum.
+        under = fog_off;
+        over = color_window - 1 + fog_off;
         return true;
     }
 
   private:
     static constexpr int usual_fog = 6, most_log2_size = 10; ///< more has few bits within a texel
+
+    /// Where even the least or the largest of() leaves it beyond 0 and 1, so does the next base.
+    SPANGLE_INLINE static std::int32_t limited(std::int32_t base) {
+        return numeric::clamp<std::int32_t>(base, -INT16_MAX, 0xFFFF - INT16_MIN);
+    }
 };
 
 /// A row of a patch.
@@ -155,7 +161,8 @@ template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public 
         : TexelLanes<T>(row, x), patch_(row.patch), u_(row, x, patch_.u),
           s_(row, x, patch_.s, this->log2_width), t_(row, x, patch_.t, this->log2_height), fog_(fog(row, x)),
           r_(row, x, patch_, 0), g_(other(row, x, 1)), b_(other(row, x, 2)),
-          from_(L::splat(128 - patch_.under)), range_(L::splat(patch_.under + patch_.over)) {
+          from_(L::splat(128 - Guess::under - patch_.under)),
+          range_(L::splat(Guess::under + Guess::over + patch_.under + patch_.over)) {
         for (int i = 0; i < 3; ++i)
             fog_color_[i] = L::splat((row.state->fragment.fog_color[i] + (1u << 11)) >> 12);
     }
@@ -209,6 +216,7 @@ template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public 
   private:
     static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
     using Color = LitColor<Full>;
+    using Guess = LitGuess<HasFog>;
 
     SPANGLE_INLINE static auto other(const LitRow<Patch>& row, std::int32_t x, int i) {
         if constexpr (Gray)

@@ -1,4 +1,4 @@
-// Quotients in words of 16 bits: the true one lies where NearDivision says.
+// Quotients near a place: the true one lies where NearDivisionOf says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,13 +7,10 @@
 
 #include "raster/span/near_division.hpp"
 
-#if defined(__SSE2__) || defined(__ARM_NEON)
-
 namespace spangle::raster::test {
 namespace {
 
 using Random = std::mt19937_64;
-using L = Lanes<8>;
 
 std::int64_t between(Random& random, std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(high - low + 1));
@@ -83,16 +80,22 @@ struct Case {
 struct Met {
     int cases = 0, fragments = 0;
     double least = 1e9, most = -1e9;
+
+    /// A fragment whose quotient is so much above the guess.
+    void note(double above, double window) {
+        ASSERT_GE(above, 0) << "window " << window;
+        ASSERT_LT(above, window);
+        ++fragments;
+        least = std::min(least, above);
+        most = std::max(most, above - window);
+    }
 };
 
-void expect_within(Random& random, Met& met) {
-    const Case of(random);
-    const NearDivision division(of.span, of.patch);
-    NearQuotient quotient;
-    const std::uint32_t more = random() % 2 == 0 ? 0 : 1u << between(random, 9, 18);
-    if (!division.serves || !division.quotient(quotient, of.other, of.exponent, more))
-        return;
-    ++met.cases;
+#if defined(__SSE2__) || defined(__ARM_NEON)
+using L = Lanes<8>;
+
+/// What lanes make of a patch.
+void each_guess(const Case& of, const NearDivision& division, const NearQuotient& quotient, auto guessed) {
     Span<Fixed> span = of.span;
     span.x = of.patch.x - of.patch.columns;
     for (std::int32_t y = of.patch.y - of.patch.rows; y <= of.patch.y + of.patch.rows; ++y) {
@@ -101,28 +104,61 @@ void expect_within(Random& random, Met& met) {
         for (std::int32_t x = span.x; x <= of.patch.x + of.patch.columns; x += 8, u.step(), d.step()) {
             const L::U16 low = L::splat(0x8000), high = L::splat(0x7FFF);
             const L::U16 got = L::clamped_signed(NearInverse(u.whole()).of(d.whole()), low, high);
-            for (int i = 0; i < 8 && x + i <= of.patch.x + of.patch.columns; ++i) {
-                if (!of.inside(x + i, y))
-                    continue;
-                const double guess = quotient.base + static_cast<std::int16_t>(got[i]),
-                             above = of.quotient(x + i, y) + more / 65536.0 - guess;
-                ASSERT_GE(above, 0) << "window " << quotient.window;
-                ASSERT_LT(above, quotient.window);
-                ++met.fragments;
-                met.least = std::min(met.least, above);
-                met.most = std::max(met.most, above - quotient.window);
-            }
+            for (int i = 0; i < 8 && x + i <= of.patch.x + of.patch.columns; ++i)
+                guessed(x + i, y, static_cast<std::int16_t>(got[i]));
         }
     }
 }
+#endif
 
-TEST(NearDivision, QuotientsLieInTheirWindows) {
+/// The same in words.
+void each_guess(const Case& of, const NearDivisionOf<NearWords>& division, const NearQuotient& quotient,
+                auto guessed) {
+    for (std::int32_t y = of.patch.y - of.patch.rows; y <= of.patch.y + of.patch.rows; ++y)
+        for (std::int32_t x = of.patch.x - of.patch.columns; x <= of.patch.x + of.patch.columns; ++x) {
+            const auto at = [&](const Interpolant<std::uint32_t>& plane) {
+                return plane.at(x - of.span.anchor_x, y - of.span.anchor_y);
+            };
+            guessed(x, y, NearWords::of(at(quotient.d), NearWords::inverse(at(division.u))));
+        }
+}
+
+template <class Products> void expect_within(Random& random, Met& met) {
+    const Case of(random);
+    const NearDivisionOf<Products> division(of.span, of.patch);
+    NearQuotient quotient;
+    const std::uint32_t more = random() % 2 == 0 ? 0 : 1u << between(random, 9, 18);
+    if (!division.serves || !division.quotient(quotient, of.other, of.exponent, more))
+        return;
+    ++met.cases;
+    each_guess(of, division, quotient, [&](std::int32_t x, std::int32_t y, std::int32_t guess) {
+        if (of.inside(x, y) && !testing::Test::HasFatalFailure())
+            met.note(of.quotient(x, y) + more / 65536.0 - quotient.base -
+                         std::ldexp(guess, -Products::fraction_bits),
+                     std::ldexp(quotient.window, -Products::fraction_bits));
+    });
+}
+
+template <class Products> Met met_within() {
     Random random(9);
     Met met;
-    for (int i = 0; i < 20000 && !HasFatalFailure(); ++i)
-        expect_within(random, met);
+    for (int i = 0; i < 20000 && !testing::Test::HasFatalFailure(); ++i)
+        expect_within<Products>(random, met);
     EXPECT_GT(met.cases, 2000);
     EXPECT_GT(met.fragments, 400000);
+    return met;
+}
+
+TEST(NearDivision, QuotientsOfWordsLieInTheirWindows) {
+    const Met met = met_within<NearWords>();
+    EXPECT_LT(met.least, 0.2);
+    EXPECT_GT(met.most, -0.2);
+}
+
+#if defined(__SSE2__) || defined(__ARM_NEON)
+
+TEST(NearDivision, QuotientsLieInTheirWindows) {
+    const Met met = met_within<NearHalves>();
     EXPECT_LT(met.least, 0.5); // the bounds are met, not far away
     EXPECT_GT(met.most, -2);
 }
@@ -159,7 +195,7 @@ TEST(NearDivision, LimitsAreThoseOfTheSum) {
     }
 }
 
+#endif
+
 } // namespace
 } // namespace spangle::raster::test
-
-#endif
