@@ -68,7 +68,8 @@ struct NearWords {
         return 352 + fourth + (fourth >> 2);
     }
     SPANGLE_INLINE static std::uint32_t of_quotient(std::uint32_t size, std::uint32_t inaccuracy) {
-        return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1;
+        return static_cast<std::uint32_t>(numeric::mul_u32(size, inaccuracy) >> 16) + 1 +
+               (1u << (16 - fraction_bits)); // of()
     }
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return (2 * off >> 2) + 3; }
     /// 1 + u + u^2 + u^3 with 30 fraction bits.
@@ -77,9 +78,12 @@ struct NearWords {
         const std::int32_t more = u + numeric::mul_high_s32(u, u + numeric::mul_high_s32(u, u));
         return (1 << 30) + (more >> 2);
     }
-    /// The quotient less its base.
-    SPANGLE_INLINE static std::int32_t of(std::uint32_t d, std::int32_t inverse) {
-        return numeric::mul_high_s32(static_cast<std::int32_t>(d), inverse);
+    /// The quotient, whose base has its fraction bits. The low word of a sum of long products may be any: it
+    /// adds less than one, and is not worth an instruction to clear it.
+    SPANGLE_INLINE static std::uint32_t of(std::uint32_t base, std::uint32_t d, std::int32_t inverse) {
+        const std::int64_t product = numeric::mul_long(static_cast<std::int32_t>(d), inverse);
+        return static_cast<std::uint32_t>(
+            ((std::uint64_t{base} << 32 | d) + static_cast<std::uint64_t>(product)) >> 32);
     }
 };
 

@@ -42,7 +42,7 @@ class LitAxisWords {
         bool open;
     };
     SPANGLE_INLINE Texel texel(std::int32_t i, std::int32_t inverse) const {
-        const std::uint32_t v = base_ + static_cast<std::uint32_t>(NearWords::of(d_.value(i), inverse));
+        const std::uint32_t v = NearWords::of(base_, d_.value(i), inverse);
         const std::uint64_t texels = numeric::mul_u32(v << unused_bits, size);
         return {static_cast<std::uint32_t>(texels >> 32), static_cast<std::uint32_t>(texels) >= undecided_};
     }
@@ -58,18 +58,18 @@ class LitAxisWords {
 class LitRatioWords {
   public:
     SPANGLE_INLINE LitRatioWords(const PlaneRow& row, std::int32_t x, const NearQuotient& of)
-        : d_(row, x, of.d), base_(of.base * (1 << NearWords::fraction_bits)) {}
+        : d_(row, x, of.d), base_(static_cast<std::uint32_t>(of.base) << NearWords::fraction_bits) {}
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
         d_.start(row, x, of.d);
     }
     /// LitPatch has limited the base, so that sums fit.
     SPANGLE_INLINE std::int32_t at(std::int32_t i, std::int32_t inverse) const {
-        return base_ + NearWords::of(d_.value(i), inverse);
+        return static_cast<std::int32_t>(NearWords::of(base_, d_.value(i), inverse));
     }
 
   private:
     NumberedRamp d_;
-    std::int32_t base_;
+    std::uint32_t base_;
 };
 
 /// A colour, 255ths with 22 fraction bits.

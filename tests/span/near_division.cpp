@@ -119,7 +119,9 @@ void each_guess(const Case& of, const NearDivisionOf<NearWords>& division, const
             const auto at = [&](const Interpolant<std::uint32_t>& plane) {
                 return plane.at(x - of.span.anchor_x, y - of.span.anchor_y);
             };
-            guessed(x, y, NearWords::of(at(quotient.d), NearWords::inverse(at(division.u))));
+            guessed(x, y,
+                    static_cast<std::int32_t>(
+                        NearWords::of(0, at(quotient.d), NearWords::inverse(at(division.u)))));
         }
 }
 
