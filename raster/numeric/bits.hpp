@@ -94,6 +94,12 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_
     return n > 31 ? 0 : v >> n;
 }
 
+/// The low word of floor(v / 2^n), 0 < n < 32: three instructions where words have 32 bits.
+SPANGLE_INLINE constexpr std::uint32_t low_word_after(std::int64_t v, int n) {
+    if constexpr (sizeof(void*) == 4)
+        return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
+    return static_cast<std::uint32_t>(v >> n);
+}
 /// floor(v / 2^Down), but at least 0 and at most 2^Bits - 1.
 template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_after(std::int32_t v) {
 #if defined(__thumb2__)

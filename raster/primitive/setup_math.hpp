@@ -54,11 +54,9 @@ SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
 
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
-    if constexpr (sizeof(void*) > 4)
+    if (sizeof(void*) > 4 || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint32_t>(scaled(v, n));
-    if (n <= 0 || n >= 32) [[unlikely]]
-        return static_cast<std::uint32_t>(scaled(v, n));
-    return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
+    return numeric::low_word_after(v, n);
 }
 
 /// z (2^bits - 1) 2^(32 - bits) of a vertex' z, for a depth buffer of that many bits; 1 is 2^32 less one

@@ -142,10 +142,11 @@ class CubicRuns {
     /// slopes D (1 + e0) and D / (1 + e0) = D (1 - e1).
     Differences through(std::int64_t d, std::int32_t e0, std::int32_t e1) const {
         const std::int64_t d0 = d * e0 >> ratio_bits, d1 = d * e1 >> ratio_bits;
-        const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * (1 << log2_),
-                           a = (d + d0) * (1 << log2_) * (1 << log2_);
-        const auto down = [&](std::int64_t v) {
-            return static_cast<std::uint32_t>((v + (std::int64_t{1} << (3 * log2_ - 1))) >> (3 * log2_));
+        const std::int64_t length = std::uint32_t{1} << log2_; // known not to be negative
+        const std::int64_t c = d0 - d1, b = (d1 - 2 * d0) * length, a = (d + d0) * length * length;
+        const int bits = 3 * log2_;
+        const auto down = [bits, half = std::uint32_t{1} << (bits - 1)](std::int64_t v) {
+            return numeric::low_word_after(v + half, bits);
         };
         return {down(a + b + c), down(2 * b + 6 * c), down(6 * c)};
     }
