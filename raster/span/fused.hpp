@@ -278,27 +278,34 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
     return false;
 }
 
+template <class Case> SPANGLE_INLINE void fused_narrow_piece(Span<Fixed>& span, const Row& row) {
+    enter_fused<Case>(span, row);
+    fused_narrow_row<Case>(span, row);
+}
+
+/// One fragment at a time.
+template <class Case, class Products>
+SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    if (PatchOfRows::are_many(row, end))
+        fused_divided_rows(span, row, end, &draw_patch_one<Case, Products>, &fused_narrow_piece<Case>);
+    else
+        fused_narrow_rows<Case>(span, row, end);
+}
+
 /// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
 /// apart (the stages have no start()), numbered (they ask for the number of the fragment in its row).
 template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
-    if constexpr (Case::lit && (Wide == 8 || Case::in_words)) {
-        const auto narrow = [](Span<Fixed>& at, const Row& piece) {
-            enter_fused<Case>(at, piece);
-            fused_narrow_row<Case>(at, piece);
-        };
+    if constexpr (Case::lit && Wide == 8) {
         const Rect& clip = span.state->fragment.scissor;
-        if constexpr (Wide == 8) {
-            const auto draw = [room = clip.x + clip.w - 8](Span<Fixed>& at, const Row* first,
-                                                           const Row* last) {
-                return draw_patch<Case>(at, first, last, room);
-            };
-            if (clip.w >= 8)
-                return fused_divided_rows(span, row, end, draw, narrow);
-        } else if (PatchOfRows::are_many(row, end)) {
-            return fused_divided_rows(span, row, end, &draw_patch_in_words<Case>, narrow);
-        }
-        fused_narrow_rows<Case>(span, row, end);
+        if (clip.w < 8)
+            return fused_narrow_rows<Case>(span, row, end);
+        const auto draw = [room = clip.x + clip.w - 8](Span<Fixed>& at, const Row* first, const Row* last) {
+            return draw_patch<Case>(at, first, last, room);
+        };
+        fused_divided_rows(span, row, end, draw, &fused_narrow_piece<Case>);
+    } else if constexpr (Case::lit) {
+        fused_lit_rows<Case, NearProducts>(span, row, end);
     } else if constexpr (Wide == 8 && Case::heavy) {
         using List = typename Case::template List<8>;
         if constexpr (List::runs || List::rows)

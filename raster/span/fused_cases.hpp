@@ -3,6 +3,7 @@
 
 #include "raster/span/fill.hpp"
 #include "raster/span/fused.hpp"
+#include "raster/span/fused_table.hpp"
 #include "raster/span/fused_tile.hpp"
 #include "raster/span/fused_trapezoids.hpp"
 #include "raster/span/key.hpp"
@@ -87,8 +88,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         K.unit[0].env == TexEnv::modulate &&
         (K.unit[0].texels == TexelFormat::rgb565 || K.unit[0].texels == TexelFormat::rgb888) && K.color &&
         !K.color_alpha && !K.blend && !K.dither && is_565(K.format) && !Apart;
-    /// There is no lane for it that has long products, or there is one.
-    static constexpr bool halved = lit && !numeric::long_products, in_words = lit && numeric::long_products;
+    /// There is no lane for it that has long products.
+    static constexpr bool halved = lit && !numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
 
@@ -214,6 +215,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                          typename decltype(store())::type>;
     };
 
+  public:
     /// Its stages serve the primitive.
     static bool serves(const Span<Fixed>& span) {
         if constexpr (shares_division) {
@@ -225,7 +227,6 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
-  public:
     static constexpr Key key = K;
     static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);
@@ -262,14 +263,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             fused_narrow_row<Case>(span, fragment);
         }
     };
-    /// Its one lane where `in_words`.
-    struct LitOne {
+    /// And its one lane.
+    template <class Products> struct One {
         using N = ExactLit;
         using Texture = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
         using Test =
             std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
-        using Words = LitWords<Texture, full, Gray, K.fog, K.format>;
-        using Patch = typename Words::Patch;
+        using Draw = LitOne<Products, Texture, full, Gray, K.fog, K.format>;
+        using Patch = typename Draw::Patch;
     };
     /// Parts of a GatheredPacket.
     static constexpr bool gathered = heavy && !exact && tested && textured && !projective &&

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
-#include "raster/span/stage_lit_words.hpp"
+#include "raster/span/stage_lit_one.hpp"
 
 namespace spangle::raster {
 
@@ -12,7 +12,7 @@ struct PatchOfRows {
     bool fits;
     std::int32_t count; ///< of fragments
     /// One by one they take less than a patch, of eight lanes or of one.
-    static constexpr std::int32_t few = 6, few_in_words = 14;
+    static constexpr std::int32_t few = 6, few_for_one = 14;
     SPANGLE_INLINE PatchOfRows(const Row* row, const Row* end) {
         std::int32_t first = row->first, last = row->last;
         count = last - first;
@@ -33,9 +33,9 @@ struct PatchOfRows {
     /// Worth patches of one lane.
     SPANGLE_INLINE static bool are_many(const Row* row, const Row* end) {
         std::int32_t count = 0;
-        for (; row != end && count < few_in_words; ++row)
+        for (; row != end && count < few_for_one; ++row)
             count += row->last - row->first;
-        return count >= few_in_words;
+        return count >= few_for_one;
     }
 };
 
@@ -67,24 +67,24 @@ template <class Case>
     return true;
 }
 
-/// The same one by one. Case has LitOne: Patch, Test, Words.
-template <class Case>
-[[gnu::noinline]] bool draw_patch_in_words(Span<Fixed>& span, const Row* row, const Row* end) {
-    using Lit = typename Case::LitOne;
+/// The same one by one. Case has One: Patch, N, Test, Draw.
+template <class Case, class Products>
+[[gnu::noinline]] bool draw_patch_one(Span<Fixed>& span, const Row* row, const Row* end) {
+    using Lit = typename Case::template One<Products>;
     const PatchOfRows rows(row, end);
     typename Lit::Patch patch;
-    if (rows.count < PatchOfRows::few_in_words || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
+    if (rows.count < PatchOfRows::few_for_one || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
         return false;
     LitRow<typename Lit::Patch> at{{span, nullptr, nullptr, row->first, row->y, row->first}, patch};
     typename Lit::Test test(at, 0);
-    typename Lit::Words words(at, 0);
+    typename Lit::Draw fragment(at, 0);
     for (;;) {
         const RowPlace place = place_of<Case>(*span.target, *row, row->first);
         Px<typename Lit::N> p(place);
         const std::int32_t n = row->last - row->first;
         p.i = 0;
         do {
-            if (test(p) && !words.draw(p.i, place.color)) [[unlikely]]
+            if (test(p) && !fragment.draw(p.i, place.color)) [[unlikely]]
                 Case::Lit::redo(span, {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
             test.step();
             p.i = numeric::factor32(p.i + 1); // one index for all planes, not a pointer for each
@@ -94,7 +94,7 @@ template <class Case>
         at.x = row->first;
         at.y = row->y;
         test.start(at, 0);
-        words.start(at, 0);
+        fragment.start(at, 0);
     }
 }
 

@@ -39,7 +39,7 @@ struct NearQuotient {
     }
 };
 
-/// Products of 16 bits, for lanes.
+/// Products of 16 bits: for lanes, and where there are none longer than a word.
 struct NearHalves {
     static constexpr int fraction_bits = 0; ///< of quotients
     /// Of 1/q, in 2^-16, where u is at most `most` 2^-32, below 2^30. What the series leaves out is below 8/7
@@ -55,6 +55,15 @@ struct NearHalves {
     }
     /// Lanes round d down twice and its product once, which makes up to 3.
     SPANGLE_INLINE static std::uint32_t window(std::uint32_t off) { return ((2 * off + 0xFFFF) >> 16) + 3; }
+    /// NearInverse, of one fragment.
+    SPANGLE_INLINE static std::int32_t inverse(std::uint32_t plane) {
+        const std::int32_t u = static_cast<std::int32_t>(plane) >> 16;
+        return u + (u * (u + (u * u >> 16)) >> 16);
+    }
+    SPANGLE_INLINE static std::uint32_t of(std::uint32_t base, std::uint32_t plane, std::int32_t inverse) {
+        const std::int32_t d = static_cast<std::int32_t>(plane) >> 16;
+        return base + static_cast<std::uint32_t>(d + (d * inverse >> 16));
+    }
 };
 
 /// Products of 32 bits, for one fragment at a time.
@@ -86,6 +95,9 @@ struct NearWords {
             ((std::uint64_t{base} << 32 | d) + static_cast<std::uint64_t>(product)) >> 32);
     }
 };
+
+/// What one fragment is guessed by.
+using NearProducts = std::conditional_t<numeric::long_products, NearWords, NearHalves>;
 
 /// 1/w near a place.
 template <class Products> class NearDivisionOf {

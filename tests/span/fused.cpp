@@ -2,6 +2,9 @@
 // lengths.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "raster/span/fused_cases.hpp"
 #include "tests/span/state_of_key.hpp"
 
 namespace spangle::raster::test {
@@ -89,6 +92,45 @@ TEST(Fused, EverySpanIsItsChain) {
         expect_equal(fused, fused.run, (name + ", lanes of this build").c_str());
         expect_equal(fused, fused.narrow, (name + ", one lane").c_str());
     }
+}
+
+/// A lit texture by products of halves, which are those of boards without long ones.
+template <Kind K, TexelFormat Texels, bool Fog> constexpr Key lit_key() {
+    Key key;
+    key.number = Number::exact;
+    key.kind = K;
+    key.depth = Compare::less;
+    key.depth_write = true;
+    key.depth_format = DepthFormat::z16;
+    key.unit[0] = {true, false, Texels, BaseFormat::rgb, Filter::nearest, TexEnv::modulate};
+    key.color = true;
+    key.fog = Fog;
+    if (Fog)
+        key.fog_mode = FogMode::linear;
+    return key;
+}
+template <Key K> void draw_by_halves(Span<Fixed>& span, const Row* row, const Row* end) {
+    using Case = FusedCase<K>;
+    if (!Case::serves(span))
+        Case::template run_lanes<1>(span, row, end);
+    else if (Case::splits_gray && span.gray)
+        fused_lit_rows<FusedCase<K, true>, NearHalves>(span, row, end);
+    else
+        fused_lit_rows<Case, NearHalves>(span, row, end);
+}
+template <Key K> void expect_halves_equal(const char* name) {
+    const auto* const end = fused_spans() + fused_span_count();
+    const auto* const found =
+        std::find_if(fused_spans(), end, [](const FusedSpan& fused) { return fused.key == K; });
+    ASSERT_NE(found, end) << name;
+    expect_equal(*found, &draw_by_halves<K>, name);
+}
+
+TEST(Fused, LitTexturesByHalves) {
+    expect_halves_equal<lit_key<Kind::full, TexelFormat::rgb565, true>()>("full 565 fog");
+    expect_halves_equal<lit_key<Kind::full, TexelFormat::rgb888, true>()>("full 888 fog");
+    expect_halves_equal<lit_key<Kind::full, TexelFormat::rgb565, false>()>("full 565");
+    expect_halves_equal<lit_key<Kind::textured, TexelFormat::rgb565, true>()>("textured 565 fog");
 }
 
 TEST(Fused, OneTexelAlongAnAxis) {
