@@ -82,6 +82,25 @@ template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
     return v;
 }
 
+/// v, of which nothing is computed before `first` is: fewer registers, where words have 32 bits.
+SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32_t& first) {
+#if __SIZEOF_POINTER__ == 4
+    asm("" : "+r"(v), "+r"(first)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
+/// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.
+SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("bfc %0, #0, #16" : "+r"(v)); // NOLINT(hicpp-no-assembler)
+        return v;
+    }
+#endif
+    return v & 0xFFFF0000;
+}
+
 /// floor(v / 2^n) for any n < 2^31. What ARM shifts by may be up to 255, which takes a test less.
 SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_t n) {
 #if defined(__thumb2__)

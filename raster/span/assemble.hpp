@@ -195,6 +195,14 @@ template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& ke
     chain.template choose<FogCoord<OneLane<N>, true>, FogCoord<N, false>>(key.kind >= Kind::textured);
 }
 
+/// Fog around the texture (fogs_light()).
+template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    add_fog_coordinate(chain, key);
+    chain.template add<FogLight<N>>();
+    add_unit<N, 0>(chain, key, state);
+    chain.template add<FogShare<N>>();
+}
+
 /// On a surface of indices.
 template <class N> void assemble_index(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
@@ -220,11 +228,16 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if (early)
         add_tests(chain, key);
     add_primary(chain, key);
+    const bool around = is_balanced<N> && has_textures && has_fog && fogs_light(key);
+    if constexpr (is_balanced<N> && has_textures && has_fog)
+        if (around)
+            add_fogged_unit(chain, key, state);
     if constexpr (has_textures)
-        add_units(chain, key, state);
+        if (!around)
+            add_units(chain, key, state);
     if (has_color_sum && key.color_sum)
         chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
-    if (has_fog && key.fog) {
+    if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
             chain.template choose<FogLinear<N>, Fog<One>>(key.fog_mode == FogMode::linear);

@@ -49,12 +49,14 @@ struct Shapes {
 /// on P and N.
 using AnyFunction = void (*)();
 
-/// Stipple, test of depth and stencil, count; colour; of each unit two for its coordinates and one; sum; two
-/// of fog; coverage, alpha, blending, store (assemble.hpp).
+/// Stipple, test of depth and stencil, count; colour; of each unit two for its coordinates and one; sum and
+/// two of fog, or three of fog; coverage, alpha, blending, store (assemble.hpp).
 inline constexpr int max_stages = (SPANGLE_FEATURE_STIPPLE ? 1 : 0) + (depth_formats > 1 ? 1 : 0) + 2 +
-                                  (has_textures ? 3 * max_texture_units : 0) + (has_color_sum ? 1 : 0) +
-                                  (has_fog ? 2 : 0) + (SPANGLE_FEATURE_ANTIALIASING ? 1 : 0) +
-                                  (has_samples ? 1 : 0) + 3;
+                                  (has_textures ? 3 * max_texture_units : 0) +
+                                  (has_fog         ? 3
+                                   : has_color_sum ? 1
+                                                   : 0) +
+                                  (SPANGLE_FEATURE_ANTIALIASING ? 1 : 0) + (has_samples ? 1 : 0) + 3;
 
 /// The list of stages of one kind of primitive.
 struct Variant {

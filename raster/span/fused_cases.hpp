@@ -16,6 +16,7 @@
 #include "raster/span/stage_divided.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_fogged.hpp"
+#include "raster/span/stage_fogged_light.hpp"
 #include "raster/span/stage_guess.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_linear.hpp"
@@ -73,10 +74,15 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// Kinds whose colours, or texture coordinates and fog, are projective.
     static constexpr bool full = K.kind == Kind::full, projective = full || K.kind == Kind::textured;
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
-    /// Fog is what comes before the store.
+    /// Fog is what comes before the store, where MODULATE may come between.
     template <int L>
     static constexpr bool stores_fogged =
-        L == 1 && K.number != Number::raw565&& K.fog && !K.blend && !K.dither && is_565(K.format);
+        L == 1 && exact&& K.fog && !K.blend && !K.dither && is_565(K.format);
+    template <int L>
+    static constexpr bool stores_light = L == 1 && fogs_light(K) && !K.blend &&
+                                         is_565(K.format) && K.unit[0].filter == Filter::nearest &&
+                                         (K.unit[0].texels == TexelFormat::rgb565 ||
+                                          K.unit[0].texels == TexelFormat::rgb888);
     /// Coordinates, too, divide by what the fragment has been divided by.
     static constexpr bool shares_division =
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
@@ -115,8 +121,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             raw, Raw565<L>,
             std::conditional_t<
                 exact, ExactSystem<L>,
-                std::conditional_t<K.coarse, CoarseSystem<L>,
-                                   std::conditional_t<packed && L == 1, Packed, Balanced<L>>>>>;
+                std::conditional_t<
+                    K.coarse, CoarseSystem<L>,
+                    std::conditional_t<packed && L == 1, Packed,
+                                       std::conditional_t<stores_light<L>, BalancedLit, Balanced<L>>>>>>;
         static auto depth() {
             if constexpr (tested)
                 return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
@@ -171,18 +179,26 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 2>>{};
             }
         }
-        static auto fog() {
-            using Coordinate =
-                std::conditional_t<!divided, FogCoord<N, false>,
-                                   std::conditional_t<Apart, FogCoord<N, true>, FogCoordDivided<N>>>;
-            if constexpr (K.fog && L > 1 && is_balanced<N> && !projective)
-                return std::type_identity<FogLinearLanes<N>>{};
-            else if constexpr (K.fog && stores_fogged<L>)
-                return std::type_identity<Coordinate>{};
-            else if constexpr (K.fog)
-                return std::type_identity<Seq<N, Coordinate, FogLinear<N>>>{};
+        using FogCoordinate =
+            std::conditional_t<!divided, FogCoord<N, false>,
+                               std::conditional_t<Apart, FogCoord<N, true>, FogCoordDivided<N>>>;
+        static auto fog_light() {
+            if constexpr (!fogs_light(K))
+                return std::type_identity<None<N, 6>>{};
+            else if constexpr (L > 1)
+                return std::type_identity<FogLightLanes<N>>{};
             else
+                return std::type_identity<Seq<N, FogCoordinate, FogLight<N>>>{};
+        }
+        static auto fog() {
+            if constexpr (!K.fog || stores_light<L>)
                 return std::type_identity<None<N, 3>>{};
+            else if constexpr (fogs_light(K))
+                return std::type_identity<std::conditional_t<(L > 1), FogShareLanes<N>, FogShare<N>>>{};
+            else if constexpr (stores_fogged<L>)
+                return std::type_identity<FogCoordinate>{};
+            else
+                return std::type_identity<Seq<N, FogCoordinate, FogLinear<N>>>{};
         }
         static auto blend() {
             if constexpr (K.coarse && is_balanced<N>)
@@ -203,16 +219,19 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (bytes_dithered<N>)
                 return std::type_identity<BlendBytesDithered<N, K.format>>{};
             else if constexpr (stores_fogged<L>)
-                return std::type_identity<FoggedStore<N, K.format>>{};
+                return std::type_identity<FoggedStore<K.format>>{};
+            else if constexpr (stores_light<L>)
+                return std::type_identity<
+                    FoggedLightStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.dither>>{};
             else if constexpr (K.dither)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else
                 return std::type_identity<Store<N, K.format>>{};
         }
         using List = Seq<N, typename decltype(depth())::type, typename decltype(divide())::type,
-                         typename decltype(color())::type, typename decltype(texture())::type,
-                         typename decltype(fog())::type, typename decltype(blend())::type,
-                         typename decltype(store())::type>;
+                         typename decltype(color())::type, typename decltype(fog_light())::type,
+                         typename decltype(texture())::type, typename decltype(fog())::type,
+                         typename decltype(blend())::type, typename decltype(store())::type>;
     };
 
   public:
@@ -286,8 +305,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
         using Texture = TexelLanes<Image>;
         using Coords = NearestLanes<Image, 0>;
-        using Fog = std::conditional_t<fogged, FogLinearLanes<N>, None<N, 0>>;
-        using FogColor = std::conditional_t<fogged, FogBlend<N>, None<N, 0>>;
+        using Fog = std::conditional_t<fogged, FogFactorLanes<N>, None<N, 0>>;
+        using FogColor = std::conditional_t<fogged, FogShare<N>, None<N, 0>>;
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;

@@ -65,9 +65,12 @@ template <class Case> class GatheredPacket {
         p.color.g = Case::gray ? p.color.r : load(colors[1], i);
         p.color.b = Case::gray ? p.color.r : load(colors[2], i);
         p.color.a = N::from_units(color_one);
+        const typename L::U16 f = load(fogs, i);
+        if constexpr (Case::fogged)
+            FogLight<N>::dim(p, f);
         texture_.combine_words(p, texture_.words_of(index + i));
         if constexpr (Case::fogged)
-            fog_.blend(p, load(fogs, i));
+            fog_.add(p, f);
         store(words_, i, truncated565<N>(p.color));
     }
 

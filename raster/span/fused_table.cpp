@@ -155,6 +155,8 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).dither()>(),
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less).fog().dither()>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    entry<textured.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
+    entry<full.texture(t565, rgb, nearest, modulate).depth(less).fog().dither()>(),
     // The exact tier: smooth shading under perspective (S6), filtered, sprites, lit textures with and without
     // fog.
     entry<fine_full.depth(less)>(),

@@ -74,4 +74,12 @@ constexpr bool divides(Kind kind, bool fog) {
     return kind == Kind::full || (kind == Kind::textured && fog);
 }
 
+/// MODULATE and fog's factor are products, in any order: light times factor comes first, and is one for all
+/// components where light is gray.
+constexpr bool fogs_light(const Key& key) {
+    return key.number == Number::balanced && key.fog && key.fog_mode == FogMode::linear && key.unit[0].on &&
+           !key.unit[0].general && key.unit[0].env == TexEnv::modulate && !key.second_unit() &&
+           !key.color_sum;
+}
+
 } // namespace spangle::raster

@@ -58,6 +58,7 @@ template <class N> struct Px {
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8
     typename N::Fog fog;                           ///< fog coordinate (draw_state.hpp)
     Inverse inverse;                               ///< GouraudQ's, for stages fused behind it
+    typename N::L::U16 fog_factor;                 ///< that of FogLightLanes, likewise
 
     Px() = default;
     /// Of a span, or what stands for one row of it; the strides are those from row to row.

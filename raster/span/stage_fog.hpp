@@ -51,32 +51,60 @@ template <class N> struct FogLinear : Fog<N> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, N::clamped_fraction(p.fog)); }
 };
 
-/// The blend alone.
-template <class N> struct FogBlend : Fog<N> {
+/// FOG_MODE LINEAR around MODULATE (fogs_light()): first what light keeps, then the fog's share.
+template <class N> struct FogLight : StageBase {
+    static constexpr unsigned in = field_color | field_fog, out = field_color;
+    template <class S> SPANGLE_INLINE FogLight(const S&, std::int32_t) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return dim(p, N::clamped_fraction(p.fog)); }
+    SPANGLE_INLINE static bool dim(Px<N>& p, typename N::T f) {
+        p.color.r = N::scaled(p.color.r, f);
+        p.color.g = N::scaled(p.color.g, f);
+        p.color.b = N::scaled(p.color.b, f);
+        return true;
+    }
+};
+template <class N> struct FogShare : Fog<N> {
     using Fog<N>::Fog;
-    using Fog<N>::blend;
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return add(p, N::clamped_fraction(p.fog)); }
+    SPANGLE_INLINE bool add(Px<N>& p, typename N::T f) const {
+        const typename N::T rest = 65535 - f;
+        p.color.r += N::scaled(this->r, rest);
+        p.color.g += N::scaled(this->g, rest);
+        p.color.b += N::scaled(this->b, rest);
+        return true;
+    }
 };
 
-/// The same of many lanes with the coordinate, which is affine: not clamped where set-up saw that it need
+/// The factor of many lanes with the coordinate, which is affine: not clamped where set-up saw that it need
 /// not (Span::fog_inside), so that its bits are in place.
-template <class N> struct FogLinearLanes : FogLinear<N> {
-    static constexpr unsigned in = field_color;
+template <class N> struct FogFactorLanes : StageBase {
     using L = typename N::L;
     static constexpr int up = 8;
     bool inside;
     Span<Fixed>::Affine plane; ///< with 24 fraction bits, or 32
     Ramp<L> v;
     template <class S>
-    SPANGLE_INLINE FogLinearLanes(const S& s, std::int32_t x)
-        : FogLinear<N>(s, x), inside(s.fog_inside),
+    SPANGLE_INLINE FogFactorLanes(const S& s, std::int32_t x)
+        : inside(s.fog_inside),
           plane(inside ? Span<Fixed>::Affine{s.fog.value << up, s.fog.dx << up, s.fog.dy << up} : s.fog),
           v(s, x, plane) {}
     SPANGLE_INLINE typename N::T factor() const {
         return inside ? L::high_half(v.at) : N::clamped_fraction(v.at);
     }
-    SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->blend(p, factor()); }
     SPANGLE_INLINE void step() { v.step(); }
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { v.start(s, x, plane); }
+};
+template <class N> struct FogLightLanes : FogFactorLanes<N> {
+    static constexpr unsigned in = field_color, out = field_color;
+    using FogFactorLanes<N>::FogFactorLanes;
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.fog_factor = this->factor();
+        return FogLight<N>::dim(p, p.fog_factor);
+    }
+};
+template <class N> struct FogShareLanes : FogShare<N> {
+    using FogShare<N>::FogShare;
+    SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->add(p, p.fog_factor); }
 };
 
 } // namespace spangle::raster

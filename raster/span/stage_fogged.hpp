@@ -1,5 +1,5 @@
-// Fog and the store behind it as one stage: the bytes of FogLinear and Store, which round once each.
-// Fused spans of one lane only.
+// Fog and the store behind it as one stage of the exact tier: the bytes of FogLinear and Store, which round
+// once each. Fused spans of one lane only.
 #pragma once
 
 #include "raster/span/stage_fog.hpp"
@@ -7,10 +7,8 @@
 
 namespace spangle::raster {
 
-template <class N, PixelFormat Format> struct FoggedStore;
-
-/// Exact. Half a 255th comes with the fog's colour, four times which is subtracted from four times the other.
-template <PixelFormat Format> struct FoggedStore<Exact, Format> : StageBase {
+/// Half a 255th comes with the fog's colour, four times which is subtracted from four times the other.
+template <PixelFormat Format> struct FoggedStore : StageBase {
     using N = Exact;
     static constexpr unsigned in = field_color | field_fog;
     static constexpr bool effect = true;
@@ -35,34 +33,6 @@ template <PixelFormat Format> struct FoggedStore<Exact, Format> : StageBase {
                                       (rounded(r, p.color.r) >> (color_fraction_bits - 8) & 0xF800) |
                                           (rounded(g, p.color.g) >> (color_fraction_bits - 3) & 0x07E0) |
                                           rounded(b, p.color.b) >> (color_fraction_bits + 3));
-        return true;
-    }
-};
-
-/// Balanced. The fog's share is 65535 - f times its colour, and half a 255th, which rounds, comes with it: a
-/// multiplication subtracted from a constant.
-template <PixelFormat Format> struct FoggedStore<Balanced<1>, Format> : StageBase {
-    using N = Balanced<1>;
-    static constexpr unsigned in = field_color | field_fog;
-    static constexpr bool effect = true;
-    struct Fog {
-        std::uint32_t color, whole; ///< its share where f is 0
-        SPANGLE_INLINE explicit Fog(std::uint32_t units)
-            : color(N::from_units(units)), whole(numeric::factor32(color * 0xFFFF + (128u << 16))) {}
-    };
-    Fog r, g, b;
-
-    SPANGLE_INLINE FoggedStore(const Span<Fixed>& s, std::int32_t)
-        : r(s.state->fragment.fog_color[0]), g(s.state->fragment.fog_color[1]),
-          b(s.state->fragment.fog_color[2]) {}
-    SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const std::uint32_t f = N::clamped_fraction(p.fog);
-        const auto rounded = [&](const Fog& fog, std::uint32_t color) {
-            return ((fog.whole - fog.color * f) >> 16) + (color * f >> 16);
-        };
-        Words565<N::L, Format>::store(p.color_plane + 2 * p.i, (rounded(r, p.color.r) & 0xF800) |
-                                                                   (rounded(g, p.color.g) >> 5 & 0x07E0) |
-                                                                   rounded(b, p.color.b) >> 11);
         return true;
     }
 };

@@ -23,10 +23,10 @@ template <bool Cubic, int FractionBits> class TexelAxis {
         }
     }
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const { return v_.ahead(lane) >> shift_; }
-    /// The same from the size; lane 0, no fraction.
+    /// The same from the size, a factor32(); lane 0, no fraction.
     SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
-        static_assert(FractionBits == 0);
-        return numeric::mul_high_u32(v_.at, size);
+        static_assert(FractionBits == 0 && numeric::long_products);
+        return static_cast<std::uint32_t>(std::uint64_t{v_.at} * size >> 32);
     }
     SPANGLE_INLINE std::uint32_t texel(std::uint32_t lane = 0) const {
         return position(lane) >> FractionBits;
