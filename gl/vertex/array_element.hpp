@@ -33,8 +33,7 @@ class ArrayReader {
     }
 
     /// The three of is_floats(3).
-    SPANGLE_INLINE void read3(std::uint32_t index, Real* out) const {
-        const std::uint8_t* const at = words(index);
+    SPANGLE_INLINE static void read3(const std::uint8_t* at, Real* out) {
         out[0] = float_at(at);
         out[1] = float_at(at + 4);
         out[2] = float_at(at + 8);
@@ -67,7 +66,7 @@ class ArrayReader {
 
     static Real float_at(const std::uint8_t* at) {
         const std::uint32_t bits = word(at, 0);
-        return (bits << 1) < 0xFF000000u ? Real{bits} : numeric::from_float_bits(bits);
+        return (bits >> 23 & 255) != 255 ? Real{bits} : numeric::from_float_bits(bits);
     }
     void convert(const std::uint8_t* at, Real* out) const;
 };
@@ -111,17 +110,19 @@ struct Indices {
         return type == GL_UNSIGNED_INT ? read<std::uint32_t>(i) : read<std::uint8_t>(i);
     }
 
-    /// The usual ones, or none: loops over them ask for no type.
+    /// The usual ones, which are aligned, or none: loops over them ask for no type.
     struct Shorts {
         const std::uint8_t* data;
         SPANGLE_INLINE std::uint32_t at(std::uint32_t i) const {
             std::uint16_t value;
-            __builtin_memcpy(&value, data + std::size_t{i} * sizeof value, sizeof value);
+            const std::uint8_t* const at = data + std::size_t{i} * sizeof value;
+            __builtin_memcpy(&value, __builtin_assume_aligned(at, sizeof value), sizeof value);
             return value;
         }
     };
     Shorts shorts() const {
-        return {type == GL_UNSIGNED_SHORT ? static_cast<const std::uint8_t*>(data) : nullptr};
+        const bool aligned = (reinterpret_cast<std::uintptr_t>(data) & 1) == 0;
+        return {type == GL_UNSIGNED_SHORT && aligned ? static_cast<const std::uint8_t*>(data) : nullptr};
     }
 
     /// Those behind the first n.

@@ -36,15 +36,18 @@ struct FixedMath {
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        std::int64_t rounded_middle = 0; ///< with the fraction bits of the quotient, and half a unit more
+        std::int64_t rounded_middle = 0; ///< with the fraction bits of the product, and half a unit more
 
         Range() = default;
-        Range(std::int32_t at, std::int32_t half, int quotient_bits)
-            : middle(at), minus_half(-half),
-              rounded_middle(((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (quotient_bits - 1))) {}
+        /// `bits`: of -half and of a quotient together.
+        Range(std::int32_t at, std::int32_t minus, int bits)
+            : middle(at), minus_half(minus),
+              rounded_middle(((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (bits - 1))) {}
 
-        /// Nearest to middle + half * q, of -q with `bits` fraction bits: those of rounded_middle.
+        /// Nearest to middle + half * q, of -q: `bits` are those of rounded_middle.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
+            if (!wide_words && bits == 32)
+                return middle + numeric::high_rounded(product(minus_half, minus_q));
             return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
         }
         /// The same; of a quotient that is too large anything.
@@ -55,6 +58,8 @@ struct FixedMath {
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
     using Quotient = Factor;
     static constexpr int quotient_bits = 27, depth_quotient_bits = 29;
+    /// Half a viewport has more fraction bits than a place, so that the high word of the product is one.
+    static constexpr int half_bits = 32 - quotient_bits;
 
     /// The rows of a matrix, for vertices.
     struct WideRows {
@@ -112,11 +117,12 @@ struct FixedMath {
         const GLint* v = state.viewport;
         const std::int32_t half_width = v[2] * (raster::subpixel_one / 2),
                            half_height = v[3] * (raster::subpixel_one / 2);
-        out.x = {v[0] * raster::subpixel_one + half_width, half_width, quotient_bits};
-        out.y = {v[1] * raster::subpixel_one + half_height, half_height, quotient_bits};
+        constexpr std::int32_t half_one = 1 << half_bits;
+        out.x = {v[0] * raster::subpixel_one + half_width, -half_width * half_one, 32};
+        out.y = {v[1] * raster::subpixel_one + half_height, -half_height * half_one, 32};
         const std::int32_t n = numeric::to_fixed(state.depth_range[0], 30),
                            f = numeric::to_fixed(state.depth_range[1], 30);
-        out.depth = {(n >> 1) + (f >> 1) + (n & f & 1), (f - n) / 2, depth_quotient_bits};
+        out.depth = {(n >> 1) + (f >> 1) + (n & f & 1), (n - f) / 2, depth_quotient_bits};
     }
 
     /// The vertex is loaded under the exponents of the matrix's columns: large coordinates and small ones
@@ -150,10 +156,14 @@ struct FixedMath {
             clip.y = row(rows + 4, v);
             clip.z = row(rows + 8, v);
             clip.e = v.e;
-            of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
+            if constexpr (!at_once)
+                of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
         }
         /// Of the first so many.
-        SPANGLE_INLINE void finish(int count) { of_w_.finish(count); }
+        SPANGLE_INLINE void finish([[maybe_unused]] int count) {
+            if constexpr (!at_once)
+                of_w_.finish(count);
+        }
 
         /// `planes` gets the planes of the view volume that the vertex is outside of, and from bit 8 on those
         /// that it must be clipped by. False: not in front of the eye, or so far outside that the quotients
@@ -168,14 +178,14 @@ struct FixedMath {
                 z(clip.z, zeros, t.lift[2]);
             if (!wide_words && (x.lost() | y.lost() | z.lost()) != 0)
                 return false;
-            const std::uint32_t r = of_w_.at(i); // 1/w = r * 2^(zeros - 62 - e)
-            const int up = r >> 31 == 0 ? 1 : 0; // r is 2^31 where w is a power of two
+            const std::uint32_t r = inverse(i, zeros); // 1/w = r * 2^(zeros - 62 - e)
+            const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
             out.w_mantissa = r << up;
             out.w_exponent = static_cast<std::int16_t>(zeros + t.w_exponent - clip.e - up);
             const auto minus_r = static_cast<std::int32_t>(0u - r); // a signed word, also where r is 2^31
             const Quotient minus_x = x.times(minus_r), minus_y = y.times(minus_r), minus_z = z.times(minus_r);
-            out.x = t.x.place(minus_x, quotient_bits);
-            out.y = t.y.place(minus_y, quotient_bits);
+            out.x = t.x.place(minus_x, 32);
+            out.y = t.y.place(minus_y, 32);
             out.z = static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits));
             planes = 0;
             if (!beyond(minus_x, one) && !beyond(minus_y, one) && !beyond(minus_z, z_one)) [[likely]]
@@ -193,7 +203,17 @@ struct FixedMath {
             std::int32_t x, y, z, e;
             std::uint32_t w;
         } clip_[N];
-        numeric::Reciprocals<N> of_w_;
+        /// Nothing is gained by several under way: divide() alone needs it.
+        static constexpr bool at_once = numeric::cheap_branches;
+        struct None {};
+        [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> of_w_;
+
+        SPANGLE_INLINE std::uint32_t inverse(int i, int zeros) const {
+            if constexpr (at_once)
+                return numeric::reciprocal(clip_[i].w << zeros);
+            else
+                return of_w_.at(i);
+        }
     };
 
     /// What Projections make of a vertex, which is how a window vertex begins.
@@ -356,9 +376,10 @@ struct FixedMath {
         constexpr std::int64_t band = std::int64_t{4} << 28, one = std::int64_t{1} << 30;
         const std::int64_t x = numeric::clamp<std::int64_t>(quotient(c.m[0], r, zeros, 28), -band, band),
                            y = numeric::clamp<std::int64_t>(quotient(c.m[1], r, zeros, 28), -band, band);
-        constexpr std::int64_t half = std::int64_t{1} << 27;
-        out.x = limit(t.x.middle + ((half - x * t.x.minus_half) >> 28));
-        out.y = limit(t.y.middle + ((half - y * t.y.minus_half) >> 28));
+        constexpr int bits = 28 + half_bits;
+        constexpr std::int64_t half = std::int64_t{1} << (bits - 1);
+        out.x = limit(t.x.middle + ((half - x * t.x.minus_half) >> bits));
+        out.y = limit(t.y.middle + ((half - y * t.y.minus_half) >> bits));
         const std::int64_t z = numeric::clamp<std::int64_t>(quotient(c.m[2], r, zeros, 30), -one, one);
         const std::int64_t depth =
             t.depth.middle + (((std::int64_t{1} << 29) - z * t.depth.minus_half) >> 30);
@@ -379,14 +400,15 @@ struct FixedMath {
     /// The window before snapping: x, y, z, and w of the clip coordinates.
     [[gnu::noinline]] static void window_of(const Transforms& t, const Clip& c, Real (&out)[4]) {
         const numeric::Block w = numeric::component(c, 3);
-        const auto place = [&](int i, std::int32_t middle, Factor half, int bits) {
+        const auto place = [&](int i, std::int32_t middle, int bits, Factor half, int more) {
             const numeric::Block quotient = numeric::div(numeric::component(c, i), w);
-            return numeric::to_real(numeric::add(numeric::make_block(middle, -bits),
-                                                 numeric::mul(numeric::make_block(half, -bits), quotient)));
+            return numeric::to_real(
+                numeric::add(numeric::make_block(middle, -bits),
+                             numeric::mul(numeric::make_block(half, -bits - more), quotient)));
         };
-        out[0] = place(0, t.x.middle, -t.x.minus_half, raster::subpixel_bits);
-        out[1] = place(1, t.y.middle, -t.y.minus_half, raster::subpixel_bits);
-        out[2] = place(2, t.depth.middle, -t.depth.minus_half, 30);
+        out[0] = place(0, t.x.middle, raster::subpixel_bits, -t.x.minus_half, half_bits);
+        out[1] = place(1, t.y.middle, raster::subpixel_bits, -t.y.minus_half, half_bits);
+        out[2] = place(2, t.depth.middle, 30, -t.depth.minus_half, 0);
         out[3] = real(w);
     }
     [[gnu::noinline]] static void color_of(const Window& v, Real (&out)[4]) {

@@ -384,6 +384,8 @@ template <class M, class L> class Pipeline {
 
     // pipeline_vertex.hpp
     [[gnu::noinline]] void process(Vertex& v) const;
+    [[gnu::noinline]] void process_usual(Vertex& v, const std::uint8_t* words) const;
+    SPANGLE_INLINE void divide(Vertex& v) const;
     SPANGLE_INLINE void set_flags(Vertex& v, bool divided, unsigned planes) const;
     SPANGLE_INLINE void attributes(const CurrentState& current, Vertex& v);
     SPANGLE_INLINE void set_unlit_color(const CurrentState& current);
@@ -425,12 +427,14 @@ template <class M, class L> class Pipeline {
     template <class Place, class Finish>
     SPANGLE_INLINE Vertex& usual_element(const ElementReader& reader, std::uint32_t index, bool normals,
                                          bool textured, const Place& place, const Finish& finish);
+    SPANGLE_INLINE static void read_position(const std::uint8_t* words, Vertex& v);
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
     void lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals);
     template <class I>
-    void line_elements(const ElementReader& reader, std::uint32_t count, I indices, bool normals);
+    [[gnu::noinline]] void line_elements(const ElementReader& reader, std::uint32_t count, I indices,
+                                         bool normals);
     void strip_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals,
                   bool textured);
     template <class I>
@@ -441,7 +445,7 @@ template <class M, class L> class Pipeline {
                                          bool normals, bool textured);
     [[gnu::noinline]] void draw_strip(Pending& p, std::uint32_t first);
     void let_go(Pending& p, int left);
-    SPANGLE_INLINE void add_fresh(Pending& p, Vertex& v);
+    SPANGLE_INLINE void add_fresh(Pending& p, Vertex& v, const std::uint8_t* words);
     void divide(Pending& lines);
     [[gnu::noinline]] void draw_pending(Pending& p);
     SPANGLE_INLINE Vertex& place_of(Vertex& cached);

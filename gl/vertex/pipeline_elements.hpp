@@ -60,7 +60,7 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
             next(usual_element(
                 reader, indices.at(i), normals, textured,
                 [this](Vertex& cached) -> Vertex& { return place_of(cached); },
-                [this](Vertex& v) { process(v); }));
+                [this](Vertex& v, const std::uint8_t* words) { process_usual(v, words); }));
     if (count == 0)
         return;
     if (reader.normal.on())
@@ -107,7 +107,8 @@ template <class M, class L> inline bool Pipeline<M, L>::is_usual_texture(const E
 
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    return kept_.vertex[index % vertex_cache];
+    return *numeric::kept_in_register(
+        &kept_.vertex[numeric::remainder<vertex_cache>(index)]); // one base for what is asked of it
 }
 
 /// The vertex of an element, all but its colour and texture coordinates: as it was processed before, if
@@ -144,34 +145,38 @@ Pipeline<M, L>::unusual_element(Context& context, const ElementReader& reader, s
 
 /// The same where is_usual(), with the coordinates of is_usual_texture(), if `textured`, and with its colour:
 /// all vertices of this time have the same where they are not lit.
-/// If it is new `place` says where it goes, and `finish` does what process() does.
+/// If it is new `place` says where it goes, and `finish` does what process_usual() does.
 template <class M, class L>
 template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
 Pipeline<M, L>::usual_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
                               const Place& place, const Finish& finish) {
     Vertex& v = cached(index);
+    const std::uint8_t* const words = reader.vertex.words(index);
     const bool of_now = v.time == now_;
-    if (of_now && equal(v.position, reader.vertex.words(index)) &&
-        (!normals || equal(v.normal, reader.normal.words(index))) &&
+    if (of_now && equal(v.position, words) && (!normals || equal(v.normal, reader.normal.words(index))) &&
         (!textured || equal_texture(v, reader.tex_coord[0].words(index)))) [[likely]]
         return v;
     Vertex& fresh = place(v);
     fresh.time = now_;
-    reader.vertex.read3(index, fresh.position);
-    fresh.position[3] = numeric::one;
     if constexpr (has_normals) {
         if (normals)
-            reader.normal.read3(index, fresh.normal);
+            ArrayReader::read3(reader.normal.words(index), fresh.normal);
         else if (lit_)
             set_normal(fresh, given_.normal);
     }
-    finish(fresh);
+    finish(fresh, words);
     if (textured)
         read_texture(reader.tex_coord[0].words(index), fresh);
     if (!lit_ && !(of_now && &fresh == &v))
         M::copy_color(unlit_, fresh.window);
     return fresh;
+}
+
+template <class M, class L>
+SPANGLE_INLINE void Pipeline<M, L>::read_position(const std::uint8_t* words, Vertex& v) {
+    ArrayReader::read3(words, v.position);
+    v.position[3] = numeric::one;
 }
 
 template <class M, class L> void Pipeline<M, L>::read_texture(const std::uint8_t* words, Vertex& v) {
@@ -193,7 +198,9 @@ SPANGLE_INLINE bool Pipeline<M, L>::equal_texture(const Vertex& v, const std::ui
     return v.st[0].bits == ArrayReader::word(words, 0) && v.st[1].bits == ArrayReader::word(words, 1);
 }
 
-template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v) {
+template <class M, class L>
+SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v, const std::uint8_t* words) {
+    read_position(words, v);
     p.fresh[p.fresh_count] = &v;
     p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fog_);
 }
@@ -202,8 +209,8 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pendin
 /// that none waits for another.
 template <class M, class L>
 template <class I>
-inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count, const I indices,
-                                          bool normals) {
+void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t count, const I indices,
+                                   bool normals) {
     Pending lines;
     int held = 0; // as well; lines.count while others look
     const auto draw = [&] {
@@ -218,10 +225,10 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
             return cached;
         return lines.vertex[0] == &slot_[0] ? slot_[1] : slot_[0]; // the one that is left has its place
     };
-    const auto begin = [&](Vertex& v) {
+    const auto begin = [&](Vertex& v, const std::uint8_t* words) {
         if constexpr (numeric::cheap_branches) // nor would one alone
-            return process(v);
-        add_fresh(lines, v);
+            return process_usual(v, words);
+        add_fresh(lines, v, words);
     };
     for (std::uint32_t i = 0; i < count; ++i) {
         Vertex& v = usual_element(reader, indices.at(i), normals, false, place, begin);
@@ -251,9 +258,8 @@ inline void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint
 template <class M, class L>
 inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals) {
-    if constexpr (!numeric::cheap_branches) // else one loop has to do: it is a large one
-        if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
-            return line_elements(reader, count, shorts, normals);
+    if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
+        return line_elements(reader, count, shorts, normals);
     line_elements(reader, count, indices, normals);
 }
 
@@ -295,7 +301,7 @@ void Pipeline<M, L>::strip_batches(const ElementReader& reader, std::uint32_t co
             v = slot; // one of the two that are left has its place
         return *v;
     };
-    const auto begin = [&](Vertex& v) { add_fresh(corners, v); };
+    const auto begin = [&](Vertex& v, const std::uint8_t* words) { add_fresh(corners, v, words); };
     for (std::uint32_t i = 0; i < count; ++i) {
         Vertex& v = usual_element(reader, indices.at(i), normals, textured, place, begin);
         v.flags |= is_pending;
@@ -343,8 +349,9 @@ void Pipeline<M, L>::strip_elements(const ElementReader& reader, std::uint32_t c
         return *v;
     };
     for (std::uint32_t i = 0; i < count; ++i) {
-        Vertex* const v = &usual_element(reader, indices.at(i), normals, textured, place,
-                                         [this](Vertex& fresh) { process(fresh); });
+        Vertex* const v =
+            &usual_element(reader, indices.at(i), normals, textured, place,
+                           [this](Vertex& fresh, const std::uint8_t* words) { process_usual(fresh, words); });
         if (i >= 2)
             usual_triangle(*even, *odd, *v, false);
         ((i & 1) == 0 ? even : odd) = v;

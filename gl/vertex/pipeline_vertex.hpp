@@ -57,6 +57,16 @@ template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
 
 /// Position and normal are set: its place in the window, or what is known of it.
 template <class M, class L> void Pipeline<M, L>::process(Vertex& v) const {
+    divide(v);
+}
+
+/// The same of a position that is_usual(): it is not read again, and its w is known.
+template <class M, class L> void Pipeline<M, L>::process_usual(Vertex& v, const std::uint8_t* words) const {
+    read_position(words, v);
+    divide(v);
+}
+
+template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v) const {
     typename M::template Projections<1> projection;
     projection.add(0, transforms_, v.position, v.window, fog_);
     projection.finish(1);

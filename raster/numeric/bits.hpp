@@ -90,6 +90,15 @@ SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32
     return v;
 }
 
+/// v in a register, where words have 32 bits: compilers do not make it anew at every use.
+template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
+#if __SIZEOF_POINTER__ == 4
+    if (!std::is_constant_evaluated())
+        asm("" : "+r"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
 /// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.
 SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
 #if defined(__thumb2__)
@@ -246,6 +255,28 @@ SPANGLE_INLINE constexpr std::uint32_t mul_by_half(std::uint32_t a, std::uint32_
     if (detail::by_halves(a, b))
         return detail::halves_by_half(a, b);
     return mul_high_u32(a, b << 16);
+}
+
+namespace detail {
+
+/// n mod D, n < 2^16, by 1 / D rounded up.
+template <std::uint32_t D> struct ShortRemainder {
+    static constexpr int bits = 15 + std::bit_width(D);
+    static constexpr std::uint32_t one = 1u << bits, inverse = one / D + 1, excess = inverse * D - one;
+    static constexpr bool exact = excess <= one >> 16; ///< no quotient sees what it is too large by
+    SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t n) {
+        return n - (n * inverse >> bits) * D;
+    }
+};
+
+} // namespace detail
+
+/// n mod D. Where there are no long products, compilers divide.
+template <std::uint32_t D> SPANGLE_INLINE constexpr std::uint32_t remainder(std::uint32_t n) {
+    using Short = detail::ShortRemainder<D>;
+    if (!long_products && !std::has_single_bit(D) && Short::exact && n >> 16 == 0)
+        return Short::of(n);
+    return n % D;
 }
 
 /// v * n mod 2^64.

@@ -147,10 +147,12 @@ template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& co
         return detail::load_small<N>(column, v);
     Mantissas<N> out{};
     top += 2; // 30 bits
+    std::uint32_t one = 0x80000000u;
+    one = kept_in_register(one);
 #pragma GCC unroll 4
     for (int i = 0; i < N; ++i) {
         const auto down = static_cast<std::uint32_t>(top - e[i]);
-        const std::uint32_t magnitude = shifted_out(v[i].bits << 8 | 0x80000000u, down);
+        const std::uint32_t magnitude = shifted_out(v[i].bits << 8 | one, down);
         const std::uint32_t sign = 0u - (v[i].bits >> 31);
         out.m[i] = static_cast<std::int32_t>((magnitude ^ sign) - sign);
     }

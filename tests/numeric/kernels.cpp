@@ -44,6 +44,19 @@ TEST(Kernels, SaturationStaysInItsBits) {
         check(static_cast<std::int32_t>(random.word() >> (round % 20)));
     static_assert(saturated_after<8, 16>(-1) == 0);
 }
+template <std::uint32_t D> void check_short_remainder() {
+    for (std::uint32_t n = 0; n < 1u << 16 && detail::ShortRemainder<D>::exact; ++n)
+        ASSERT_EQ(detail::ShortRemainder<D>::of(n), n % D) << n << ' ' << D;
+}
+TEST(Kernels, ShortRemaindersAreThoseOfDivision) {
+    static_assert(detail::ShortRemainder<80>::exact); // of vertices that a board keeps
+    check_short_remainder<80>();
+    check_short_remainder<24>();
+    check_short_remainder<7>();
+    check_short_remainder<3>();
+    check_short_remainder<641>();
+    check_short_remainder<8191>();
+}
 TEST(Kernels, ProductsOfHalvesAreLongOnes) {
     const auto check = [](std::uint32_t u, std::uint32_t v) {
         const auto a = static_cast<std::int32_t>(u), b = static_cast<std::int32_t>(v);
