@@ -46,8 +46,9 @@ struct FixedMath {
 
         /// Nearest to middle + half * q, of -q: `bits` are those of rounded_middle.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
-            if (!wide_words && bits == 32)
-                return middle + numeric::high_rounded(product(minus_half, minus_q));
+            if constexpr (!wide_words)
+                if (bits == 32)
+                    return numeric::add_high_rounded(middle, minus_half, minus_q);
             return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
         }
         /// The same; of a quotient that is too large anything.
@@ -602,7 +603,7 @@ struct FixedMath {
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
-            return numeric::high_rounded(numeric::mul_s32(word(by), factor));
+            return numeric::mul_high_rounded(word(by), factor);
         }
     };
     static constexpr std::uint32_t one = 1u << quotient_bits, z_one = 1u << depth_quotient_bits;

@@ -295,6 +295,30 @@ SPANGLE_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     return static_cast<std::int32_t>((u + (1u << 31)) >> 32);
 }
 
+/// a * b / 2^32, nearest, halves up: where there are DSP instructions, one of them.
+SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int32_t b) {
+#if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
+    if (!std::is_constant_evaluated()) {
+        std::int32_t r;
+        asm("smmulr %0, %1, %2" : "=r"(r) : "r"(a), "r"(b)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    return high_rounded(mul_s32(a, b));
+}
+/// That and `to`, mod 2^32.
+SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int32_t a, std::int32_t b) {
+#if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
+    if (!std::is_constant_evaluated()) {
+        std::int32_t r;
+        asm("smmlar %0, %1, %2, %3" : "=r"(r) : "r"(a), "r"(b), "r"(to)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) +
+                                     static_cast<std::uint32_t>(mul_high_rounded(a, b)));
+}
+
 /// Nearest to v / 2^n, halves up; n <= 0 leaves v as it is, no n overflows.
 SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
     if (n <= 0)

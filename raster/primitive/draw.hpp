@@ -11,9 +11,16 @@
 namespace spangle::raster {
 
 /// Twice the signed area of a window-space triangle, n.16; positive = counter-clockwise with y up. Exact.
+template <bool LongProducts = numeric::long_products>
 constexpr std::int64_t signed_area(std::int32_t ax, std::int32_t ay, std::int32_t bx, std::int32_t by,
                                    std::int32_t cx, std::int32_t cy) {
-    return numeric::mul_s32(bx - ax, cy - ay) + numeric::mul_s32(ax - cx, by - ay); // words accumulate
+    const std::int32_t right = bx - ax, up = cy - ay, left = ax - cx, rise = by - ay;
+    if constexpr (!LongProducts) {
+        const auto magnitude = [](std::int32_t v) { return v ^ (v >> 31); };
+        if (((magnitude(right) | magnitude(up) | magnitude(left) | magnitude(rise)) >> 14) == 0)
+            return right * up + left * rise; // 2^28 each
+    }
+    return numeric::mul_s32(right, up) + numeric::mul_s32(left, rise); // words accumulate
 }
 
 /// V is FixedVertex, DoubleVertex or ShadowVertex; the fixed one is compiled into firmware, the others on

@@ -69,6 +69,9 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         ASSERT_EQ(detail::mul_halves_high(u, v), plain >> 32) << u << ' ' << v;
         ASSERT_EQ(detail::mul_halves_high(a, v), mixed >> 32) << a << ' ' << v;
         ASSERT_EQ(detail::mul_halves_high(a, b), both >> 32) << a << ' ' << b;
+        const auto rounded = static_cast<std::int32_t>((std::int64_t{a} * b + (std::int64_t{1} << 31)) >> 32);
+        ASSERT_EQ(mul_high_rounded(a, b), rounded) << a << ' ' << b;
+        ASSERT_EQ(add_high_rounded(-7, a, b), rounded - 7) << a << ' ' << b;
         ASSERT_EQ(mul_by_half(u, v >> 16), std::uint64_t{u} * (v >> 16) >> 16) << u << ' ' << v;
         ASSERT_EQ(detail::halves_by_half(u, v >> 16), mul_by_half(u, v >> 16)) << u << ' ' << v;
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;

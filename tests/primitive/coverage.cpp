@@ -12,6 +12,27 @@
 namespace spangle::raster::test {
 namespace {
 
+TEST(Coverage, AreasOfShortSidesAreTheSame) {
+    std::mt19937 random(19);
+    const std::int32_t edges[] = {0,      1, (1 << 14) - 1, 1 << 14, (1 << 14) + 1, 1 << 15, (1 << 16) - 1,
+                                  1 << 17};
+    const auto coordinate = [&] {
+        const std::int32_t v = random() % 3 == 0
+                                   ? edges[random() % 8]
+                                   : static_cast<std::int32_t>(random() % (1u << (random() % 19)));
+        return random() % 2 == 0 ? v : -v;
+    };
+    for (int round = 0; round < 200000; ++round) {
+        std::int32_t v[6];
+        for (std::int32_t& c : v)
+            c = coordinate();
+        if (round % 4 == 0)
+            v[0] = v[1] = 0; // sides are the coordinates
+        ASSERT_EQ(signed_area<false>(v[0], v[1], v[2], v[3], v[4], v[5]),
+                  signed_area<true>(v[0], v[1], v[2], v[3], v[4], v[5]));
+    }
+}
+
 TEST(Coverage, FiftyThousandFuzzedTrianglesMatchTheEdgeEquations) {
     EXPECT_EQ(coverage_mismatches(7, 40000, 40, 24), 0);
     EXPECT_EQ(coverage_mismatches(8, 10000, 96, 70), 0);
