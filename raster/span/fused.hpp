@@ -218,6 +218,19 @@ SPANGLE_INLINE void fused_narrow_rows(Span<Fixed>& span, const Row* row, const R
     }
 }
 
+/// The fragments that guesses left open.
+template <class Case>
+SPANGLE_INLINE void fused_open(Span<Fixed>& span, const OpenGroup* open, const OpenGroup* end) {
+    using N = typename Case::template System<1>;
+    typename Case::template List<1> list(span, 0);
+    each_open(
+        open, end, [&](std::int32_t x, std::int32_t y) __attribute__((always_inline)) {
+            const RowPlace at = enter_counted<Case>(span, {y, x, x + 1, x, x + 1});
+            list.start(span, 0);
+            fused_loop<false, N>(list, at, Case::numbered ? 0 : -1, Case::numbered ? 1 : 0);
+        });
+}
+
 /// One list for all rows: what it has of the primitive is found once. Fewer than eight pixels are one group
 /// that works on copies: nothing outside is touched.
 template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Row* row, const Row* end) {
@@ -286,7 +299,7 @@ template <class Case> SPANGLE_INLINE void fused_narrow_piece(Span<Fixed>& span, 
 /// One fragment at a time.
 template <class Case, class Products>
 SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row* end) {
-    if (PatchOfRows::are_many(row, end))
+    if (PatchOfRows::are_many(row, end, PatchOfRows::few_for_one))
         fused_divided_rows(span, row, end, &draw_patch_one<Case, Products>, &fused_narrow_piece<Case>);
     else
         fused_narrow_rows<Case>(span, row, end);
@@ -298,7 +311,7 @@ template <class Case, int Wide = host_lanes>
 [[gnu::noinline]] void fused(Span<Fixed>& span, const Row* row, const Row* end) {
     if constexpr (Case::lit && Wide == 8) {
         const Rect& clip = span.state->fragment.scissor;
-        if (clip.w < 8)
+        if (clip.w < 8 || !PatchOfRows::are_many(row, end, PatchOfRows::few))
             return fused_narrow_rows<Case>(span, row, end);
         const auto draw = [room = clip.x + clip.w - 8](Span<Fixed>& at, const Row* first, const Row* last) {
             return draw_patch<Case>(at, first, last, room);

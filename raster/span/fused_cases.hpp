@@ -263,13 +263,17 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <int L> using List = typename Stages<L>::List;
     /// Its eight lanes where `lit`.
     struct Lit {
+        static constexpr Key key = K;
+        static constexpr bool plain = false, tested = FusedCase::tested;
+        using N = Raw565<8>;
         using Texture =
             TextureFixed<Balanced<8>, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-        using Test = std::conditional_t<tested, Depth<Raw565<8>, DepthFormat::z16, K.depth, K.depth_write>,
-                                        None<Raw565<8>, 0>>;
-        using Guessed = LitGuessed<Texture, full, Gray, K.fog>;
+        using Test =
+            std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
+        using Guessed = LitGuessed<Test, Texture, full, Gray, K.fog>;
         using Patch = typename Guessed::Patch;
-        using List = Seq<Raw565<8>, Test, Guessed, StoreRaw<8, K.format>>;
+        template <int> using System = N;
+        template <int> using List = Seq<N, Guessed, StoreRaw<8, K.format>>;
         static constexpr Key untested() {
             Key key = K;
             key.depth = Compare::always;
@@ -280,6 +284,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             using Case = FusedCase<untested(), Gray>;
             enter_fused<Case>(span, fragment);
             fused_narrow_row<Case>(span, fragment);
+        }
+        [[gnu::noinline]] static void redo_open(Span<Fixed>& span, const OpenGroup* open,
+                                                const OpenGroup* end) {
+            fused_open<FusedCase<untested(), Gray>>(span, open, end);
         }
     };
     /// And its one lane.

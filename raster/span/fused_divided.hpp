@@ -30,40 +30,63 @@ struct PatchOfRows {
         patch.rows = below > above ? below : above;
         fits = patch.columns <= Patch::most_columns && patch.rows <= Patch::most_rows;
     }
-    /// Worth patches of one lane.
-    SPANGLE_INLINE static bool are_many(const Row* row, const Row* end) {
+    /// Worth patches.
+    SPANGLE_INLINE static bool are_many(const Row* row, const Row* end, std::int32_t least) {
         std::int32_t count = 0;
-        for (; row != end && count < few_for_one; ++row)
+        for (; row != end && count < least; ++row)
             count += row->last - row->first;
-        return count >= few_for_one;
+        return count >= least;
     }
 };
 
-/// Those of a patch, or false. Case has Lit: Patch, List; redo(span, row) draws a fragment with one lane,
-/// without a test of its depth.
+/// Eight columns from x on in row y, of which a guess left some open, to be drawn again together with others.
+struct OpenGroup {
+    Lanes<8>::Mask open;
+    std::int32_t x, y;
+    static constexpr int of_row = 2 * Patch::most_columns / 8 + 2; ///< at most in a row of a patch
+};
+
+/// f(x, y) of each fragment.
+template <class F> SPANGLE_INLINE void each_open(const OpenGroup* group, const OpenGroup* end, F f) {
+    for (; group != end; ++group)
+        each_open(
+            group->open, [&](int i) __attribute__((always_inline)) { f(group->x + i, group->y); });
+}
+
+/// Those of a patch, or false. Case::Lit has: what LaneRows ask for, Patch; redo_open(span, open, end), which
+/// draws with one lane, without a test of depth.
 template <class Case>
 [[gnu::noinline]] bool draw_patch(Span<Fixed>& span, const Row* row, const Row* end, std::int32_t room) {
     using Lit = typename Case::Lit;
+    struct Collect {
+        using Row = LitRow<typename Lit::Patch>;
+        OpenGroup* end;
+        /// No branch depends on what is open.
+        SPANGLE_INLINE void operator()(const Row& at, const Px<typename Lit::N>& p, std::int32_t x) {
+            const Lanes<8>::Mask open = p.open & p.live;
+            *end = {open, x, at.y};
+            end += Lanes<8>::any(open);
+        }
+    };
     const PatchOfRows rows(row, end);
     typename Lit::Patch patch;
     if (rows.count < PatchOfRows::few || !rows.fits || !patch.set(span, rows.patch)) [[unlikely]]
         return false;
-    LitRow<typename Lit::Patch> at{{span, nullptr, nullptr, row->first, row->y, row->first}, patch};
-    typename Lit::List list(at, 0);
+    constexpr int most = 2 * OpenGroup::of_row;
+    OpenGroup open[most];
+    // The last group of a scissor rectangle may begin seven columns before the patch.
+    const std::int32_t left = rows.patch.x - rows.patch.columns - 7;
+    LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open});
     const Surface target = *span.target; // in registers
-    Px<Raw565<8>> p(at);
-    p.open = Lanes<8>::Mask{};
     do {
-        each_group<Case::key.format>(
-            list, p, at, target, *row, room, [&](std::int32_t) __attribute__((always_inline)) {
-                list(p);
-                if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
-                    each_open(p.open, [&](int i) {
-                        const std::int32_t x = at.x + p.i + i;
-                        Lit::redo(span, {at.y, x, x + 1, x, x + 1});
-                    });
-            });
+        lanes.draw(target, *row, room);
+        if (OpenGroup*& last = lanes.open().end; last - open > most - OpenGroup::of_row) [[unlikely]] {
+            Lit::redo_open(span, open, last);
+            last = open;
+        }
     } while (++row != end);
+    if (const OpenGroup* const last = lanes.open().end; last != open)
+        Lit::redo_open(span, open, last);
     return true;
 }
 

@@ -74,12 +74,25 @@ struct PlainRow {
     }
 };
 
+/// What becomes of fragments that a guess left open: they are divided at once.
+template <class Case> struct DivideOpen {
+    using Row = std::conditional_t<Case::plain, PlainRow, PlaneRow>;
+    /// p is at column x.
+    template <class P> SPANGLE_INLINE void operator()(Row& row, P& p, std::int32_t x) const {
+        if constexpr (Case::guessed)
+            if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
+                divide_open<Case::key.format>(row.planes, p.color_plane + 2 * p.i, p.open, x, row.y);
+    }
+};
+
 /// Rows group by group. Most of most primitives are one group: little is done per row, and where fragments
 /// cost little no branch depends on the picture.
-template <class Case> class LaneRows {
+template <class Case, class Open = DivideOpen<Case>> class LaneRows {
   public:
+    using At = typename Open::Row;
     SPANGLE_INLINE LaneRows(Span<Fixed>& span, std::int32_t y)
-        : at_{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, list_(at_, 0), p_(at_) {}
+        : LaneRows(At{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, Open{}) {}
+    SPANGLE_INLINE LaneRows(const At& at, const Open& open) : at_(at), list_(at_, 0), p_(at_), open_(open) {}
 
     SPANGLE_INLINE static RowPlace row(const Surface& target, std::int32_t y) {
         return {target.color + std::ptrdiff_t{y} * target.color_stride,
@@ -108,28 +121,31 @@ template <class Case> class LaneRows {
         }
     }
 
-    /// The same where the scissor rectangle ends; its last group starts at column `room`.
-    SPANGLE_INLINE void draw_at_end(const Surface& target, const Row& row, std::int32_t room) {
+    /// A row of a primitive. The last group in the scissor rectangle starts at column `room`.
+    SPANGLE_INLINE void draw(const Surface& target, const Row& row, std::int32_t room) {
+        if (row.last <= room) [[likely]]
+            return draw(LaneRows::row(target, row.y), row.y, row.first, row.last);
         each_group<Case::key.format>(
             list_, p_, at_, target, row,
             room, [&](std::int32_t) __attribute__((always_inline)) { group(at_.x + p_.i); });
     }
+
+    SPANGLE_INLINE Open& open() { return open_; }
 
   private:
     /// At column x.
     SPANGLE_INLINE void group(std::int32_t x) {
         if constexpr (Case::plain)
             list_.all(p_);
-        else
-            list_(p_);
-        if constexpr (Case::guessed)
-            if (p_.open &= p_.live; Lanes<8>::any(p_.open)) [[unlikely]]
-                divide_open<Case::key.format>(at_.planes, p_.color_plane + 2 * p_.i, p_.open, x, at_.y);
+        else if (!list_(p_))
+            return;
+        open_(at_, p_, x);
     }
 
-    std::conditional_t<Case::plain, PlainRow, PlaneRow> at_;
+    At at_;
     typename Case::template List<8> list_;
     Px<typename Case::template System<8>> p_;
+    [[no_unique_address]] Open open_;
 };
 
 template <class Case>
@@ -138,12 +154,9 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     const std::int32_t room = clip.x + clip.w - 8;
     const Surface target = *span.target; // in registers
     LaneRows<Case> rows(span, row->y);
-    do {
-        if (row->last <= room) [[likely]]
-            rows.draw(rows.row(target, row->y), row->y, row->first, row->last);
-        else
-            rows.draw_at_end(target, *row, room);
-    } while (++row != end);
+    do
+        rows.draw(target, *row, room);
+    while (++row != end);
 }
 
 } // namespace spangle::raster

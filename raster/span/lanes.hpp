@@ -202,6 +202,16 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static Mask less_signed(U16 a, U16 b) {
         return std::bit_cast<Mask>(std::bit_cast<Signed>(a) < std::bit_cast<Signed>(b));
     }
+    /// Modulo 2^32, n the same of 16 bits in all lanes.
+    SPANGLE_INLINE static Words times(const Words& v, const U16& n) {
+        const auto halves = std::bit_cast<U16>(v);
+        return std::bit_cast<Words>(halves * n) + (std::bit_cast<Words>(mul_high(halves, n)) << 16);
+    }
+    /// One half of a word in all lanes.
+    template <int I> SPANGLE_INLINE static U16 splat_half(const Words& v) {
+        const auto halves = std::bit_cast<U16>(v);
+        return __builtin_shufflevector(halves, halves, I, I, I, I, I, I, I, I);
+    }
     SPANGLE_INLINE static U16 mul_signed_512(U16 a, U16 b) { return mul_high_signed(a, b << 7); }
     SPANGLE_INLINE static U16 minimum(U16 a, U16 b) { return select(less(a, b), a, b); }
     SPANGLE_INLINE static U16 maximum(U16 a, U16 b) { return select(less(a, b), b, a); }
@@ -211,6 +221,11 @@ template <> struct Lanes<8> {
         using Halves [[gnu::vector_size(16)]] = std::uint64_t;
         const auto halves = std::bit_cast<Halves>(m);
         return (halves[0] | halves[1]) != 0;
+    }
+    /// A byte per lane, all ones where any bit is one.
+    SPANGLE_INLINE static std::uint64_t nonzero_bytes(const U16& v) {
+        using Bytes [[gnu::vector_size(8)]] = std::int8_t;
+        return std::bit_cast<std::uint64_t>(__builtin_convertvector(v != 0, Bytes));
     }
     SPANGLE_INLINE static Mask less(U16 a, U16 b) { return std::bit_cast<Mask>(a < b); }
     SPANGLE_INLINE static Mask at_most(U16 a, U16 b) { return std::bit_cast<Mask>(a <= b); }

@@ -223,26 +223,52 @@ template <class Products> class NearDivisionOf {
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
-/// A plane of these along rows, whole parts in eight lanes, up to 2 less than they are. What is constant lies
-/// in lanes: a store to the surface might change anything else.
-class NearRamp {
+/// Up to four planes along rows that lie right of and above where they are made, in eight lanes. What is
+/// constant lies in lanes: a store to the surface might change anything else.
+template <int Count> class NearPlanes {
+    static_assert(Count <= 4);
+
   public:
     using L = Lanes<8>;
-    template <class S>
-    SPANGLE_INLINE NearRamp(const S& row, std::int32_t x, const Interpolant<std::uint32_t>& plane)
-        : offset_(L::high_half(L::ramp(0, plane.dx))), by_(8 * plane.dx) {
-        start(row, x, plane);
+    template <class S, class... Plane>
+    SPANGLE_INLINE explicit NearPlanes(const S& row, std::int32_t x, const Plane&... of)
+        : x_(row.x + x), y_(row.y), dx_{of.dx...}, dy_{of.dy...}, origin_{row.at(x, of)...}, at_(origin_) {
+        offset_[0] = offset<0>();
+        if constexpr (Count > 1)
+            offset_[1] = offset<1>();
+        if constexpr (Count > 2)
+            offset_[2] = offset<2>();
+        if constexpr (Count > 3)
+            offset_[3] = offset<3>();
     }
-    template <class S>
-    SPANGLE_INLINE void start(const S& row, std::int32_t x, const Interpolant<std::uint32_t>& plane) {
-        at_ = row.at(x, plane);
+    /// Window columns from x on in row y; both are less than 2^16 from where it was made.
+    SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
+        at_ = origin_ + times(dx_, x - x_) + times(dy_, y - y_);
     }
-    SPANGLE_INLINE void step() { at_ += by_; }
-    SPANGLE_INLINE L::U16 whole() const { return L::splat(at_ >> 16) + offset_; }
+    SPANGLE_INLINE void step() { at_ += dx_ << 3; }
+    /// Whole parts, up to 2 less than they are.
+    template <int I> SPANGLE_INLINE L::U16 whole() const {
+        return L::splat_half<2 * I + 1>(at_) + offset_[I];
+    }
+    /// Of the first lane, exactly.
+    template <int I> SPANGLE_INLINE L::U32 first() const {
+        const L::Words v = __builtin_shufflevector(at_, at_, I, I, I, I);
+        return {v, v};
+    }
 
   private:
-    L::U16 offset_;
-    std::uint32_t at_, by_;
+    SPANGLE_INLINE static L::Words times(const L::Words& v, std::int32_t n) {
+        return L::times(v, L::splat(static_cast<std::uint32_t>(n)));
+    }
+    /// What a plane has more than in the first lane, whole parts.
+    template <int I> SPANGLE_INLINE L::U16 offset() const {
+        const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
+        return L::splat_half<2 * I + 1>(dx_) * columns + L::mul_high(L::splat_half<2 * I>(dx_), columns);
+    }
+
+    std::int32_t x_, y_;
+    L::Words dx_, dy_, origin_, at_;
+    L::U16 offset_[Count];
 };
 
 /// Eight fragments: u + u^2 + u^3.

@@ -95,8 +95,10 @@ template <class L> class Ramp {
     template <class S>
     SPANGLE_INLINE void start(const S& span, std::int32_t x, const Span<Fixed>::Affine& plane,
                               std::uint32_t more = 0) {
-        at = L::splat32(span.at(x, plane) + more) + offset_;
+        start(L::splat32(span.at(x, plane) + more));
     }
+    /// Its first lane's, in all.
+    SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }
     SPANGLE_INLINE void step() { at += by_; }
     SPANGLE_INLINE void next_row() { at += row_; }
 

@@ -68,12 +68,11 @@ template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dit
 
 /// f(i) for the lanes that a guess left open: those with any bit.
 template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
-    for (int half = 0; half < 2; ++half)
-        for (std::uint64_t left = Lanes<8>::half(open, half); left != 0;) {
-            const int lane = std::countr_zero(left) / 16;
-            left &= ~(std::uint64_t{0xFFFF} << (16 * lane));
-            f(4 * half + lane);
-        }
+    for (std::uint64_t left = Lanes<8>::nonzero_bytes(open); left != 0;) {
+        const int lane = std::countr_zero(left) / 8;
+        left &= ~(std::uint64_t{0xFF} << (8 * lane));
+        f(lane);
+    }
 }
 
 /// Writes the colours of those lanes of eight fragments, from the one at (x, y) on.

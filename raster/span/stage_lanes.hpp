@@ -45,9 +45,9 @@ template <class T> class TexelLanes : public T {
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
     }
-    /// How far they lie behind the first, where 16 bits tell.
-    SPANGLE_INLINE typename L::U16 index_at(const typename L::U32& s, const typename L::U32& t) const {
-        return L::mul_high(L::high_half(t), height_) * width_ + L::mul_high(L::high_half(s), width_);
+    /// How far they lie behind the first, of high halves, where 16 bits tell.
+    SPANGLE_INLINE typename L::U16 index_at(const typename L::U16& s, const typename L::U16& t) const {
+        return L::mul_high(t, height_) * width_ + L::mul_high(s, width_);
     }
 
   private:
@@ -72,7 +72,9 @@ template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         return this->combine_words(p, this->words_at(s_.at, t_.at));
     }
-    SPANGLE_INLINE typename L::U16 index() const { return this->index_at(s_.at, t_.at); }
+    SPANGLE_INLINE typename L::U16 index() const {
+        return this->index_at(L::high_half(s_.at), L::high_half(t_.at));
+    }
     SPANGLE_INLINE void step() {
         s_.step();
         t_.step();

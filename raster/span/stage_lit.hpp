@@ -71,139 +71,96 @@ template <bool Full, bool Gray, bool Fog, class Products = NearHalves> struct Li
 /// A row of a patch.
 template <class Patch> struct LitRow : PlaneRow { const Patch& patch; };
 
-/// A texel's number along one axis.
+/// A coordinate in 2^-16 of the image, NEAREST.
 class LitAxis {
   public:
     using L = Lanes<8>;
-    SPANGLE_INLINE LitAxis(const PlaneRow& row, std::int32_t x, const NearQuotient& of, int log2_size)
-        : d_(row, x, of.d), base_(L::splat(static_cast<std::uint32_t>(of.base))),
-          window_(L::splat(of.window)), whole_(L::splat(0xFFFF0000u >> log2_size)),
-          down_(static_cast<std::uint16_t>(16 - log2_size)) {}
-    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
-        d_.start(row, x, of.d);
-    }
-    SPANGLE_INLINE void step() { d_.step(); }
-    SPANGLE_INLINE L::U16 texel(L::U16& open, const NearInverse& inverse) const {
-        const L::U16 v = inverse.of(d_.whole()) + base_;
+    SPANGLE_INLINE LitAxis(const NearQuotient& of, int log2_size)
+        : base_(L::splat(static_cast<std::uint32_t>(of.base))), window_(L::splat(of.window)),
+          whole_(L::splat(0xFFFF0000u >> log2_size)) {}
+    SPANGLE_INLINE L::U16 at(L::U16& open, const L::U16& d, const NearInverse& inverse) const {
+        const L::U16 v = inverse.of(d) + base_;
         open |= ((v + window_) ^ v) & whole_;
-        return v >> down_;
+        return v;
     }
 
   private:
-    NearRamp d_;
     L::U16 base_, window_, whole_;
-    std::uint16_t down_;
 };
 
 /// A quotient, limited to what it can be.
 class LitRatio {
   public:
     using L = Lanes<8>;
-    SPANGLE_INLINE LitRatio(const PlaneRow& row, std::int32_t x, const NearQuotient& of, std::int32_t most)
-        : d_(row, x, of.d), base_(L::splat(static_cast<std::uint32_t>(of.base))),
-          least_(L::splat(of.least())), largest_(L::splat(of.largest(most))) {}
-    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const NearQuotient& of) {
-        d_.start(row, x, of.d);
-    }
-    SPANGLE_INLINE void step() { d_.step(); }
-    SPANGLE_INLINE L::U16 at(const NearInverse& inverse) const {
-        return base_ + L::clamped_signed(inverse.of(d_.whole()), least_, largest_);
+    SPANGLE_INLINE LitRatio(const NearQuotient& of, std::int32_t most)
+        : base_(L::splat(static_cast<std::uint32_t>(of.base))), least_(L::splat(of.least())),
+          largest_(L::splat(of.largest(most))) {}
+    SPANGLE_INLINE L::U16 at(const L::U16& d, const NearInverse& inverse) const {
+        return base_ + L::clamped_signed(inverse.of(d), least_, largest_);
     }
 
   private:
-    NearRamp d_;
     L::U16 base_, least_, largest_;
 };
 
-/// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
-template <bool Full> class LitColor {
-  public:
-    using L = Lanes<8>;
-    template <class Patch>
-    SPANGLE_INLINE LitColor(const PlaneRow& row, std::int32_t x, const Patch& patch, int i)
-        : v_(make(row, x, patch, i)) {}
-    template <class Patch>
-    SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
-        if constexpr (Full)
-            v_.start(row, x, patch.color[i]);
-        else
-            v_.start(row, x, row.color_value[i]);
-    }
-    SPANGLE_INLINE void step() { v_.step(); }
-    SPANGLE_INLINE L::U16 at(const NearInverse& inverse) const {
-        if constexpr (Full)
-            return v_.at(inverse);
-        else
-            return L::high_half(v_.at);
-    }
-
-  private:
-    using V = std::conditional_t<Full, LitRatio, Ramp<L>>;
-    template <class Patch>
-    SPANGLE_INLINE static V make(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
-        if constexpr (Full)
-            return V(row, x, patch.color[i], 255 << 8);
-        else
-            return V(row, x, row.color_value[i]);
-    }
-    V v_;
-};
-
-/// MODULATE, fog and truncation, T a TextureFixed. A component is rounded to 255ths: 1/2 is added.
-template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public TexelLanes<T> {
+/// Test of depth, MODULATE, fog and truncation, T a TextureFixed. A component is rounded to 255ths: 1/2 is
+/// added.
+template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public TexelLanes<T> {
   public:
     using N = Raw565<8>;
     using L = N::L;
     using Patch = LitPatch<Full, Gray, HasFog>;
     static constexpr unsigned in = 0, out = field_color;
+    static constexpr bool kill = Test::kill, effect = Test::effect;
 
     SPANGLE_INLINE LitGuessed(const LitRow<Patch>& row, std::int32_t x)
-        : TexelLanes<T>(row, x), patch_(row.patch), u_(row, x, patch_.u),
-          s_(row, x, patch_.s, this->log2_width), t_(row, x, patch_.t, this->log2_height), fog_(fog(row, x)),
-          r_(row, x, patch_, 0), g_(other(row, x, 1)), b_(other(row, x, 2)),
-          from_(L::splat(128 - Guess::under - patch_.under)),
+        : TexelLanes<T>(row, x), test_(row, x), patch_(row.patch), small_(this->is_small()),
+          planes_(planes(row, x)), values_(values(row, x)), s_(patch_.s, this->log2_width),
+          t_(patch_.t, this->log2_height), fog_(fog(patch_)), r_(color(row, x, 0)), g_(other(row, x, 1)),
+          b_(other(row, x, 2)), from_(L::splat(128 - Guess::under - patch_.under)),
           range_(L::splat(Guess::under + Guess::over + patch_.under + patch_.over)) {
         for (int i = 0; i < 3; ++i)
             fog_color_[i] = L::splat((row.state->fragment.fog_color[i] + (1u << 11)) >> 12);
     }
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x) {
-        u_.start(row, x, patch_.u);
-        s_.start(row, x, patch_.s);
-        t_.start(row, x, patch_.t);
-        if constexpr (HasFog)
-            fog_.start(row, x, patch_.fog);
-        r_.start(row, x, patch_, 0);
-        if constexpr (!Gray) {
-            g_.start(row, x, patch_, 1);
-            b_.start(row, x, patch_, 2);
+        planes_.start(row.x + x, row.y);
+        values_.start(row.x + x, row.y);
+        if constexpr (Test::kill)
+            test_.z.start(values_.template first<0>());
+        if constexpr (!Full)
+            r_.start(values_.template first<1>());
+        if constexpr (!Full && !Gray) {
+            g_.start(values_.template first<2>());
+            b_.start(values_.template first<3>());
         }
     }
     SPANGLE_INLINE void step() {
-        u_.step();
-        s_.step();
-        t_.step();
-        fog_.step();
-        r_.step();
-        g_.step();
-        b_.step();
+        test_.step();
+        planes_.step();
+        if constexpr (Full) {
+            values_.step();
+        } else {
+            r_.step();
+            g_.step();
+            b_.step();
+        }
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const NearInverse inverse(u_.whole());
+        if (!test_(p))
+            return false;
+        const NearInverse inverse(planes_.template whole<0>());
         L::U16 open{};
-        const L::U16 s = s_.texel(open, inverse), t = t_.texel(open, inverse);
+        const L::U16 s = s_.at(open, planes_.template whole<1>(), inverse),
+                     t = t_.at(open, planes_.template whole<2>(), inverse);
         const Factors factor = factors_of(texels_at(s, t));
         L::U16 f{};
         if constexpr (HasFog)
-            f = fog_.at(inverse);
-        const auto share = [&](const Color& c) __attribute__((always_inline)) {
-            const L::U16 v = c.at(inverse);
-            return HasFog ? L::mul_high(v, f) : v;
-        };
-        const L::U16 r = share(r_);
+            f = fog_.at(planes_.template whole<3>(), inverse);
+        const L::U16 r = share<0>(r_, f, inverse);
         L::U16 g = r, b = r;
         if constexpr (!Gray) {
-            g = share(g_);
-            b = share(b_);
+            g = share<1>(g_, f, inverse);
+            b = share<2>(b_, f, inverse);
         }
         const L::U16 rest = ~f;
         p.color.word = (bits(open, lit(r, factor.r, rest, 0), 0xF800) & 0xF800) |
@@ -215,18 +172,55 @@ template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public 
 
   private:
     static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
-    using Color = LitColor<Full>;
+    /// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
+    using Color = std::conditional_t<Full, LitRatio, Ramp<L>>;
     using Guess = LitGuess<HasFog>;
 
+    /// u, and what it divides but for colours.
+    SPANGLE_INLINE static auto planes(const LitRow<Patch>& row, std::int32_t x) {
+        const Patch& of = row.patch;
+        if constexpr (HasFog)
+            return NearPlanes<4>(row, x, of.u, of.s.d, of.t.d, of.fog.d);
+        else
+            return NearPlanes<3>(row, x, of.u, of.s.d, of.t.d);
+    }
+    /// Depth, where it is tested, and colours.
+    SPANGLE_INLINE static auto values(const LitRow<Patch>& row, std::int32_t x) {
+        const auto depth = Test::kill ? row.z : Interpolant<std::uint32_t>{};
+        const auto value = [&](int i) __attribute__((always_inline)) {
+            return Full ? row.patch.color[i].d : row.color_value[i];
+        };
+        if constexpr (Gray)
+            return NearPlanes<2>(row, x, depth, value(0));
+        else
+            return NearPlanes<4>(row, x, depth, value(0), value(1), value(2));
+    }
+
+    SPANGLE_INLINE static Color color(const LitRow<Patch>& row, std::int32_t x, int i) {
+        if constexpr (Full)
+            return LitRatio(row.patch.color[i], 255 << 8);
+        else
+            return Ramp<L>(row, x, row.color_value[i]);
+    }
+    /// Component I, what fog leaves of it.
+    template <int I>
+    SPANGLE_INLINE L::U16 share(const Color& c, const L::U16& f, const NearInverse& inverse) const {
+        L::U16 v;
+        if constexpr (Full)
+            v = c.at(values_.template whole<1 + I>(), inverse);
+        else
+            v = L::high_half(c.at);
+        return HasFog ? L::mul_high(v, f) : v;
+    }
     SPANGLE_INLINE static auto other(const LitRow<Patch>& row, std::int32_t x, int i) {
         if constexpr (Gray)
             return StageBase{};
         else
-            return Color(row, x, row.patch, i);
+            return color(row, x, i);
     }
-    SPANGLE_INLINE static auto fog(const LitRow<Patch>& row, std::int32_t x) {
+    SPANGLE_INLINE static auto fog(const Patch& patch) {
         if constexpr (HasFog)
-            return LitRatio(row, x, row.patch.fog, 0xFFFF);
+            return LitRatio(patch.fog, 0xFFFF);
         else
             return StageBase{};
     }
@@ -234,10 +228,9 @@ template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public 
         L::U16 r, g, b;
     };
     SPANGLE_INLINE auto texels_at(const L::U16& s, const L::U16& t) const {
-        const int width = this->log2_width;
-        if (width + this->log2_height <= 16) [[likely]]
-            return this->words_of(static_cast<L::U16>((t << static_cast<std::uint16_t>(width)) | s));
-        return this->words_of((L::widened(t) << width) | L::widened(s));
+        if (small_) [[likely]]
+            return this->words_of(this->index_at(s, t));
+        return this->words_at(L::widened(s) << 16, L::widened(t) << 16);
     }
     /// k / (2^bits - 1), to be multiplied by in 16 bits (LitPatch::set): their bits over and over.
     SPANGLE_INLINE static Factors factors_of(const auto& texels) {
@@ -264,8 +257,11 @@ template <class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public 
         return least;
     }
 
+    [[no_unique_address]] Test test_;
     const Patch& patch_;
-    NearRamp u_;
+    const bool small_;
+    NearPlanes<HasFog ? 4 : 3> planes_;
+    NearPlanes<1 + Patch::colors> values_;
     LitAxis s_, t_;
     [[no_unique_address]] std::conditional_t<HasFog, LitRatio, StageBase> fog_;
     Color r_;

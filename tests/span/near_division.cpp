@@ -96,16 +96,20 @@ using L = Lanes<8>;
 
 /// What lanes make of a patch.
 void each_guess(const Case& of, const NearDivision& division, const NearQuotient& quotient, auto guessed) {
+    const std::int32_t first = of.patch.x - of.patch.columns, last = of.patch.x + of.patch.columns;
     Span<Fixed> span = of.span;
-    span.x = of.patch.x - of.patch.columns;
-    for (std::int32_t y = of.patch.y - of.patch.rows; y <= of.patch.y + of.patch.rows; ++y) {
-        span.y = y;
-        NearRamp u(span, 0, division.u), d(span, 0, quotient.d);
-        for (std::int32_t x = span.x; x <= of.patch.x + of.patch.columns; x += 8, u.step(), d.step()) {
+    span.x = first - 7;
+    span.y = of.patch.y - of.patch.rows;
+    NearPlanes<2> planes(span, 0, division.u, quotient.d);
+    for (std::int32_t y = span.y; y <= of.patch.y + of.patch.rows; ++y) {
+        std::int32_t x = first - (y & 7); // the last group of a scissor rectangle
+        for (planes.start(x, y); x <= last; x += 8, planes.step()) {
             const L::U16 low = L::splat(0x8000), high = L::splat(0x7FFF);
-            const L::U16 got = L::clamped_signed(NearInverse(u.whole()).of(d.whole()), low, high);
-            for (int i = 0; i < 8 && x + i <= of.patch.x + of.patch.columns; ++i)
-                guessed(x + i, y, static_cast<std::int16_t>(got[i]));
+            const L::U16 got =
+                L::clamped_signed(NearInverse(planes.whole<0>()).of(planes.whole<1>()), low, high);
+            for (int i = 0; i < 8; ++i)
+                if (x + i >= first && x + i <= last)
+                    guessed(x + i, y, static_cast<std::int16_t>(got[i]));
         }
     }
 }
