@@ -464,9 +464,16 @@ struct FixedMath {
 #endif
     };
     template <class From, class To> static void copy_color(const From& from, To& to) {
-        __builtin_memcpy(to.color, from.color, sizeof to.color);
+        const auto copy = [](const auto& words, auto& out) {
+            if constexpr (wide_words)
+                __builtin_memcpy(out, words, sizeof out); // elsewhere that may be a call
+            else
+                for (std::size_t c = 0; c < sizeof out / sizeof out[0]; ++c)
+                    out[c] = words[c];
+        };
+        copy(from.color, to.color);
 #if SPANGLE_SECONDARY_COLORS
-        __builtin_memcpy(to.secondary, from.secondary, sizeof to.secondary);
+        copy(from.secondary, to.secondary);
 #endif
     }
 
