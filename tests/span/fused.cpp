@@ -160,6 +160,45 @@ TEST(Fused, ImagesOfMoreTexelsThanAWordOf16BitsCounts) {
     EXPECT_GE(modulated, 4);
 }
 
+/// Wide triangles over which 1/w and coordinates vary little: guesses leave many fragments of a patch open.
+TEST(Fused, WidePatchesAreTheirChain) {
+    constexpr int wide = 264, high = 20;
+    int lit = 0;
+    for (std::size_t i = 0; i < fused_span_count(); ++i) {
+        const FusedSpan& fused = fused_spans()[i];
+        const Key& key = fused.key;
+        if (key.number != Number::exact || key.kind < Kind::textured || key.unit[0].env != TexEnv::modulate)
+            continue;
+        ++lit;
+        const StateOfKey of(key, wide, high);
+        Canvas chain_canvas(wide, high, key.format, key.depth_format),
+            fused_canvas(wide, high, key.format, key.depth_format);
+        const DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface),
+                        chained = in_chain(state, key);
+        RandomVertices source(31);
+        for (int round = 0; round < 60; ++round) {
+            chain_canvas.noise(static_cast<std::uint32_t>(round));
+            fused_canvas.noise(static_cast<std::uint32_t>(round));
+            Triangle t = random_triangle(source, wide, high, key.kind);
+            for (int k = 0; k < 3; ++k) {
+                FixedVertex& v = t.v[k];
+                v.x = (k == 1 ? wide - 1 : 0) * 256 + static_cast<std::int32_t>(source.below(256));
+                v.y = (k == 2 ? high - 1 : 0) * 256 + static_cast<std::int32_t>(source.below(256));
+                v.z = source.below(1 << 20);
+                v.w_mantissa = 0xF0000000u + source.below(1u << 26);
+                v.w_exponent = t.v[0].w_exponent;
+                v.tex[0].s = static_cast<std::int32_t>(source.below(1u << 26));
+                v.tex[0].t = static_cast<std::int32_t>(source.below(1u << 26));
+            }
+            draw(chained, chain_canvas.surface, t);
+            draw(state, fused_canvas.surface, t);
+            ASSERT_EQ(chain_canvas.color, fused_canvas.color) << i << " round " << round;
+            ASSERT_EQ(chain_canvas.depth, fused_canvas.depth) << i << " round " << round;
+        }
+    }
+    EXPECT_GE(lit, 6);
+}
+
 TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {
     constexpr int row = 64 * 2;
     TestTexture packed(TexelFormat::rgb565, BaseFormat::rgb), padded = packed;
