@@ -112,7 +112,7 @@ template <class L> class LineBatch {
 
     /// One colour leaves one plane, and that has one direction.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(bool depth) {
-        return set_up_.set_up(paths_, target_.color_stride / 2, depth);
+        return set_up_.set_up(paths_, PathPixels::per_row(target_, state_.fragment.dither), depth);
     }
 
     const FixedVertex& provoking() const { return provoking_ != nullptr ? *provoking_ : *vertex_[1]; }

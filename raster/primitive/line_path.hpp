@@ -16,7 +16,7 @@ template <class Int> struct PathInterval {
     Int from_begin; ///< from the pixel of `begin` to the first fragment
 };
 
-/// Path i, and those beside it, of a line that has fragments. `row`: pixels from row to row.
+/// Path i, and those beside it, of a line that has fragments.
 template <class L, class Line>
 SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const Line& line,
                                                       std::int32_t pixels_per_row) {
@@ -30,11 +30,9 @@ SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const
     L::exchange(along_y, along, across);
     L::exchange(along_y, x, y);
     const auto store = [&](Paths::Word word, Int v) { L::store(&paths.at(word, i), v); };
-    store(Paths::first, y * row + x);
-    if constexpr (!numeric::cheap_branches) {
-        using Word = typename L::Word; // DitheredWord::place
-        store(Paths::place, std::bit_cast<Int>(std::bit_cast<Word>(y) + (std::bit_cast<Word>(x) << 30)));
-    }
+    using Word = typename L::Word;
+    store(Paths::first,
+          std::bit_cast<Int>(std::bit_cast<Word>(y) * std::bit_cast<Word>(row) + std::bit_cast<Word>(x)));
     store(Paths::along, along);
     store(Paths::aside, L::negate(falls, across));
     store(Paths::rest, L::select(falls, Int(-1 - remainder), Int(remainder - denominator)));

@@ -1,6 +1,7 @@
 // Rows of one 16-bit word: 32 bits at a time.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "raster/numeric/bits.hpp"
@@ -14,6 +15,11 @@ using Pair [[gnu::may_alias]] = std::uint32_t;
 
 SPANGLE_INLINE bool between_pairs(const std::uint8_t* at) {
     return (reinterpret_cast<std::uintptr_t>(at) & 2) != 0;
+}
+
+/// Two words as they follow each other in memory.
+SPANGLE_INLINE std::uint32_t in_turn(std::uint32_t first, std::uint32_t second) {
+    return std::endian::native == std::endian::little ? first | second << 16 : second | first << 16;
 }
 
 /// `count` >= 0 words from `at`, which is 4-aligned: two pairs in turn. What is left of a pair.
@@ -44,25 +50,17 @@ SPANGLE_INLINE void fill16(std::uint8_t* at, std::uint32_t word, std::int32_t co
         *last = half;
 }
 
-/// The same of four words in turn, from `column` on.
-inline void fill_columns(std::uint8_t* at, const std::uint16_t (&words)[4], std::int32_t column,
-                         std::int32_t count) {
-    const auto word = [&](std::int32_t i) { return words[(column + i) & 3]; };
+/// The same of four words in turn, of which eight are given.
+SPANGLE_INLINE void fill_columns(std::uint8_t* at, const detail::Half* words, std::int32_t count) {
     if (detail::between_pairs(at)) {
-        *reinterpret_cast<detail::Half*>(at) = word(0);
+        *reinterpret_cast<detail::Half*>(at) = *words++;
         at += 2;
-        ++column;
         --count;
     }
-    const auto pair = [&](std::int32_t i) {
-        const std::uint16_t two[2] = {word(i), word(i + 1)};
-        std::uint32_t both;
-        __builtin_memcpy(&both, two, sizeof both);
-        return both;
-    };
-    detail::Half* const last = detail::fill_pairs(at, pair(0), pair(2), count);
+    detail::Half* const last = detail::fill_pairs(at, detail::in_turn(words[0], words[1]),
+                                                  detail::in_turn(words[2], words[3]), count);
     if ((count & 1) != 0)
-        *last = word(count - 1);
+        *last = words[(count - 1) & 3];
 }
 
 } // namespace spangle::raster

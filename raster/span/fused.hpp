@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "raster/span/dither_pattern.hpp"
 #include "raster/span/fused_divided.hpp"
 #include "raster/span/fused_gathered.hpp"
 #include "raster/span/path_list.hpp"
@@ -151,9 +152,13 @@ template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, c
 }
 
 /// The fragments of a row one by one, counted up to 0: the last index needs no register.
-template <class Case> SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row) {
+template <class Case>
+SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row,
+                                    [[maybe_unused]] const typename Case::Pattern& pattern) {
     const RowPlace place = place_of<Case>(*span.target, row, row.last);
     PlaneRow at{span, place.color, place.depth, row.first, row.y, row.last};
+    if constexpr (Case::patterned)
+        at.words = pattern.row(row.y);
     typename Case::template List<1> list(at, 0);
     fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
 }
@@ -331,8 +336,9 @@ template <class Case, int Wide = host_lanes>
         if constexpr (Wide == 8 && Case::wide)
             if (span.state->fragment.scissor.w >= 8)
                 return fused_plain_rows<Case>(span, row, end);
+        const typename Case::Pattern pattern(span.flat_word);
         do
-            fused_plain_row<Case>(span, *row);
+            fused_plain_row<Case>(span, *row, pattern);
         while (++row != end);
     } else if constexpr (Case::apart) {
         do {
@@ -355,47 +361,34 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// Where the first fragment of a path lies, and what its steps change (DitheredWord).
-struct PathPlace {
-    std::uint32_t first = 0, along = 0, aside = 0;
-    PathPlace() = default;
-    /// `row`: pixels from row to row.
-    PathPlace(const Paths& paths, int i, std::int32_t row) {
-        const std::int32_t pixel = paths.at(Paths::first, i), y = (row > 0 ? pixel : pixel + row + 1) / row;
-        first = DitheredWord::place(pixel - y * row, y);
-        const bool along_x = paths.at(Paths::along, i) == 1;
-        along = along_x ? DitheredWord::column : 1;
-        const std::uint32_t across = along_x ? 1 : DitheredWord::column;
-        aside = paths.at(Paths::aside, i) == (along_x ? row : 1) ? across : 0 - across;
-    }
-};
-
-/// The fragments of path i; the list and the pixel are at the first.
-template <class List, class N>
-SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i, PathPlace place) {
-    const std::int32_t along = paths.at(Paths::along, i), aside = paths.at(Paths::aside, i),
-                       rise = paths.at(Paths::rise, i), denominator = paths.at(Paths::denominator, i);
+/// The fragments of path i; the list is at the first.
+template <bool Dithered, class List, class N>
+SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
+                              [[maybe_unused]] std::uint32_t before) {
+    const auto word = [&](Paths::Word w) { return static_cast<std::uint32_t>(paths.at(w, i)); };
+    const std::uint32_t along = word(Paths::along), aside = word(Paths::aside);
+    const std::int32_t rise = paths.at(Paths::rise, i), denominator = paths.at(Paths::denominator, i);
+    std::uint32_t at = word(Paths::first) + (Dithered ? before : 0);
     std::int32_t count = paths.at(Paths::count, i), rest = paths.at(Paths::rest, i);
     if constexpr (!numeric::cheap_branches)
         rest += denominator;
     do {
+        p.i = static_cast<std::int32_t>(Dithered ? PathPixels::pixel(at) : at);
+        p.place = at;
         list(p);
         list.step();
         if constexpr (numeric::cheap_branches) {
             rest += rise;
-            p.i += along;
-            p.place += place.along;
+            at += along;
             if (rest >= 0) {
                 rest -= denominator;
-                p.i += aside;
-                p.place += place.aside;
+                at += aside;
             }
         } else {
             rest += rise - denominator;               // which is 0 <= rest < denominator here
             const std::int32_t straight = rest >> 31; // all ones: not yet
             rest += denominator & straight;
-            p.i += along + aside - (aside & straight);
-            p.place += place.along + place.aside - (place.aside & static_cast<std::uint32_t>(straight));
+            at += along + (aside & ~static_cast<std::uint32_t>(straight));
         }
     } while (--count != 0);
 }
@@ -416,6 +409,16 @@ template <class Case>
     Px<N> p(span);
     p.live = true;
     p.selects = !numeric::cheap_branches; // a test goes either way, at random
+    DitherCells<Case::swaps> cells;
+    std::uint32_t cells_of = ~0u; // which is no colour
+    p.cells = numeric::factor32(cells.word);
+    const std::uint32_t before = PathPixels::before(target);
+    if constexpr (Case::patterned) {
+        const auto back = static_cast<std::ptrdiff_t>(before) * 2;
+        p.color_plane = numeric::factor32(p.color_plane - back); // one word, not a sum in the loop
+        if constexpr (Case::tested)
+            p.depth_plane = numeric::factor32(p.depth_plane - back);
+    }
     const auto walk = [&](int i) __attribute__((always_inline)) {
         if (paths.at(Paths::count, i) <= 0)
             return;
@@ -425,12 +428,11 @@ template <class Case>
         for (int c = 0; c < 3; ++c)
             span.color_value[c] = {paths.color[c], paths.color_step[c], 0};
         typename Case::PathStages stages(span, 0);
-        p.i = paths.at(Paths::first, i);
-        PathPlace place{};
-        if constexpr (Case::key.dither)
-            place = PathPlace(paths, i, target.color_stride / 2);
-        p.place = place.first;
-        walk_path(stages, p, paths, i, place);
+        if (Case::patterned && span.flat_word != cells_of) {
+            cells_of = span.flat_word;
+            cells.make(cells_of, target.color_stride / 2);
+        }
+        walk_path<Case::patterned>(stages, p, paths, i, before);
     };
     if constexpr (Case::listed) {
         PathList<Case> list(target, paths, count);

@@ -143,7 +143,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>,
-                    std::conditional_t<By == Walk::paths, PathDithered, FlatDithered<L>>>>{};
+                    std::conditional_t<By == Walk::paths, PathPattern,
+                                       std::conditional_t<L == 1, RowPattern, FlatDithered<L>>>>>{};
             else if constexpr (is_guessed(K))
                 return std::type_identity<GouraudGuessed<L, K.dither>>{};
             else if constexpr (raw && K.dither)
@@ -209,7 +210,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 4>>{};
         }
         static auto store() {
-            if constexpr (raw)
+            if constexpr (L == 1 && patterned)
+                return std::type_identity<StoreRaw<L, K.format, false>>{};
+            else if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
             else if constexpr (halved)
                 return std::type_identity<
@@ -251,6 +254,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool guessed = is_guessed(K);
     /// Depth and colours, nothing else: rows are PlaneRows.
     static constexpr bool plain = raw && !textured;
+    /// The words of its fragments, as they are stored, and those of paths.
+    static constexpr bool patterned = plain && K.kind == Kind::flat && K.dither;
+    static constexpr bool swaps = Words565<Lanes<1>, K.format>::swaps;
+    using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
@@ -352,10 +359,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
     static void run(Span<Fixed>& span, const Row* row, const Row* end) {
         if constexpr (plain && K.kind == Kind::flat && !tested) {
+            const Pattern pattern(span.flat_word);
             do {
                 point_at(span.color, span.depth, *span.target, row->first, row->y,
                          format_info(K.format).bytes_per_pixel, 1);
-                fill(span, *row);
+                fill(span, *row, pattern);
             } while (++row != end);
         } else {
             run_lanes<host_lanes, has_chain>(span, row, end);
@@ -375,19 +383,14 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             fused<FusedCase<K, false, true>, 1>(span, row, end);
     }
     /// A row of one colour, the span points to its first pixel.
-    SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row) {
+    SPANGLE_INLINE static void fill(const Span<Fixed>& span, const Row& row,
+                                    [[maybe_unused]] const Pattern& pattern) {
         using Words = Words565<Lanes<1>, K.format>;
-        const auto stored = [](std::uint32_t word) {
-            return static_cast<std::uint16_t>(Words::swaps ? Lanes<1>::swap_bytes(word) : word);
-        };
-        if constexpr (K.dither) {
-            std::uint16_t words[4];
-            for (std::int32_t i = 0; i < 4; ++i)
-                words[i] = stored(DitheredWord{span.flat_word}.at(DitheredWord::place(i, row.y)));
-            fill_columns(span.color, words, row.first, row.last - row.first);
-        } else {
-            fill16(span.color, stored(span.flat_word), row.last - row.first);
-        }
+        const std::int32_t count = row.last - row.first;
+        if constexpr (K.dither)
+            fill_columns(span.color, pattern.row(row.y) + (row.first & 3), count);
+        else
+            fill16(span.color, Words::swaps ? Lanes<1>::swap_bytes(span.flat_word) : span.flat_word, count);
     }
 };
 

@@ -2,6 +2,7 @@
 // Several at a time, so that what finds them and what draws them each run without waiting for the other.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,6 +11,24 @@
 #include "raster/span/span.hpp"
 
 namespace spangle::raster {
+
+/// Pixels counted from that of window (0, 0), and where a dithered colour asks for it, row & 3 in the two
+/// bits above: mod 2^32 it grows with every step to another row.
+struct PathPixels {
+    static constexpr std::uint32_t row = 1u << 30;
+    static std::int32_t per_row(const Surface& target, bool dithers) {
+        return target.color_stride / 2 + static_cast<std::int32_t>(dithers ? row : 0);
+    }
+    /// What rows below that of window (0, 0) in memory take for the pixels not to be negative: whole groups
+    /// of four columns.
+    static std::uint32_t before(const Surface& target) {
+        const std::int32_t back = target.color_stride < 0 ? -target.color_stride / 2 * target.height : 0;
+        return static_cast<std::uint32_t>(back + 3) & ~3u;
+    }
+    /// Of DitherCells.
+    SPANGLE_INLINE static std::uint32_t cell(std::uint32_t at) { return std::rotl(at, 2) & 15; }
+    SPANGLE_INLINE static std::uint32_t pixel(std::uint32_t at) { return at & (row - 1); }
+};
 
 /// Each fragment is `along` from the one before it, and `aside` further whenever `rest`, grown by `rise`, is
 /// no longer negative; then `denominator` is taken off. Pixels, in planes whose rows have the same stride.
@@ -20,7 +39,7 @@ class Paths {
     enum Word {
         /// Of fragments; none if not positive.
         count,
-        /// From the pixel of window (0, 0).
+        /// PathPixels, as `along` and `aside`.
         first,
         along,
         aside,
@@ -33,10 +52,7 @@ class Paths {
         /// At the first fragment, and from one to the next.
         depth,
         depth_step,
-        words_in_turn,
-        /// DitheredWord::place of the first fragment; without vectors it is found when it is needed.
-        place = words_in_turn,
-        words_of_lanes
+        words
     };
     /// The word of path i; where there are vectors, those of the paths after it follow.
     SPANGLE_INLINE std::int32_t& at(Word word, int i) { return words_[place_of(word, i)]; }
@@ -48,7 +64,6 @@ class Paths {
 
   private:
     /// Without vectors the words of a path lie together, and are loaded by two.
-    static constexpr int words = numeric::cheap_branches ? words_in_turn : words_of_lanes;
     static constexpr std::ptrdiff_t place_of(Word word, std::ptrdiff_t i) {
         return numeric::cheap_branches ? i * words + word : std::ptrdiff_t{word} * size + i;
     }

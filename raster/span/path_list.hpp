@@ -10,24 +10,6 @@
 
 namespace spangle::raster {
 
-/// What a path's steps add to the place of a fragment (DitheredWord). `row`: pixels from row to row.
-template <class L> struct PlaceSteps {
-    typename L::Word along, aside;
-    SPANGLE_INLINE PlaceSteps(typename L::Int path_along, typename L::Int path_aside, std::int32_t row) {
-        using Int = typename L::Int;
-        using Word = typename L::Word;
-        const auto along_x = std::bit_cast<Word>(path_along == Int{} + 1);
-        const Word column = Word{} + DitheredWord::column, one = Word{} + 1;
-        along = (column & along_x) | (one & ~along_x);
-        const Word across = (one & along_x) | (column & ~along_x);
-        // Along y the next column is one pixel further, along x the next row is `row`.
-        const auto back = std::bit_cast<Word>(
-            (path_aside !=
-             std::bit_cast<Int>((std::bit_cast<Word>(Int{} + row) & along_x) | (one & ~along_x))));
-        aside = (across ^ back) - back;
-    }
-};
-
 /// Fragments of short paths, in the order of the paths. Case: as of fused_paths().
 template <class Case> class PathList {
   public:
@@ -36,12 +18,10 @@ template <class Case> class PathList {
     static constexpr int longest = 16;
 
     PathList(const Surface& target, const Paths& paths, int count)
-        : target_(target), paths_(paths), count_(count) {
+        : target_(target), paths_(paths), count_(count), before_(dithers ? PathPixels::before(target) : 0) {
         const int colors = !dithers ? 0 : paths.one_color ? 1 : count;
         for (int i = 0; i < colors; ++i)
-            for (int cell = 0; cell < cells; ++cell)
-                word_[i * cells + cell] =
-                    dithered(static_cast<std::uint32_t>(paths.at(Paths::flat, i)), cell);
+            cells_[i].make(static_cast<std::uint32_t>(paths.at(Paths::flat, i)), target.color_stride / 2);
     }
 
     /// Paths i to i + 3. False: one of them is too long.
@@ -63,14 +43,15 @@ template <class Case> class PathList {
 
     /// Those that were added, and forgets them.
     SPANGLE_INLINE void draw() {
-        std::uint8_t *const color = target_.color, *const depth = target_.depth;
+        const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
+        std::uint8_t *const color = target_.color - back, *const depth = target_.depth - back;
         using One = Lanes<1>;
         for (const std::int32_t *f = fragment_, *const end = next_; f != end; f += 2) {
             const std::ptrdiff_t offset = f[0];
             const auto* const half = reinterpret_cast<const std::uint8_t*>(f + 1);
             std::uint32_t color_word = One::load(half + (little ? 0 : 2));
             if constexpr (dithers)
-                color_word = word_[color_word];
+                color_word = cells_[color_word / 16].word[color_word & 15];
             bool live = true;
             if constexpr (Case::tested) {
                 const std::uint32_t incoming = One::load(half + (little ? 2 : 0)),
@@ -89,20 +70,14 @@ template <class Case> class PathList {
     using Int = L::Int;
     using Word = L::Word;
     static constexpr Int lane = {0, 1, 2, 3};
-    static constexpr int cells = dithers ? 16 : 1; ///< of the dither matrix
     static constexpr bool little = std::endian::native == std::endian::little;
-
-    static constexpr bool swaps = StoreRaw<1, Case::key.format>::swaps;
-    SPANGLE_INLINE static std::uint16_t dithered(std::uint32_t flat, int cell) {
-        const std::uint32_t word = DitheredWord{flat}.at(DitheredWord::place(cell & 3, cell >> 2));
-        return static_cast<std::uint16_t>(swaps ? Lanes<1>::swap_bytes(word) : word);
-    }
+    static constexpr std::int32_t scale = dithers ? 1 : 2; ///< bytes, where that leaves no row out
     /// What colours of paths i to i + 3 add to a fragment.
     SPANGLE_INLINE Word colors(int i) const {
         if constexpr (dithers)
-            return paths_.one_color ? Word{} : std::bit_cast<Word>((lane + i) * cells);
+            return paths_.one_color ? Word{} : std::bit_cast<Word>((lane + i) * 16);
         const auto word = std::bit_cast<Word>(L::load(paths_.lanes(Paths::flat, i)));
-        return swaps ? (word << 8 & 0xFF00) | (word >> 8 & 0xFF) : word;
+        return Case::swaps ? (word << 8 & 0xFF00) | (word >> 8 & 0xFF) : word;
     }
 
     /// So many times four fragments of four paths; what a path has not is written over by the next one.
@@ -110,32 +85,31 @@ template <class Case> class PathList {
         const auto load = [&](Paths::Word word) { return L::load(paths_.lanes(word, i)); };
         const auto load_word = [&](Paths::Word word) { return std::bit_cast<Word>(load(word)); };
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
-                  along = load(Paths::along), aside = load(Paths::aside), bytes_along = along * 2,
-                  bytes_aside = aside * 2;
-        Int offset = load(Paths::first) * 2, left = ~load(Paths::rest); // whose sign is a mask
-        Word depth{}, depth_step{}, place{};
+                  along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
+        Int at = (load(Paths::first) + static_cast<std::int32_t>(before_)) * scale,
+            left = ~load(Paths::rest); // whose sign is a mask
+        Word depth{}, depth_step{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);
-        if constexpr (dithers)
-            place = load_word(Paths::place);
-        const PlaceSteps<L> steps(along, aside, target_.color_stride / 2);
         const Word color = colors(i);
         Int low[4 * Blocks], high[4 * Blocks];
 #pragma GCC unroll 16
         for (int k = 0; k < 4 * Blocks; ++k) {
             Word word = (depth & ~0xFFFFu) | color;
-            if constexpr (dithers)
+            Int offset = at;
+            if constexpr (dithers) {
+                const auto place = std::bit_cast<Word>(at);
                 word |= (place << 2 & 12) | place >> 30;
+                offset = std::bit_cast<Int>(place << 2 >> 1);
+            }
             const Int code = std::bit_cast<Int>(word);
             low[k] = __builtin_shufflevector(offset, code, 0, 4, 1, 5);
             high[k] = __builtin_shufflevector(offset, code, 2, 6, 3, 7);
             left -= rise;
             const Int over = left >> 31;
             left += denominator & over;
-            offset += bytes_along + (bytes_aside & over);
+            at += along + (aside & over);
             depth += depth_step;
-            if constexpr (dithers)
-                place += steps.along + (steps.aside & std::bit_cast<Word>(over));
         }
         std::int32_t* out = next_; // in a register
 #pragma GCC unroll 4
@@ -154,10 +128,11 @@ template <class Case> class PathList {
     const Surface& target_;
     const Paths& paths_;
     const int count_;
+    const std::uint32_t before_;
     /// Where it lies, bytes; the code of its depth above its colour, or the number of its dithered colour.
     alignas(16) std::int32_t fragment_[2 * (Paths::size + 1) * longest];
     std::int32_t* next_ = fragment_;
-    std::uint16_t word_[Paths::size * cells]; ///< dithered colours, as stored
+    DitherCells<Case::swaps> cells_[dithers ? Paths::size : 1];
 };
 
 } // namespace spangle::raster

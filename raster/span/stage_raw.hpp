@@ -1,6 +1,8 @@
 // Lists whose colour is 16 bits from its source to the surface: the two ends of them.
 #pragma once
 
+#include "raster/span/path.hpp"
+#include "raster/span/rows.hpp"
 #include "raster/span/stage_thresholds.hpp"
 
 namespace spangle::raster {
@@ -92,27 +94,38 @@ template <> struct FlatDithered<1> : StageBase {
         place = DitheredWord::place(s.x + x, s.y);
     }
 };
-/// Along paths, which say where the fragment lies.
-struct PathDithered : StageBase {
+/// Words of DitherRows, as they are stored.
+struct RowPattern : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<1>;
-    DitheredWord word;
-    template <class S> SPANGLE_INLINE PathDithered(const S& s, std::int32_t) : word{s.flat_word} {}
+    const detail::Half* words; ///< from the fragment on that the list counts from
+    SPANGLE_INLINE RowPattern(const PlaneRow& row, std::int32_t)
+        : words(numeric::factor32(row.words + (row.counted_from & 3))) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color.word = word.at(p.place);
+        p.color.word = words[p.i & 3];
+        return true;
+    }
+};
+/// And of DitherCells, along paths.
+struct PathPattern : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<1>;
+    template <class S> SPANGLE_INLINE PathPattern(const S&, std::int32_t) {}
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = p.cells[PathPixels::cell(p.place)];
         return true;
     }
 };
 
-/// The word in the byte order of the surface.
-template <int Count, PixelFormat Format> struct StoreRaw : StageBase {
+/// The word, in the byte order of the surface or swapped to it.
+template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : StageBase {
     static_assert(Format == PixelFormat::rgb565_be || Format == PixelFormat::rgb565_le);
     static constexpr unsigned in = field_color;
     static constexpr bool effect = true;
     using N = Raw565<Count>;
     using L = typename N::L;
     static constexpr bool swaps =
-        (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
+        Host && (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     template <class S> SPANGLE_INLINE StoreRaw(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto at = p.color_plane + 2 * p.i;

@@ -4,6 +4,7 @@
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/line_batch.hpp"
 #include "raster/primitive/setup_math.hpp"
+#include "raster/span/dither_pattern.hpp"
 #include "raster/span/stage_raw.hpp"
 #include "tests/span/sweep.hpp"
 
@@ -223,7 +224,17 @@ TEST(Paths, OneColorIsDitheredAsItsTierDithersColors) {
             const std::uint32_t want = N::template dithered<5>(c(0), t) << 11 |
                                        N::template dithered<6>(c(1), t) << 5 |
                                        N::template dithered<5>(c(2), t);
-            ASSERT_EQ(DitheredWord{dithered_word<N>(color)}.at(DitheredWord::place(x, y)), want);
+            const std::uint32_t components = dithered_word<N>(color);
+            ASSERT_EQ(DitheredWord{components}.at(DitheredWord::place(x, y)), want);
+            const std::uint32_t swapped = __builtin_bswap16(static_cast<std::uint16_t>(want));
+            ASSERT_EQ(std::uint32_t{DitherRows<false>(components).row(y)[x & 3]}, want);
+            ASSERT_EQ(std::uint32_t{DitherRows<true>(components).row(y)[(x & 3) + 4]}, swapped);
+            const auto row = static_cast<std::int32_t>(random() % 64) - 32;
+            const std::uint32_t at = PathPixels::row * static_cast<std::uint32_t>(y) +
+                                     PathPixels::pixel(static_cast<std::uint32_t>(y * row + x));
+            DitherCells<true> cells;
+            cells.make(components, row);
+            ASSERT_EQ(cells.word[PathPixels::cell(at)], swapped);
         };
         same(Exact{});
         same(Balanced<1>{});
