@@ -14,7 +14,7 @@ namespace {
 /// The bytes of a row: a sequence of `period` bytes, repeated so often that any four words of it (twelve,
 /// where pixels have three bytes) can be read from any of its first four bytes on.
 struct Pattern {
-    std::uint8_t byte[64] = {};
+    alignas(4) std::uint8_t byte[64];
     std::int32_t period = 16; ///< 16 or 48
 };
 
@@ -55,7 +55,7 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 using Word [[gnu::may_alias]] = std::uint32_t;
 
 /// Stores w[0..3] again and again, 64 bytes each time; `to` is 4-aligned, blocks > 0.
-Word* store_blocks(Word* to, const std::uint32_t* w, std::int32_t blocks) {
+Word* store_blocks(Word* to, const Word* w, std::int32_t blocks) {
     Word* const end = to + 16 * blocks;
 #if defined(__arm__)
     // Compilers do not make one STM of four stores; it is a third of the instructions.
@@ -86,8 +86,10 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     head = head < bytes ? head : bytes;
     copy_bytes(to, pattern.byte, head);
     bytes -= head;
-    std::uint32_t w[12];
-    __builtin_memcpy(w, pattern.byte + head, sizeof w);
+    Word moved[12];
+    const Word* w = reinterpret_cast<const Word*>(pattern.byte);
+    if (head != 0)
+        w = static_cast<const Word*>(__builtin_memcpy(moved, pattern.byte + head, sizeof moved));
     Word* at = reinterpret_cast<Word*>(to + head);
     if (pattern.period == 16 && bytes >= 64) {
         at = store_blocks(at, w, bytes / 64);
@@ -118,10 +120,11 @@ void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, cons
         fill(first + static_cast<std::intptr_t>(y) * stride, pattern, bytes);
 }
 
-/// Makes the pattern as long as `fill` wants it.
-void repeat(Pattern& p) {
-    for (std::int32_t i = p.period; i < 64; ++i)
-        p.byte[i] = p.byte[i - p.period];
+/// Makes the pattern as long as `fill` wants it, of its first bytes: whole words.
+void repeat(Pattern& p, std::int32_t bytes) {
+    for (std::int32_t i = bytes; i < 64; i += 4)
+        __builtin_memcpy(__builtin_assume_aligned(p.byte + i, 4),
+                         __builtin_assume_aligned(p.byte + i - bytes, 4), 4);
 }
 
 /// One pixel as it lies in memory.
@@ -163,11 +166,11 @@ Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std
     Pattern p;
     p.period = bytes == 3 ? 48 : 16;
     const std::uint32_t row = dither_row(y);
-    for (std::int32_t i = 0; i * bytes < p.period; ++i) {
+    for (std::int32_t i = 0; i < 4; ++i) { // as wide as the thresholds are
         const Pixel pixel = pack(s.format, r.color, r.dither, dither_threshold(row, x + i));
         copy_bytes(p.byte + i * bytes, pixel.byte, bytes);
     }
-    repeat(p);
+    repeat(p, 4 * bytes);
     return p;
 }
 
@@ -276,9 +279,9 @@ void clear_color(const Surface& s, const ClearRequest& r) {
 void clear_z16(const Surface& s, const ClearRequest& r) {
     const auto code = static_cast<std::uint16_t>(depth_to_16(r.z));
     Pattern p;
-    for (int i = 0; i < 16; i += 2)
+    for (int i = 0; i < 4; i += 2)
         __builtin_memcpy(p.byte + i, &code, sizeof code);
-    repeat(p);
+    repeat(p, 4);
     fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 2, s.depth_stride, r.area.h, p,
               r.area.w * 2);
 }
@@ -287,9 +290,8 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
     const std::uint32_t word = depth_to_24(r.z) << 8 | r.stencil;
     const std::uint32_t mask = (r.depth ? 0xFFFFFF00u : 0u) | r.stencil_mask;
     Pattern p;
-    for (int i = 0; i < 16; i += 4)
-        __builtin_memcpy(p.byte + i, &word, sizeof word);
-    repeat(p);
+    __builtin_memcpy(p.byte, &word, sizeof word);
+    repeat(p, 4);
     if (mask == 0xFFFFFFFFu) {
         fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 4, s.depth_stride, r.area.h,
                   p, r.area.w * 4);
