@@ -40,7 +40,7 @@ template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
 } // namespace detail
 
-/// The word that truncated565() makes of what bilinear() of the exact tier does.
+/// The word that truncated565() or dithered565() makes of what bilinear() of the exact tier does.
 struct FilterWords {
     std::uint32_t b; ///< of row j + 1, in 256ths
     SPANGLE_INLINE explicit FilterWords(std::uint32_t weight) : b(weight) {}
@@ -50,30 +50,57 @@ struct FilterWords {
                                             std::uint32_t c11, std::uint32_t a) const {
         using Five = detail::StoredSteps<5>;
         using Six = detail::StoredSteps<6>;
+        const Sums n = sums(c00, c10, c01, c11, a);
+        if (n.r == Five::tie || n.g == Six::tie || n.b == Five::tie) [[unlikely]]
+            return added(c00, c10, c01, c11, a, b);
+        return detail::stored_steps<5>.at(n.r) << 11 | detail::stored_steps<6>.at(n.g) << 5 |
+               detail::stored_steps<5>.at(n.b);
+    }
+    /// Dithered: n are steps, with 16 fraction bits. What the chain adds up is less than 2^-7 of them away,
+    /// so that a sum with the threshold decides unless it is a whole step. Thresholds being odd, no exact
+    /// step becomes one.
+    SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                            std::uint32_t c11, std::uint32_t a,
+                                            std::uint32_t threshold32) const {
+        const Sums n = sums(c00, c10, c01, c11, a);
+        const std::uint32_t t = threshold32 << 11, r = n.r + t, g = n.g + t, blue = n.b + t;
+        if (r << 16 == 0 || g << 16 == 0 || blue << 16 == 0) [[unlikely]]
+            return added(c00, c10, c01, c11, a, b, threshold32);
+        return r >> 16 << 11 | g >> 16 << 5 | blue >> 16;
+    }
+
+    /// As the chain does; dithered where there is a threshold.
+    [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
+                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b,
+                                                 std::uint32_t threshold32 = 0) {
+        const auto color = [](std::uint32_t c) {
+            return Exact::Color{Exact::from5(c >> 11), Exact::from6((c >> 5) & 63), Exact::from5(c & 31),
+                                color_one};
+        };
+        const Exact::Color mixed = bilinear<Exact>(color(c00), color(c10), color(c01), color(c11), a, b);
+        if (threshold32 != 0)
+            return Exact::dithered<5>(mixed.r, threshold32) << 11 |
+                   Exact::dithered<6>(mixed.g, threshold32) << 5 | Exact::dithered<5>(mixed.b, threshold32);
+        return (Exact::to8(mixed.r) & 0xF8) << 8 | (Exact::to8(mixed.g) & 0xFC) << 3 |
+               Exact::to8(mixed.b) >> 3;
+    }
+
+  private:
+    /// Of weight and component, weights adding up to 2^16.
+    struct Sums {
+        std::uint32_t r, g, b;
+    };
+    SPANGLE_INLINE Sums sums(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
+                             std::uint32_t a) const {
         const auto both = [](std::uint32_t c) { return c >> 11 | (c & 31) << 16; };
         const auto green = [](std::uint32_t c) { return (c >> 5) & 63; };
         const auto mix = [](std::uint32_t near, std::uint32_t far, std::uint32_t weight) {
             return (near << 8) + (far - near) * weight;
         };
         const std::uint32_t rb0 = mix(both(c00), both(c01), b), rb1 = mix(both(c10), both(c11), b);
-        const std::uint32_t red = mix(rb0 & 0xFFFF, rb1 & 0xFFFF, a), blue = mix(rb0 >> 16, rb1 >> 16, a);
-        const std::uint32_t g = mix(mix(green(c00), green(c01), b), mix(green(c10), green(c11), b), a);
-        if (red == Five::tie || g == Six::tie || blue == Five::tie) [[unlikely]]
-            return added(c00, c10, c01, c11, a, b);
-        return detail::stored_steps<5>.at(red) << 11 | detail::stored_steps<6>.at(g) << 5 |
-               detail::stored_steps<5>.at(blue);
-    }
-
-    /// As the chain does.
-    [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
-                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
-        const auto color = [](std::uint32_t c) {
-            return Exact::Color{Exact::from5(c >> 11), Exact::from6((c >> 5) & 63), Exact::from5(c & 31),
-                                color_one};
-        };
-        const Exact::Color mixed = bilinear<Exact>(color(c00), color(c10), color(c01), color(c11), a, b);
-        return (Exact::to8(mixed.r) & 0xF8) << 8 | (Exact::to8(mixed.g) & 0xFC) << 3 |
-               Exact::to8(mixed.b) >> 3;
+        return {mix(rb0 & 0xFFFF, rb1 & 0xFFFF, a),
+                mix(mix(green(c00), green(c01), b), mix(green(c10), green(c11), b), a),
+                mix(rb0 >> 16, rb1 >> 16, a)};
     }
 };
 

@@ -49,9 +49,10 @@ constexpr bool is_guessed(const Key& key) {
            !key.blend && is_565(key.format);
 }
 
-/// Four words of a texture become one (filter_words.hpp).
+/// Four words of a texture become one (filter_words.hpp). Steps are found where branches and tables are
+/// cheap; dithered, they are there already.
 constexpr bool filters_words(const Key& key) {
-    return !numeric::long_products && key.number == Number::exact && !key.fog && !key.blend && !key.dither &&
+    return (numeric::cheap_branches || key.dither) && key.number == Number::exact && !key.fog && !key.blend &&
            is_565(key.format) &&
            key.unit[0] ==
                UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
@@ -175,7 +176,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 else if constexpr (K.unit[0].filter == Filter::nearest)
                     return std::type_identity<NearestWalk<Texture, 0, Runs>>{};
                 else
-                    return std::type_identity<LinearWalk<Texture, 0, Runs>>{};
+                    return std::type_identity<LinearWalk<Texture, 0, Runs, raw && K.dither>>{};
             } else {
                 return std::type_identity<None<N, 2>>{};
             }

@@ -1,6 +1,7 @@
 // LINEAR of one REPEAT image along a span.
 #pragma once
 
+#include "raster/span/stage_thresholds.hpp"
 #include "raster/span/texel_walk.hpp"
 
 namespace spangle::raster {
@@ -11,15 +12,30 @@ struct LinearPosition {
     static constexpr std::uint32_t origin(int log2_size) { return (1u << 31) >> log2_size; }
 };
 
-/// T is a TextureFixed with Filter::linear.
-template <class T, int Unit, class Runs> class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
+/// T is a TextureFixed with Filter::linear. Dither: of FilterWords.
+template <class T, int Unit, class Runs, bool Dither = false>
+class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     using Base = TexelWalk<T, Unit, Runs, LinearPosition>;
     using Base::s, Base::t;
 
   public:
     using N = typename Base::N;
     static constexpr bool rows = true;
-    using Base::Base;
+
+    SPANGLE_INLINE LinearWalk(const Span<Fixed>& span, std::int32_t x)
+        : Base(span, x), dither_(span.x + x, span.y) {}
+    SPANGLE_INLINE void start(const Span<Fixed>& span, std::int32_t x) {
+        Base::start(span, x);
+        dither_ = Thresholds(span.x + x, span.y);
+    }
+    SPANGLE_INLINE void step() {
+        Base::step();
+        dither_.step();
+    }
+    SPANGLE_INLINE void step_row() {
+        Base::step_row();
+        dither_.step();
+    }
 
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!this->in_row(n))
@@ -42,6 +58,8 @@ template <class T, int Unit, class Runs> class LinearWalk : public TexelWalk<T, 
 
   private:
     using Weights = typename T::Colors::Weights;
+    using Thresholds = std::conditional_t<Dither, detail::DitherRow<typename N::L>, detail::NoThreshold>;
+    [[no_unique_address]] Thresholds dither_;
     const std::uint8_t *near_, *far_; ///< texels of the two rows
     Weights across_{N::L::splat(0)};
 
@@ -58,9 +76,13 @@ template <class T, int Unit, class Runs> class LinearWalk : public TexelWalk<T, 
             return T::words([&](std::uint32_t k)
                                 __attribute__((always_inline)) { return this->texel(row(k), column(k)); });
         };
-        return this->environment(p,
-                                 T::Colors::mix(weights, texels(near, i), texels(near, next), texels(far, i),
-                                                texels(far, next), s.template fractions<typename N::L>()));
+        const auto c00 = texels(near, i), c10 = texels(near, next), c01 = texels(far, i),
+                   c11 = texels(far, next);
+        const auto a = s.template fractions<typename N::L>();
+        if constexpr (Dither)
+            return this->environment(p, {weights(c00, c10, c01, c11, a, dither_.threshold())});
+        else
+            return this->environment(p, T::Colors::mix(weights, c00, c10, c01, c11, a));
     }
 };
 

@@ -149,10 +149,13 @@ TEST(Filter, StoredStepsAreThoseOfEverySum) {
 
 TEST(Filter, WordsAreThoseOfTheExactTier) {
     std::mt19937 random(2);
-    const auto check = [](std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
-                          std::uint32_t a, std::uint32_t b) {
+    const auto check = [&](std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
+                           std::uint32_t a, std::uint32_t b) {
         ASSERT_EQ(FilterWords(b)(c00, c10, c01, c11, a), FilterWords::added(c00, c10, c01, c11, a, b))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b;
+        const auto t = static_cast<std::uint32_t>(2 * (random() & 15) + 1);
+        ASSERT_EQ(FilterWords(b)(c00, c10, c01, c11, a, t), FilterWords::added(c00, c10, c01, c11, a, b, t))
+            << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b << ' ' << t;
     };
     for (int round = 0; round < 1'000'000; ++round) {
         const auto near = static_cast<std::uint32_t>(random()), far = static_cast<std::uint32_t>(random()),
