@@ -77,8 +77,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool divided = divides(K.kind, K.fog) && !is_guessed(K);
     /// Fog is what comes before the store, where MODULATE may come between.
     template <int L>
-    static constexpr bool stores_fogged =
-        L == 1 && exact&& K.fog && !K.blend && !K.dither && is_565(K.format);
+    static constexpr bool stores_fogged = L == 1 && exact&& K.fog && !K.blend && is_565(K.format);
     template <int L>
     static constexpr bool stores_light = L == 1 && fogs_light(K) && !K.blend &&
                                          is_565(K.format) && K.unit[0].filter == Filter::nearest &&
@@ -223,7 +222,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (bytes_dithered<N>)
                 return std::type_identity<BlendBytesDithered<N, K.format>>{};
             else if constexpr (stores_fogged<L>)
-                return std::type_identity<FoggedStore<K.format>>{};
+                return std::type_identity<FoggedStore<K.format, K.dither>>{};
             else if constexpr (stores_light<L>)
                 return std::type_identity<
                     FoggedLightStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.dither>>{};

@@ -114,7 +114,9 @@ struct Exact {
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
         constexpr std::uint64_t factor =
             ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
-        return static_cast<std::uint32_t>((v * factor) >> 32);
+        // v factor / 2^32; of two products, not of the shifts that a compiler finds for 64 bits
+        return v * static_cast<std::uint32_t>(factor >> 32) +
+               numeric::mul_high_u32(v, static_cast<std::uint32_t>(factor));
     }
     static constexpr ColorSteps<32> steps5{};
     static constexpr ColorSteps<64> steps6{};
@@ -177,6 +179,8 @@ template <int Count> struct Balanced {
     /// For `mix`: min(max(v, 0), 1), v signed with 24 fraction bits.
     SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
+        if constexpr (Count == 1) // the whole product: 1 and the last threshold stay below 2^32
+            return (v * step_scale(Bits) + (threshold32 << (27 - Bits))) >> (32 - Bits);
         return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps32(T v) { return steps<Bits>(v) >> (11 - Bits); }
