@@ -76,13 +76,15 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
             return T::words([&](std::uint32_t k)
                                 __attribute__((always_inline)) { return this->texel(row(k), column(k)); });
         };
-        const auto c00 = texels(near, i), c10 = texels(near, next), c01 = texels(far, i),
-                   c11 = texels(far, next);
-        const auto a = s.template fractions<typename N::L>();
+        // the texels as arguments: named before, lanes would be spilled
         if constexpr (Dither)
-            return this->environment(p, {weights(c00, c10, c01, c11, a, dither_.threshold())});
+            return this->environment(
+                p, {weights(texels(near, i), texels(near, next), texels(far, i), texels(far, next),
+                            s.template fractions<typename N::L>(), dither_.threshold())});
         else
-            return this->environment(p, T::Colors::mix(weights, c00, c10, c01, c11, a));
+            return this->environment(p, T::Colors::mix(weights, texels(near, i), texels(near, next),
+                                                       texels(far, i), texels(far, next),
+                                                       s.template fractions<typename N::L>()));
     }
 };
 
