@@ -20,7 +20,8 @@ Image one(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
 }
 
 std::string file(const std::string& content) {
-    const std::string path = testing::TempDir() + "screen.ppm";
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    const std::string path = testing::TempDir() + "screen_" + test + ".ppm"; // tests run side by side
     std::ofstream(path, std::ios::binary) << content;
     return path;
 }
