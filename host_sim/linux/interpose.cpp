@@ -6,6 +6,7 @@
 #include <cstring>
 #include <ctime>
 #include <string>
+#include <tuple>
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -187,22 +188,24 @@ int spangle_clock_nanosleep(clockid_t, int, const timespec* wanted, timespec* le
 }
 
 /// A modelled transfer takes what its model takes, on a busy machine and under a sanitizer many times the
-/// real one: a thread that waits for one is as patient.
+/// real one: who waits for one is as patient, while calls are answered and none hangs.
 int spangle_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* deadline) {
-    constexpr std::int64_t second = 1000000000, patience = 4;
-    timespec now{};
-    clock_gettime(clock, &now);
-    const std::int64_t left = (deadline->tv_sec - now.tv_sec) * second + (deadline->tv_nsec - now.tv_nsec);
-    timespec later = *deadline;
-    if (left > 0 && left < 60 * second) {
-        const std::int64_t until = now.tv_nsec + left * patience;
-        later.tv_sec = now.tv_sec + static_cast<time_t>(until / second);
-        later.tv_nsec = static_cast<long>(until % second);
-    }
     using Wait = int (*)(pthread_cond_t*, pthread_mutex_t*, clockid_t, const timespec*);
     static const auto real = next<Wait>("pthread_cond_clockwait");
-    return real(condition, mutex, clock, &later);
+    const Kernel& kernel = Kernel::instance();
+    timespec until{};
+    clock_gettime(clock, &until);
+    const bool waits = std::tie(until.tv_sec, until.tv_nsec) < std::tie(deadline->tv_sec, deadline->tv_nsec);
+    until = *deadline;
+    for (std::uint64_t calls = ~std::uint64_t{0};;) {
+        const int answer = real(condition, mutex, clock, &until);
+        if (answer != ETIMEDOUT || !waits || kernel.stalled() || kernel.calls() == calls)
+            return answer;
+        calls = kernel.calls();
+        clock_gettime(clock, &until);
+        ++until.tv_sec;
+    }
 }
 
 } // extern "C"
