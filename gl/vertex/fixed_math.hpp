@@ -23,11 +23,10 @@ struct FixedMath {
     using Depth = numeric::Block;
     using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
 
-    static constexpr bool wide_words = sizeof(void*) > 4;
     /// 32 bits in a word: where that has 64 none is extended at every use.
-    using Factor = std::conditional_t<wide_words, std::int64_t, std::int32_t>;
+    using Factor = std::conditional_t<numeric::wide_words, std::int64_t, std::int32_t>;
     SPANGLE_INLINE static std::int64_t product(Factor a, std::int32_t b) {
-        if constexpr (wide_words)
+        if constexpr (numeric::wide_words)
             return a * b;
         return numeric::mul_s32(static_cast<std::int32_t>(a), b);
     }
@@ -46,7 +45,7 @@ struct FixedMath {
 
         /// Nearest to middle + half * q, of -q: `bits` are those of rounded_middle.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
-            if constexpr (!wide_words)
+            if constexpr (!numeric::wide_words)
                 if (bits == 32)
                     return numeric::add_high_rounded(middle, minus_half, minus_q);
             return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
@@ -79,7 +78,7 @@ struct FixedMath {
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
         numeric::BlockMatrix to_clip, to_eye;
-        [[no_unique_address]] std::conditional_t<wide_words, WideRows, Rows> rows; ///< of to_clip
+        [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
 #if SPANGLE_TEXTURE_UNITS
         numeric::BlockMatrix texture[texture_units]; ///< those that are not the identity
 #endif
@@ -103,7 +102,7 @@ struct FixedMath {
         std::int32_t lift[3]; // exponents of the rows x, y, z over that of w, less lift_room
         for (int i = 0; i < 3; ++i) {
             lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
-            out.lift[i] = wide_words ? 31 - lift[i] : lift[i];
+            out.lift[i] = numeric::wide_words ? 31 - lift[i] : lift[i];
         }
         out.w_exponent = -63 - out.to_clip.row[3];
         out.most_zeros = most_zeros(lift);
@@ -177,7 +176,7 @@ struct FixedMath {
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
                 z(clip.z, zeros, t.lift[2]);
-            if (!wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+            if (!numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
                 return false;
             const std::uint32_t r = inverse(i, zeros); // 1/w = r * 2^(zeros - 62 - e)
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
@@ -191,7 +190,7 @@ struct FixedMath {
             planes = 0;
             if (!beyond(minus_x, one) && !beyond(minus_y, one) && !beyond(minus_z, z_one)) [[likely]]
                 return true;
-            if (wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+            if (numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
                 return false;
             planes = planes_of(minus_x, minus_y, minus_z, one, z_one) |
                      planes_of(minus_x, minus_y, minus_z, 4 * one, z_one) << 8;
@@ -465,7 +464,7 @@ struct FixedMath {
     };
     template <class From, class To> static void copy_color(const From& from, To& to) {
         const auto copy = [](const auto& words, auto& out) {
-            if constexpr (wide_words)
+            if constexpr (numeric::wide_words)
                 __builtin_memcpy(out, words, sizeof out); // elsewhere that may be a call
             else
                 for (std::size_t c = 0; c < sizeof out / sizeof out[0]; ++c)
@@ -598,17 +597,17 @@ struct FixedMath {
         std::int32_t v;
         int by; ///< or 31 - by
         SPANGLE_INLINE Lifted(std::int32_t value, int zeros, std::int32_t lift)
-            : v(value), by(static_cast<int>(wide_words ? lift - zeros : lift + zeros)) {}
+            : v(value), by(static_cast<int>(numeric::wide_words ? lift - zeros : lift + zeros)) {}
         SPANGLE_INLINE std::int32_t word(int n) const {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n);
         }
         /// Bits that the word has not.
         SPANGLE_INLINE std::int32_t lost() const {
-            const int n = wide_words ? 31 - by : by;
+            const int n = numeric::wide_words ? 31 - by : by;
             return (word(n) >> n) ^ v;
         }
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
-            if constexpr (wide_words)
+            if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
             return numeric::mul_high_rounded(word(by), factor);
         }

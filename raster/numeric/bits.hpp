@@ -20,9 +20,12 @@
 
 namespace spangle::numeric {
 
+/// Registers hold 64 bits. Decides between forms of equal results.
+inline constexpr bool wide_words = sizeof(void*) > 4;
+
 /// A branch that is taken at random costs no more than any other: so it is in the short pipelines of
-/// microcontrollers. Decides between forms of equal results.
-inline constexpr bool cheap_branches = sizeof(void*) == 4;
+/// microcontrollers. Decides likewise.
+inline constexpr bool cheap_branches = !wide_words;
 
 /// 32-bit words are divided by an instruction. Decides likewise.
 #if (defined(__arm__) && !defined(__ARM_FEATURE_IDIV)) || (defined(__riscv) && !defined(__riscv_div))
@@ -124,9 +127,16 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_
 
 /// The low word of floor(v / 2^n), 0 < n < 32: three instructions where words have 32 bits.
 SPANGLE_INLINE constexpr std::uint32_t low_word_after(std::int64_t v, int n) {
-    if constexpr (sizeof(void*) == 4)
-        return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
-    return static_cast<std::uint32_t>(v >> n);
+    if constexpr (wide_words)
+        return static_cast<std::uint32_t>(v >> n);
+    return static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(v >> 32) << (32 - n);
+}
+/// Both of its words: four.
+SPANGLE_INLINE constexpr std::int64_t words_after(std::int64_t v, int n) {
+    if constexpr (wide_words)
+        return v >> n;
+    const std::int64_t high = static_cast<std::int32_t>(v >> 32) >> n;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(high) << 32 | low_word_after(v, n));
 }
 /// floor(v / 2^Down), but at least 0 and at most 2^Bits - 1.
 template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_after(std::int32_t v) {
@@ -289,7 +299,7 @@ SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
 /// The high word of v, nearest, halves up, mod 2^32.
 SPANGLE_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     const auto u = static_cast<std::uint64_t>(v);
-    if constexpr (sizeof(void*) == 4) // two words: one addition
+    if constexpr (!wide_words) // two of them: one addition
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(u >> 32) +
                                          (static_cast<std::uint32_t>(u) >> 31));
     return static_cast<std::int32_t>((u + (1u << 31)) >> 32);

@@ -140,7 +140,7 @@ constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
 constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
     if (d == 0)
         return {0, 0};
-    if constexpr (sizeof(void*) > 4)
+    if constexpr (wide_words)
         return {n / d, static_cast<std::uint32_t>(n % d)};
     else
         return detail::divide_by_words(n, d);

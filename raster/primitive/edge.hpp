@@ -88,7 +88,7 @@ class SmallEdge {
 
     /// floor(v 2^32 / dy), v < 2^29, dy <= 2^14; where words have 32 bits by digits of 18 and 14 bits after
     /// the whole part.
-    template <bool Wide = (sizeof(void*) > 4)>
+    template <bool Wide = numeric::wide_words>
     static std::uint64_t divided(std::uint32_t v, std::uint32_t dy) {
         if constexpr (Wide) {
             return (std::uint64_t{v} << 32) / dy;

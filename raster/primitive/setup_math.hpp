@@ -42,19 +42,14 @@ inline std::int64_t scaled(std::int64_t v, int n) {
 
 /// Both words of it; for 0 < n < 32 four instructions where words have 32 bits.
 SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
-    if constexpr (sizeof(void*) == 4)
-        if (n > 0 && n < 32) [[likely]] {
-            const auto high = static_cast<std::int32_t>(v >> 32);
-            const std::uint32_t low = static_cast<std::uint32_t>(v) >> n | static_cast<std::uint32_t>(high)
-                                                                               << (32 - n);
-            return static_cast<std::uint64_t>(std::int64_t{high >> n}) << 32 | low;
-        }
-    return static_cast<std::uint64_t>(scaled(v, n));
+    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
+        return static_cast<std::uint64_t>(scaled(v, n));
+    return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
 
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
-    if (sizeof(void*) > 4 || n <= 0 || n >= 32) [[unlikely]]
+    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint32_t>(scaled(v, n));
     return numeric::low_word_after(v, n);
 }

@@ -40,13 +40,10 @@ SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, i
 
 /// What wraps of it.
 SPANGLE_INLINE std::uint32_t repeat_fraction(std::int32_t s, const Inverse& inverse, int exponent) {
-    if constexpr (sizeof(void*) == 4) { // two words, shifted as such
+    if constexpr (!numeric::wide_words) {
         const int down = 30 - inverse.zeros - exponent;
-        if (down > 0 && down < 32) [[likely]] {
-            const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
-            return static_cast<std::uint32_t>(product) >> down | static_cast<std::uint32_t>(product >> 32)
-                                                                     << (32 - down);
-        }
+        if (down > 0 && down < 32) [[likely]]
+            return numeric::low_word_after(numeric::mul_s32_u32(s, inverse.mantissa), down);
     }
     return static_cast<std::uint32_t>(to_repeats(s, inverse, exponent));
 }

@@ -65,6 +65,11 @@ template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &f
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
+    template <class N>
+    using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+    /// What texels that light is multiplied by are loaded as.
+    static constexpr bool words_565 = K.unit[0].texels == TexelFormat::rgb565,
+                          loads_rgb = words_565 || K.unit[0].texels == TexelFormat::rgb888;
     static constexpr bool raw = K.number == Number::raw565 || is_guessed(K) || filters_words(K),
                           exact = K.number == Number::exact && !raw;
     /// The texel is the colour until it is blended.
@@ -80,20 +85,16 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool stores_fogged = L == 1 && exact&& K.fog && !K.blend && is_565(K.format);
     template <int L>
     static constexpr bool stores_light = L == 1 && fogs_light(K) && !K.blend &&
-                                         is_565(K.format) && K.unit[0].filter == Filter::nearest &&
-                                         (K.unit[0].texels == TexelFormat::rgb565 ||
-                                          K.unit[0].texels == TexelFormat::rgb888);
+                                         is_565(K.format) && K.unit[0].filter == Filter::nearest && loads_rgb;
     /// Coordinates, too, divide by what the fragment has been divided by.
     static constexpr bool shares_division =
         textured && divides(K.kind, K.fog) && exact && K.unit[0].filter == Filter::nearest;
 
   public:
     /// There are lanes for what is divided, which end in 16 bits.
-    static constexpr bool lit =
-        exact && divided && textured && K.unit[0].filter == Filter::nearest &&
-        K.unit[0].env == TexEnv::modulate &&
-        (K.unit[0].texels == TexelFormat::rgb565 || K.unit[0].texels == TexelFormat::rgb888) && K.color &&
-        !K.color_alpha && !K.blend && !K.dither && is_565(K.format) && !Apart;
+    static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
+                                K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
+                                !K.blend && !K.dither && is_565(K.format) && !Apart;
     /// There is no lane for it that has long products.
     static constexpr bool halved = lit && !numeric::long_products;
 
@@ -115,6 +116,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// Blended and dithered by one stage, as packed ones are.
     template <class N>
     static constexpr bool bytes_dithered = packed&& K.dither&& std::is_same_v<N, ExactBytes<8>>;
+    template <class N>
+    using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
     enum class Walk { rows, paths, tiles };
     template <int L, Walk By = Walk::rows> struct Stages {
         using N = std::conditional_t<
@@ -125,12 +128,6 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                     K.coarse, CoarseSystem<L>,
                     std::conditional_t<packed && L == 1, Packed,
                                        std::conditional_t<stores_light<L>, BalancedLit, Balanced<L>>>>>>;
-        static auto depth() {
-            if constexpr (tested)
-                return std::type_identity<Depth<N, DepthFormat::z16, K.depth, K.depth_write>>{};
-            else
-                return std::type_identity<None<N, 0>>{};
-        }
         static auto divide() {
             if constexpr (divided && !Apart)
                 return std::type_identity<Divide<N>>{};
@@ -163,8 +160,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         }
         static auto texture() {
             if constexpr (textured) {
-                using Texture =
-                    TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+                using Texture = Image<N>;
                 if constexpr (K.unit[0].filter == Filter::nearest && L == 8 && K.kind == Kind::affine &&
                               !Texture::loads_words)
                     return std::type_identity<NearestLanes<Texture, 0>>{};
@@ -215,8 +211,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
             else if constexpr (halved)
-                return std::type_identity<
-                    LitStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.fog>>{};
+                return std::type_identity<LitStore<K.format, words_565, K.fog>>{};
             else if constexpr (is_packed<N>)
                 return std::type_identity<BlendPacked<N, K.format, K.dither>>{};
             else if constexpr (bytes_dithered<N>)
@@ -224,27 +219,24 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (stores_fogged<L>)
                 return std::type_identity<FoggedStore<K.format, K.dither>>{};
             else if constexpr (stores_light<L>)
-                return std::type_identity<
-                    FoggedLightStore<K.format, K.unit[0].texels == TexelFormat::rgb565, K.dither>>{};
+                return std::type_identity<FoggedLightStore<K.format, words_565, K.dither>>{};
             else if constexpr (K.dither)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else
                 return std::type_identity<Store<N, K.format>>{};
         }
-        using List = Seq<N, typename decltype(depth())::type, typename decltype(divide())::type,
-                         typename decltype(color())::type, typename decltype(fog_light())::type,
-                         typename decltype(texture())::type, typename decltype(fog())::type,
-                         typename decltype(blend())::type, typename decltype(store())::type>;
+        using List = Seq<N, Test<N>, typename decltype(divide())::type, typename decltype(color())::type,
+                         typename decltype(fog_light())::type, typename decltype(texture())::type,
+                         typename decltype(fog())::type, typename decltype(blend())::type,
+                         typename decltype(store())::type>;
     };
 
   public:
     /// Its stages serve the primitive.
     static bool serves(const Span<Fixed>& span) {
         if constexpr (shares_division) {
-            using N = Exact;
-            using Texture =
-                TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-            return NearestDivided<Texture, 0>::serves(span) && (!K.fog || FogCoordDivided<N>::serves(span));
+            return NearestDivided<Image<Exact>, 0>::serves(span) &&
+                   (!K.fog || FogCoordDivided<Exact>::serves(span));
         }
         return true;
     }
@@ -261,9 +253,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
-    static constexpr bool splits_gray = K.fog && K.color && !K.color_alpha && textured &&
-                                        K.unit[0].env == TexEnv::modulate &&
-                                        K.unit[0].texels == TexelFormat::rgb565;
+    static constexpr bool splits_gray =
+        K.fog && K.color && !K.color_alpha && textured && K.unit[0].env == TexEnv::modulate && words_565;
     /// Fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = laned && !(raw && textured);
     template <int L> using System = typename Stages<L>::N;
@@ -273,11 +264,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         static constexpr Key key = K;
         static constexpr bool plain = false, tested = FusedCase::tested;
         using N = Raw565<8>;
-        using Texture =
-            TextureFixed<Balanced<8>, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-        using Test =
-            std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
-        using Guessed = LitGuessed<Test, Texture, full, Gray, K.fog>;
+        using Guessed = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog>;
         using Patch = typename Guessed::Patch;
         template <int> using System = N;
         template <int> using List = Seq<N, Guessed, StoreRaw<8, K.format>>;
@@ -300,10 +287,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// And its one lane.
     template <class Products> struct One {
         using N = ExactLit;
-        using Texture = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-        using Test =
-            std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
-        using Draw = LitOne<Products, Texture, full, Gray, K.fog, K.format>;
+        using Test = FusedCase::Test<N>;
+        using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format>;
         using Patch = typename Draw::Patch;
     };
     /// Parts of a GatheredPacket.
@@ -315,11 +300,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         static constexpr Key key = K;
         static constexpr bool fogged = K.fog, gray = Gray;
         using N = Balanced<8>;
-        using Test = Depth<N, DepthFormat::z16, K.depth, K.depth_write>;
+        using Test = FusedCase::Test<N>;
         using Color = std::conditional_t<Gray, GouraudGray<N>, Gouraud<N, false>>;
-        using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
-        using Texture = TexelLanes<Image>;
-        using Coords = NearestLanes<Image, 0>;
+        using Texture = TexelLanes<Image<N>>;
+        using Coords = NearestLanes<Image<N>, 0>;
         using Fog = std::conditional_t<fogged, FogFactorLanes<N>, None<N, 0>>;
         using FogColor = std::conditional_t<fogged, FogShare<N>, None<N, 0>>;
     };

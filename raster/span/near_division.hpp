@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/lanes.hpp"
@@ -171,16 +173,10 @@ template <class Products> class NearDivisionOf {
     };
     /// v 2^(exponent + 32) / m of a plane with its guard bits.
     SPANGLE_INLINE std::int64_t over_m(std::uint64_t v, int exponent) const {
-        const std::int64_t high = numeric::mul_s32_u32(
-                               static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32)), mantissa_),
-                           product = high + numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
-        const int n = 14 - zeros_ - exponent; // 5 .. 21
-        if constexpr (sizeof(void*) > 4)
-            return product >> n;
-        const auto top = static_cast<std::int32_t>(product >> 32);
-        return static_cast<std::int64_t>(
-            static_cast<std::uint64_t>(std::int64_t{top >> n}) << 32 |
-            (static_cast<std::uint32_t>(product) >> n | static_cast<std::uint32_t>(top) << (32 - n)));
+        const auto top = static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 32));
+        const std::uint32_t low = numeric::mul_high_u32(static_cast<std::uint32_t>(v), mantissa_);
+        return numeric::words_after(numeric::mul_s32_u32(top, mantissa_) + low,
+                                    14 - zeros_ - exponent); // 5 .. 21
     }
     /// How far from 0 a plane is at most: all over the patch, or, where that is more than `enough`, between
     /// the corners of the primitive. The centres of a line's fragments lie up to a pixel beyond those.
@@ -233,13 +229,7 @@ template <int Count> class NearPlanes {
     template <class S, class... Plane>
     SPANGLE_INLINE explicit NearPlanes(const S& row, std::int32_t x, const Plane&... of)
         : x_(row.x + x), y_(row.y), dx_{of.dx...}, dy_{of.dy...}, origin_{row.at(x, of)...}, at_(origin_) {
-        offset_[0] = offset<0>();
-        if constexpr (Count > 1)
-            offset_[1] = offset<1>();
-        if constexpr (Count > 2)
-            offset_[2] = offset<2>();
-        if constexpr (Count > 3)
-            offset_[3] = offset<3>();
+        set_offsets(std::make_integer_sequence<int, Count>{});
     }
     /// Window columns from x on in row y; both are less than 2^16 from where it was made.
     SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
@@ -261,9 +251,12 @@ template <int Count> class NearPlanes {
         return L::times(v, L::splat(static_cast<std::uint32_t>(n)));
     }
     /// What a plane has more than in the first lane, whole parts.
-    template <int I> SPANGLE_INLINE L::U16 offset() const {
+    template <int... I> SPANGLE_INLINE void set_offsets(std::integer_sequence<int, I...>) {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
-        return L::splat_half<2 * I + 1>(dx_) * columns + L::mul_high(L::splat_half<2 * I>(dx_), columns);
+        const auto offset = [&](auto whole, auto fraction) __attribute__((always_inline)) {
+            return whole * columns + L::mul_high(fraction, columns);
+        };
+        ((offset_[I] = offset(L::splat_half<2 * I + 1>(dx_), L::splat_half<2 * I>(dx_))), ...);
     }
 
     std::int32_t x_, y_;

@@ -67,7 +67,7 @@ template <> class GuardedRampOf<true> {
     };
     Parts at_, origin_, by_, down_;
 };
-using GuardedRamp = GuardedRampOf<sizeof(void*) == 4>;
+using GuardedRamp = GuardedRampOf<!numeric::wide_words>;
 
 /// 1/w, for the stages behind it.
 template <class N> struct Divide : StageBase {

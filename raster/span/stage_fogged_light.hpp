@@ -32,11 +32,11 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const std::uint32_t f = N::clamped_fraction(p.fog);
         std::uint32_t texel = p.color.texel;
-        std::uint32_t g = g_.under(p.color.g * green(texel), f);
+        std::uint32_t g = g_.under(p.color.g * Scales::green(texel), f);
         texel = numeric::later(texel, g);
-        std::uint32_t r = r_.under(p.color.r * red(texel), f);
+        std::uint32_t r = r_.under(p.color.r * Scales::red(texel), f);
         texel = numeric::later(texel, r);
-        std::uint32_t b = b_.under(p.color.b * blue(texel), f);
+        std::uint32_t b = b_.under(p.color.b * Scales::blue(texel), f);
         if constexpr (Dither) {
             const std::uint32_t t = dither_.threshold() << 21;
             r = (r >> 16) * N::step_scale(5) + (t << 1);
@@ -60,15 +60,7 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
             return product + numeric::without_low_half(whole - color * f);
         }
     };
-    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
-        return Is565 ? texel_factors<Balanced<1>>.of5[t >> 11] : N::fraction(N::from8(t & 255));
-    }
-    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
-        return Is565 ? texel_factors<Balanced<1>>.of6[t >> 5 & 63] : N::fraction(N::from8(t >> 8 & 255));
-    }
-    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
-        return Is565 ? texel_factors<Balanced<1>>.of5[t & 31] : N::fraction(N::from8(t >> 16 & 255));
-    }
+    using Scales = TexelScales<ChainFactors<Balanced<1>>, Is565>;
 
     Share r_, g_, b_;
     [[no_unique_address]] Row dither_;

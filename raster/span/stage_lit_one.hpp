@@ -41,9 +41,7 @@ template <> struct LitNumbers<NearWords> {
         return numeric::mul_high_u32(c, f);
     }
     SPANGLE_INLINE static std::uint32_t whole(std::uint32_t c) { return c >> 2; }
-    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return texel_factors<Exact>.of5[k]; }
-    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return texel_factors<Exact>.of6[k]; }
-    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return Exact::fraction(Exact::from8(k)); }
+    using Factors = ChainFactors<Exact>;
     SPANGLE_INLINE static std::uint32_t modulated(std::uint32_t c, std::uint32_t factor) {
         return numeric::mul_high_u32(c, factor);
     }
@@ -73,9 +71,7 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t rest(std::uint32_t f) { return 0xFFFF - f; }
     SPANGLE_INLINE static std::uint32_t share(std::uint32_t c, std::uint32_t f) { return c * f >> 16; }
     SPANGLE_INLINE static std::uint32_t whole(std::uint32_t c) { return c; }
-    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return detail::lit_factors<31>.of[k]; }
-    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return detail::lit_factors<63>.of[k]; }
-    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return detail::lit_factors<255>.of[k]; }
+    using Factors = HalfFactors;
     SPANGLE_INLINE static std::uint32_t modulated(std::uint32_t c, std::uint32_t factor) {
         return c * factor;
     }
@@ -248,16 +244,9 @@ class LitOne : public T {
                            : Numbers::modulated(c, factor)) +
                    from_;
         };
-        std::uint32_t r, g, b; // the least that they may be
-        if constexpr (T::texel_format == TexelFormat::rgb565) {
-            r = lit(red, Numbers::factor5(texel >> 11), 0);
-            g = lit(green, Numbers::factor6(texel >> 5 & 63), 1);
-            b = lit(blue, Numbers::factor5(texel & 31), 2);
-        } else {
-            r = lit(red, Numbers::factor8(texel & 255), 0);
-            g = lit(green, Numbers::factor8(texel >> 8 & 255), 1);
-            b = lit(blue, Numbers::factor8(texel >> 16 & 255), 2);
-        }
+        // The least that they may be.
+        const std::uint32_t r = lit(red, Scales::red(texel), 0), g = lit(green, Scales::green(texel), 1),
+                            b = lit(blue, Scales::blue(texel), 2);
         constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
         if (((((r + range_) ^ r) | ((b + range_) ^ b)) & five) != 0 || (((g + range_) ^ g) & six) != 0)
             [[unlikely]]
@@ -269,6 +258,7 @@ class LitOne : public T {
 
   private:
     using Numbers = LitNumbers<Products>;
+    using Scales = TexelScales<typename Numbers::Factors, T::texel_format == TexelFormat::rgb565>;
     using Color = LitColorOne<Products, Full>;
     static constexpr int top = Numbers::top;
 

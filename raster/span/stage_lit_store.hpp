@@ -38,6 +38,13 @@ template <std::uint32_t Most> inline constexpr LitFactors<Most> lit_factors;
 
 } // namespace detail
 
+/// Factors of 16 bits, for products of halves.
+struct HalfFactors {
+    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return detail::lit_factors<31>.of[k]; }
+    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return detail::lit_factors<63>.of[k]; }
+    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return detail::lit_factors<255>.of[k]; }
+};
+
 /// What LitFragments makes of a fragment and its texel, a word 565 or bytes.
 template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public StageBase {
   public:
@@ -56,8 +63,8 @@ template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public S
     /// fog: as FogLinear has it.
     SPANGLE_INLINE std::uint32_t word(const N::Color& c, std::uint32_t fog) const {
         const std::uint32_t f = HasFog ? N::L::clamped_24_to_16(fog) : 0, t = c.texel;
-        const std::uint32_t r = lit(c.r, red(t), f, 0), g = lit(c.g, green(t), f, 1),
-                            b = lit(c.b, blue(t), f, 2);
+        const std::uint32_t r = lit(c.r, Scales::red(t), f, 0), g = lit(c.g, Scales::green(t), f, 1),
+                            b = lit(c.b, Scales::blue(t), f, 2);
         if (((((r + range) ^ r) | ((b + range) ^ b)) & 0xF800) != 0 || (((g + range) ^ g) & 0xFC00) != 0)
             [[unlikely]]
             return done_again(N::Color(c), fog, fog_color_); // a copy, or p would have an address
@@ -78,18 +85,10 @@ template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public S
     }
 
   private:
+    using Scales = TexelScales<HalfFactors, Is565>;
     static constexpr std::uint32_t under = LitGuess<HasFog>::under, range = under + LitGuess<HasFog>::over;
 
     SPANGLE_INLINE static std::uint32_t rounded(std::uint32_t c) { return (c + (1u << 11)) >> 12; }
-    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
-        return Is565 ? detail::lit_factors<31>.of[t >> 11] : detail::lit_factors<255>.of[t & 255];
-    }
-    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
-        return Is565 ? detail::lit_factors<63>.of[t >> 5 & 63] : detail::lit_factors<255>.of[t >> 8 & 255];
-    }
-    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
-        return Is565 ? detail::lit_factors<31>.of[t & 31] : detail::lit_factors<255>.of[t >> 16 & 255];
-    }
     /// The least that the component, rounded to 255ths, may be.
     SPANGLE_INLINE std::uint32_t lit(std::uint32_t c, std::uint32_t factor, std::uint32_t f, int i) const {
         const std::uint32_t v = rounded(c) * factor >> 16;

@@ -21,6 +21,27 @@ template <class N>
 inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>>
     texel_factors;
 
+/// What MODULATE multiplies by, of a texel: R5 G6 B5, or 8-bit components with R in the lowest byte. Factors
+/// has factor5(), factor6(), factor8().
+template <class Factors, bool Is565> struct TexelScales {
+    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
+        return Is565 ? Factors::factor5(t >> 11) : Factors::factor8(t & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
+        return Is565 ? Factors::factor6(t >> 5 & 63) : Factors::factor8(t >> 8 & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
+        return Is565 ? Factors::factor5(t & 31) : Factors::factor8(t >> 16 & 255);
+    }
+};
+
+/// Those of the chain.
+template <class N> struct ChainFactors {
+    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return texel_factors<N>.of5[k]; }
+    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return texel_factors<N>.of6[k]; }
+    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return N::fraction(N::from8(k)); }
+};
+
 /// Words R5 G6 B5, or of 8-bit components with R in the lowest byte. Alpha: there is one.
 template <class N, bool Is565, bool Alpha> struct TexelColors {
     using Color = typename N::Color;
