@@ -296,18 +296,19 @@ SPANGLE_INLINE bool gathered_rows([[maybe_unused]] Span<Fixed>& span, [[maybe_un
     return false;
 }
 
-template <class Case> SPANGLE_INLINE void fused_narrow_piece(Span<Fixed>& span, const Row& row) {
-    enter_fused<Case>(span, row);
-    fused_narrow_row<Case>(span, row);
+/// What patches do not serve: one loop for all of it.
+template <class Case>
+[[gnu::noinline]] void fused_patchless_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    fused_narrow_rows<Case>(span, row, end);
 }
 
 /// One fragment at a time.
 template <class Case, class Products>
 SPANGLE_INLINE void fused_lit_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     if (PatchOfRows::are_many(row, end, PatchOfRows::few_for_one))
-        fused_divided_rows(span, row, end, &draw_patch_one<Case, Products>, &fused_narrow_piece<Case>);
+        fused_divided_rows(span, row, end, &draw_patch_one<Case, Products>, &fused_patchless_rows<Case>);
     else
-        fused_narrow_rows<Case>(span, row, end);
+        fused_patchless_rows<Case>(span, row, end);
 }
 
 /// Case has: template <int Lanes> using System, List; static constexpr key, tested, wide, heavy, plain, lit,
@@ -317,11 +318,11 @@ template <class Case, int Wide = host_lanes>
     if constexpr (Case::lit && Wide == 8) {
         const Rect& clip = span.state->fragment.scissor;
         if (clip.w < 8 || !PatchOfRows::are_many(row, end, PatchOfRows::few))
-            return fused_narrow_rows<Case>(span, row, end);
+            return fused_patchless_rows<Case>(span, row, end);
         const auto draw = [room = clip.x + clip.w - 8](Span<Fixed>& at, const Row* first, const Row* last) {
             return draw_patch<Case>(at, first, last, room);
         };
-        fused_divided_rows(span, row, end, draw, &fused_narrow_piece<Case>);
+        fused_divided_rows(span, row, end, draw, &fused_patchless_rows<Case>);
     } else if constexpr (Case::lit) {
         fused_lit_rows<Case, NearProducts>(span, row, end);
     } else if constexpr (Wide == 8 && Case::heavy) {

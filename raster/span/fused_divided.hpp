@@ -136,7 +136,7 @@ SPANGLE_INLINE void fused_divided_rows(Span<Fixed>& span, const Row* row, const 
             for (Row piece = *row; piece.first != row->last; piece.first = piece.last) {
                 piece.last = row->last - piece.first < columns ? row->last : piece.first + columns;
                 if (!draw(span, &piece, &piece + 1))
-                    narrow(span, piece);
+                    narrow(span, &piece, &piece + 1);
             }
             ++row;
         }

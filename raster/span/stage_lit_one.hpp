@@ -158,13 +158,10 @@ template <class Products, bool Full> class LitColorOne {
   public:
     template <class Patch>
     SPANGLE_INLINE LitColorOne(const PlaneRow& row, std::int32_t x, const Patch& patch, int i)
-        : v_(make(row, x, patch, i)) {}
+        : v_(row, x, plane(row, patch, i)) {}
     template <class Patch>
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
-        if constexpr (Full)
-            v_.start(row, x, patch.color[i]);
-        else
-            v_.start(row, x, row.color_value[i]);
+        v_.start(row, x, plane(row, patch, i));
     }
     SPANGLE_INLINE std::uint32_t at(std::int32_t i, std::int32_t inverse) const {
         constexpr std::int32_t one = (255 << 8) << Products::fraction_bits;
@@ -177,11 +174,12 @@ template <class Products, bool Full> class LitColorOne {
   private:
     using V = std::conditional_t<Full, LitRatioOne<Products>, NumberedRamp>;
     template <class Patch>
-    SPANGLE_INLINE static V make(const PlaneRow& row, std::int32_t x, const Patch& patch, int i) {
+    SPANGLE_INLINE static const auto& plane([[maybe_unused]] const PlaneRow& row,
+                                            [[maybe_unused]] const Patch& patch, int i) {
         if constexpr (Full)
-            return V(row, x, patch.color[i]);
+            return patch.color[i];
         else
-            return V(row, x, row.color_value[i]);
+            return row.color_value[i];
     }
     V v_;
 };
