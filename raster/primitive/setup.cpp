@@ -30,16 +30,24 @@ void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x
     start(along_x ? begin : from.x, along_x ? from.y : begin);
 }
 
-SPANGLE_INLINE void Setup<Fixed>::in_plane(std::int64_t area2) {
-    const std::uint64_t area = numeric::abs_u64(area2);
-    const auto high = static_cast<std::uint32_t>(area >> 32), low = static_cast<std::uint32_t>(area);
-    const int zeros = high == 0 ? 32 + clz32(low) : clz32(high);
-    const std::uint32_t top =
-        high == 0 ? low << (zeros - 32) : static_cast<std::uint32_t>((area << zeros) >> 32);
+/// Of the box of three corners, upwards.
+void Setup<Fixed>::along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c) {
+    const Vertex* left = b.x < a.x ? &b : &a;
+    const Vertex* right = b.x < a.x ? &a : &b;
+    left = c.x < left->x ? &c : left;
+    right = c.x > right->x ? &c : right;
+    if (right->x - left->x <= c.y - a.y)
+        along_axis(a, c, false, a.y, c.y);
+    else
+        along_axis(*left, *right, true, left->x, right->x);
+}
+
+/// |area2| 2^zeros has its highest bit; `top` is its upper word.
+SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool negative) {
     // 1 / area2 = inverse 2^(zeros - 94); 2^31 itself is off by 2^-31 of its value
     const std::uint32_t reciprocal = numeric::reciprocal(top);
     const auto inverse = static_cast<std::int32_t>(reciprocal - (reciprocal >> 31));
-    const std::int32_t signed_inverse = area2 < 0 ? -inverse : inverse;
+    const std::int32_t signed_inverse = negative ? -inverse : inverse;
     const std::int32_t y2 = v(2).y - v(0).y, y1 = v(0).y - v(1).y;
     const std::int32_t x2 = v(0).x - v(2).x, x1 = v(1).x - v(0).x;
     // |d| 2^up < 2^31; y2 >= |y1|
@@ -178,7 +186,7 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     span_.guess.project = &project;
 }
 
-SPANGLE_INLINE void Setup<Fixed>::constant_colors(const Vertex& painted) {
+void Setup<Fixed>::constant_colors(const Vertex& painted) {
     const std::uint32_t bias = state_.variant[static_cast<unsigned>(span_.kind)].color_bias;
     constexpr int up = 24 - color_fraction_bits;
     for (int i = 0; i < 4; ++i)
@@ -271,28 +279,35 @@ void Setup<Fixed>::attributes(const Vertex& provoking) {
 
 // --- primitives
 
-Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
-                    const Vertex& provoking, std::int64_t area2)
-    : span_(span), state_(*span.state) {
-    span.basis.v[0] = &a, span.basis.v[1] = &b, span.basis.v[2] = &c;
+Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const Vertex& c,
+                                         std::int64_t area2) {
     const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
-    const std::uint64_t most = static_cast<std::uint64_t>(thin_aspect) * numeric::abs_u64(area2);
+    const std::uint64_t area = numeric::abs_u64(area2), most = thin_aspect * area;
     // No box is wider than the sum.
     if (numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most &&
-        numeric::mul_u32(range_of(0, x1, x2), height) > most) {
-        const std::uint32_t width = range_of(0, x1, x2);
-        if (width <= height) {
-            along_axis(a, c, false, a.y, c.y);
-        } else {
-            const Vertex* left = b.x < a.x ? &b : &a;
-            const Vertex* right = b.x < a.x ? &a : &b;
-            left = c.x < left->x ? &c : left;
-            right = c.x > right->x ? &c : right;
-            along_axis(*left, *right, true, left->x, right->x);
-        }
+        numeric::mul_u32(range_of(0, x1, x2), height) > most)
+        return {};
+    const auto high = static_cast<std::uint32_t>(area >> 32);
+    if (high == 0)
+        return {static_cast<std::uint32_t>(area), 0, area2 < 0 ? -1 : 1};
+    const int zeros = clz32(high);
+    return {static_cast<std::uint32_t>((area << zeros) >> 32), 32 - zeros, area2 < 0 ? -1 : 1};
+}
+
+Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
+                    const Vertex& provoking, std::int64_t area2)
+    : Setup(span, a, b, c, provoking, area_of(a, b, c, area2)) {}
+
+Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,
+                    const Vertex& provoking, const Area& area)
+    : span_(span), state_(*span.state) {
+    span.basis.v[0] = &a, span.basis.v[1] = &b, span.basis.v[2] = &c;
+    if (area.word != 0) [[likely]] {
+        const int zeros = clz32(area.word);
+        in_plane(area.word << zeros, 32 - area.exponent + zeros, area.sign < 0);
     } else {
-        in_plane(area2);
+        along_longer_axis(a, b, c);
     }
     if (has_shortcuts && state_.smooth_rgb)
         attributes_of<true>(provoking);

@@ -24,6 +24,19 @@ template <> class Setup<Fixed> {
     /// Triangle; a, b, c sorted by y (then x), area2 their signed area, not 0.
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
           std::int64_t area2);
+    /// The same where the area is known by its upper bits: |area2| = word 2^exponent or a bit more.
+    struct Area {
+        std::uint32_t word; ///< 0: it is thin
+        std::int32_t exponent;
+        std::int32_t sign; ///< below 0: negative
+        /// In a window box that fits a word.
+        SPANGLE_INLINE static Area in_box(std::int32_t area2, std::uint32_t box) {
+            const std::uint32_t word = numeric::abs_u32(area2);
+            return {(box - 1) / thin_aspect < word ? word : 0, 0, area2}; // box <= thin_aspect |area2|
+        }
+    };
+    Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& provoking,
+          const Area& area);
     /// Line: attributes vary along its major axis, from a at coordinate `begin` to b at `end` (subpixels).
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
           std::int32_t begin, std::int32_t end);
@@ -36,7 +49,7 @@ template <> class Setup<Fixed> {
     /// Above this ratio of window box to area a triangle is interpolated along its longer axis only:
     /// two-dimensional gradients would lose too much there, and its centres lie within a fraction of a pixel
     /// of a line.
-    static constexpr std::int64_t thin_aspect = 1 << 10;
+    static constexpr std::uint32_t thin_aspect = 1 << 10;
 
   private:
     /// Differences with all their bits: those of an affine plane wrap with it.
@@ -63,7 +76,9 @@ template <> class Setup<Fixed> {
 
     void start(std::int32_t x, std::int32_t y);
     void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
-    void in_plane(std::int64_t area2);
+    static Area area_of(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area2);
+    void along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c);
+    void in_plane(std::uint32_t top, int zeros, bool negative);
     template <bool Rgb> void attributes_of(const Vertex& provoking);
     void attributes(const Vertex& provoking);
     template <bool Rgb> void plain(std::uint32_t color_bits, const Vertex& painted);

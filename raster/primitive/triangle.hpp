@@ -126,17 +126,28 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     } while (end == full && (end = fill()) != begin);
 }
 
-template <class E, class P>
+/// Within low_extent and SmallEdge::extent.
+template <class P>
 SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
-                             const typename P::Vertex& provoking) {
+                             const typename P::Vertex& provoking, std::int32_t width) {
     static_assert(low_extent <= (Pen<P>::batch - 1) * subpixel_one);
+    using Low = std::conditional_t<numeric::divides, LowEdge, ShortEdge>;
     const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
     Row* const begin = pen.rows();
-    const Row* const end = pen.cuts() ? low_rows<E, true>(begin, xs, ys, t.area2 < 0, pen.clip())
-                                      : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
+    const auto rows = [&]<class E>(E) {
+        return pen.cuts() ? low_rows<E, true>(begin, xs, ys, t.area2 < 0, pen.clip())
+                          : low_rows<E, false>(begin, xs, ys, t.area2 < 0, pen.clip());
+    };
+    const Row* const end = width <= Low::extent ? rows(Low()) : rows(SmallEdge());
     if (end == begin)
         return;
-    set_up(pen, t, provoking);
+    if constexpr (!std::is_same_v<P, Fixed>) {
+        set_up(pen, t, provoking);
+    } else if (!pen.is_set_up()) {
+        Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking,
+                 Setup<P>::Area::in_box(static_cast<std::int32_t>(t.area2),
+                                        static_cast<std::uint32_t>(width * (t.c.y - t.a.y))));
+    }
     pen.begin();
     pen.draw(end);
 }
@@ -225,11 +236,8 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
     const std::int32_t width = most - least, height = high.y - low.y;
     if (detail::draw_trapezoids(pen, sorted(), provoking, width, right))
         return;
-    using Low = std::conditional_t<numeric::divides, LowEdge, ShortEdge>;
-    if (width <= Low::extent && height <= low_extent)
-        detail::draw_low<Low>(pen, sorted(), provoking);
-    else if (width <= SmallEdge::extent && height <= low_extent)
-        detail::draw_low<SmallEdge>(pen, sorted(), provoking);
+    if (width <= SmallEdge::extent && height <= low_extent)
+        detail::draw_low(pen, sorted(), provoking, width);
     else if (width <= SmallEdge::extent && height <= SmallEdge::extent)
         detail::draw_rows<SmallEdge>(pen, sorted(), provoking);
     else
