@@ -113,6 +113,50 @@ SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
     return v & 0xFFFF0000;
 }
 
+/// v is read where it is used, not held in registers: for loops with more words than Thumb has registers,
+/// which compilers would put aside one by one.
+template <class T> SPANGLE_INLINE void kept_in_memory([[maybe_unused]] T& v) {
+#if defined(__thumb2__)
+    asm("" : "+m"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+}
+
+/// What one instruction reads, where there is one that reads two words.
+template <class A, class B> struct Two {
+    A a;
+    B b;
+};
+template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& from) {
+#if defined(__thumb2__)
+    A a;
+    B b;
+    asm("ldrd %0, %1, %2" : "=r"(a), "=r"(b) : "o"(from)); // NOLINT(hicpp-no-assembler)
+    return {a, b};
+#else
+    return from;
+#endif
+}
+
+/// An instruction puts bits of one word into another. Decides between forms of equal results.
+#if defined(__thumb2__)
+inline constexpr bool inserts_bits = true;
+#else
+inline constexpr bool inserts_bits = false;
+#endif
+
+/// v with `bits` in its bits At .. At + Count - 1.
+template <int At, int Count>
+SPANGLE_INLINE constexpr std::uint32_t with_bits(std::uint32_t v, std::uint32_t bits) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("bfi %0, %1, %2, %3" : "+r"(v) : "r"(bits), "I"(At), "I"(Count)); // NOLINT(hicpp-no-assembler)
+        return v;
+    }
+#endif
+    constexpr std::uint32_t mask = (1u << Count) - 1;
+    return (v & ~(mask << At)) | (bits & mask) << At;
+}
+
 /// floor(v / 2^n) for any n < 2^31. What ARM shifts by may be up to 255, which takes a test less.
 SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_t n) {
 #if defined(__thumb2__)

@@ -5,6 +5,7 @@
 
 #include "raster/span/dither_pattern.hpp"
 #include "raster/span/fused_divided.hpp"
+#include "raster/span/fused_fogged.hpp"
 #include "raster/span/fused_gathered.hpp"
 #include "raster/span/path_list.hpp"
 #include "raster/span/rows.hpp"
@@ -333,6 +334,8 @@ template <class Case, int Wide = host_lanes>
             fused_narrow_rows<Case>(span, row, end);
         else if (!gathered_rows<Case>(span, row, end))
             fused_plain_rows<Case>(span, row, end);
+    } else if constexpr (Case::fogged && Wide == 1) {
+        fused_fogged_rows<Case>(span, row, end);
     } else if constexpr (Case::plain) {
         if constexpr (Wide == 8 && Case::wide)
             if (span.state->fragment.scissor.w >= 8)

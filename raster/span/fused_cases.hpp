@@ -241,6 +241,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         return true;
     }
 
+    /// Nothing but a loop of its own (fused_fogged.hpp).
+    static constexpr bool fogged = numeric::long_products && stores_light<1> && K.kind == Kind::affine &&
+                                   !K.color_alpha && K.unit[0].texels == TexelFormat::rgb565,
+                          gray = Gray;
+
     static constexpr Key key = K;
     static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);

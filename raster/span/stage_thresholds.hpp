@@ -57,6 +57,7 @@ template <class L> struct DitherPlace : DitherRow<L> {
 /// In place of either, where nothing is dithered.
 struct NoThreshold {
     SPANGLE_INLINE NoThreshold(std::int32_t, std::int32_t) {}
+    SPANGLE_INLINE static std::uint32_t threshold() { return 0; }
     SPANGLE_INLINE void step() {}
     SPANGLE_INLINE void next_row() {}
 };

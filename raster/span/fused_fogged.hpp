@@ -1,0 +1,136 @@
+// Rows of texels in light and fog of the balanced tier, affine, one lane: a loop that needs twice as many
+// words as there are registers. What stays lies in memory by twos, in the order in which it is read.
+#pragma once
+
+#include "raster/span/rows.hpp"
+#include "raster/span/stage_depth.hpp"
+#include "raster/span/stage_fogged_light.hpp"
+#include "raster/span/stage_nearest.hpp"
+
+namespace spangle::raster {
+
+template <class Case> class FoggedRows {
+  public:
+    SPANGLE_INLINE explicit FoggedRows(const Span<Fixed>& span) : combine_(span) {
+        const auto& fragment = span.state->fragment;
+        const int log2_width = span.state->log2_width[0], log2_height = span.state->log2_height[0];
+        image_ = {1u << log2_width, 1u << log2_height};
+        step_z_ = {fragment.unit[0].texture->level[0].texels, span.z.dx};
+        step_coord_ = {span.s[0].dx, span.t[0].dx};
+        z_ = origin(span, span.z);
+        s_ = origin(span, span.s[0], 0 - NearestPosition::origin(log2_width));
+        t_ = origin(span, span.t[0], 0 - NearestPosition::origin(log2_height));
+        fog_ = origin(span, span.fog);
+        for (int i = 0; i < lights; ++i) {
+            step_light_[i] = {span.color_value[i].dx, span.fog.dx};
+            light_[i] = origin(span, span.color_value[i]);
+        }
+        color_ = {span.target->color, span.target->color_stride};
+        depth_ = {span.target->depth, span.target->depth_stride};
+    }
+
+    SPANGLE_INLINE void draw(const Row& row) {
+        numeric::kept_in_memory(*this);
+        const auto y = static_cast<std::uint32_t>(row.y);
+        const std::int32_t last = row.last, first = row.first;
+        const auto x = static_cast<std::uint32_t>(first);
+        const auto [texels0, dz] = numeric::load_two(step_z_);
+        std::uint32_t z = at(z_, x, y, dz);
+        const auto [ds, dt] = numeric::load_two(step_coord_);
+        std::uint32_t s = at(s_, x, y, ds), t = at(t_, x, y, dt), light[lights], fog;
+        for (int k = 0; k < lights; ++k) {
+            const auto [dlight, dfog] = numeric::load_two(step_light_[k]);
+            light[k] = at(light_[k], x, y, dlight);
+            if (k == 0)
+                fog = at(fog_, x, y, dfog);
+        }
+        [[maybe_unused]] Threshold dither(first, row.y);
+        color_end_ = place(color_, row.y, last);
+        std::uint8_t* const depth = place(depth_, row.y, last);
+        std::int32_t i = first - last; // counted up to 0: the last index needs no register
+        do {
+            numeric::kept_in_memory(*this);
+            const std::uint32_t z16 = z >> 16;
+            const auto [texels, by_z] = numeric::load_two(step_z_);
+            z += by_z;
+            if (test(depth + 2 * i, z16)) {
+                N::Color color;
+                color.texel = texel(texels, s, t);
+                const std::uint32_t f = N::clamped_fraction(fog);
+                color.r = color.g = color.b = N::scaled(N::from_affine(light[0]), f);
+                if constexpr (!Case::gray) {
+                    color.g = N::scaled(N::from_affine(light[1]), f);
+                    color.b = N::scaled(N::from_affine(light[2]), f);
+                }
+                combine_.store(color_end_ + 2 * i, color, f, dither.threshold());
+            }
+            dither.step();
+            const auto [by_s, by_t] = numeric::load_two(step_coord_);
+            s += by_s;
+            t += by_t;
+            for (int k = 0; k < lights; ++k) {
+                const auto [by_light, by_fog] = numeric::load_two(step_light_[k]);
+                light[k] += by_light;
+                if (k == 0)
+                    fog += by_fog;
+            }
+        } while (++i != 0);
+    }
+
+  private:
+    using N = BalancedLit;
+    static constexpr int lights = Case::gray ? 1 : 3;
+    using Threshold = std::conditional_t<Case::key.dither, detail::DitherRow<N::L>, detail::NoThreshold>;
+    /// At column 0 of row 0 of the window, and from row to row.
+    using Origin = numeric::Two<std::uint32_t, std::uint32_t>;
+    using Plane = numeric::Two<std::uint8_t*, std::int32_t>;
+
+    SPANGLE_INLINE static Origin origin(const Span<Fixed>& span, const Span<Fixed>::Affine& plane,
+                                        std::uint32_t more = 0) {
+        return {numeric::factor32(plane.value + more - static_cast<std::uint32_t>(span.anchor_x) * plane.dx) -
+                    static_cast<std::uint32_t>(span.anchor_y) * plane.dy,
+                plane.dy};
+    }
+    SPANGLE_INLINE static std::uint32_t at(const Origin& plane, std::uint32_t x, std::uint32_t y,
+                                           std::uint32_t dx) {
+        const auto [value, dy] = numeric::load_two(plane);
+        return numeric::factor32(value + y * dy) + x * dx;
+    }
+    SPANGLE_INLINE static std::uint8_t* place(const Plane& plane, std::int32_t y, std::int32_t x) {
+        const auto [first, stride] = numeric::load_two(plane);
+        return numeric::factor32(first + std::ptrdiff_t{y} * stride) + std::ptrdiff_t{2} * x;
+    }
+    SPANGLE_INLINE static bool test(std::uint8_t* at, std::uint32_t z) {
+        if constexpr (Case::tested) {
+            if (!compare<Case::key.depth>(z, N::L::load(at)))
+                return false;
+            if constexpr (Case::key.depth_write)
+                N::L::store(at, z);
+        }
+        return true;
+    }
+    SPANGLE_INLINE std::uint32_t texel(const std::uint8_t* texels, std::uint32_t s, std::uint32_t t) const {
+        const auto [width, height] = numeric::load_two(image_);
+        const auto column = static_cast<std::uint32_t>(std::uint64_t{s} * width >> 32),
+                   row = static_cast<std::uint32_t>(std::uint64_t{t} * height >> 32);
+        return N::L::load(texels + 2 * (row * width + column));
+    }
+
+    numeric::Two<std::uint32_t, std::uint32_t> image_; ///< width and height
+    numeric::Two<const std::uint8_t*, std::uint32_t> step_z_;
+    FoggedTexel<Case::key.format, true, Case::key.dither> combine_;
+    numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
+    std::uint8_t* color_end_; ///< of the row
+    Origin z_, s_, t_, fog_, light_[lights];
+    Plane color_, depth_;
+};
+
+template <class Case>
+SPANGLE_INLINE void fused_fogged_rows(const Span<Fixed>& span, const Row* row, const Row* end) {
+    FoggedRows<Case> rows(span);
+    do
+        rows.draw(*row);
+    while (++row != end);
+}
+
+} // namespace spangle::raster
