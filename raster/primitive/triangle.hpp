@@ -160,7 +160,7 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
         const DrawState& state = *pen.span.state;
         Tile tile;
         int tiles;
-        if (!state.shapes || pen.cuts() || state.counters != nullptr ||
+        if (!state.tiles || pen.cuts() || state.counters != nullptr ||
             !make_tile(tile, tiles, *t.a.vertex, *t.b.vertex, *t.c.vertex, t.area2 < 0, left, right,
                        pen.clip()))
             return false;
@@ -168,7 +168,7 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
             return true;
         set_up(pen, t, provoking);
         const Shapes* const shapes = state.variant[static_cast<unsigned>(pen.span.kind)].shapes;
-        if (shapes == nullptr)
+        if (shapes == nullptr || shapes->tile == nullptr)
             return false;
         const bool touched = is_touched(*pen.span.target, tile, left, right);
         for (;; tile.move_right()) {

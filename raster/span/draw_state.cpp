@@ -203,7 +203,9 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue; // whose colours and fog are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
         lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
-        draw.shapes = draw.shapes || draw.variant[i].shapes != nullptr;
+        const Shapes* const shapes = draw.variant[i].shapes;
+        draw.shapes = draw.shapes || shapes != nullptr;
+        draw.tiles = draw.tiles || (shapes != nullptr && shapes->tile != nullptr);
     }
 #if !SPANGLE_CHAIN
     draw.lacks_span = lacks_span;

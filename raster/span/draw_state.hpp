@@ -40,7 +40,7 @@ struct Tile;
 struct Trapezoids;
 /// Triangles that are not drawn as rows, with the planes of the span (tile.hpp, trapezoids.hpp).
 struct Shapes {
-    void (*tile)(Span<Fixed>&, const Tile&);
+    void (*tile)(Span<Fixed>&, const Tile&); ///< or null
     void (*trapezoids)(Span<Fixed>&, const Trapezoids&);
 };
 
@@ -112,7 +112,8 @@ struct DrawState {
     Needs needs;
     bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
     bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
-    bool shapes = false;             ///< some variant has them
+    bool shapes = false;             ///< some variant has them,
+    bool tiles = false;              ///< tiles among them
     bool pixels = false;  ///< colours come with the fragments: four components each in colour units,
     bool words = false;   ///< or the 16 bits R5 G6 B5 that are stored, in host order
     bool guesses = false; ///< colours of Kind::full may be guessed (Span::guess)

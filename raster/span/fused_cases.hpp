@@ -61,6 +61,8 @@ constexpr bool filters_words(const Key& key) {
 /// Gray: for primitives whose colours are, only. Apart: every attribute over w divides for itself, as in the
 /// chain, for primitives that the stages of stage_divided.hpp do not serve.
 template <class Case> inline constexpr Shapes shapes_of = {&fused_tile<Case>, &fused_trapezoids<Case>};
+template <void (*Draw)(Span<Fixed>&, const Trapezoids&)>
+inline constexpr Shapes trapezoids_of = {nullptr, Draw};
 
 template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
@@ -303,12 +305,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                                      !K.color_alpha && !K.blend && !K.dither;
     struct Gathered {
         static constexpr Key key = K;
-        static constexpr bool fogged = K.fog, gray = Gray;
+        static constexpr bool fogged = K.fog, gray = Gray, tested = true;
         using N = Balanced<8>;
         using Test = FusedCase::Test<N>;
-        using Color = std::conditional_t<Gray, GouraudGray<N>, Gouraud<N, false>>;
         using Texture = TexelLanes<Image<N>>;
-        using Coords = NearestLanes<Image<N>, 0>;
         using Fog = std::conditional_t<fogged, FogFactorLanes<N>, None<N, 0>>;
         using FogColor = std::conditional_t<fogged, FogShare<N>, None<N, 0>>;
     };
@@ -329,6 +329,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr const Shapes* shapes() {
         if constexpr (plain && wide && host_lanes == 8)
             return &shapes_of<FusedCase>;
+        else if constexpr (gathered && splits_gray)
+            return &trapezoids_of<&fused_trapezoids_by_gray<FusedCase, FusedCase<K, true>>>;
+        else if constexpr (gathered)
+            return &trapezoids_of<&fused_trapezoids<FusedCase>>;
         else
             return nullptr;
     }

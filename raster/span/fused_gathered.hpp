@@ -3,14 +3,15 @@
 #pragma once
 
 #include "raster/span/fused_groups.hpp"
+#include "raster/span/row_planes.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_lanes.hpp"
 #include "raster/span/stage_store.hpp"
 
 namespace spangle::raster {
 
-/// Fragments that passed the depth test, on their way to the surface. Case has: Test, Color, Texture, Coords,
-/// Fog, FogColor (or None), fogged, gray, key.
+/// Fragments that passed the depth test, on their way to the surface. Case has: Test, Texture, Fog, FogColor
+/// (or None), fogged, gray, tested, key.
 template <class Case> class GatheredPacket {
   public:
     using N = typename Case::N;
@@ -20,46 +21,43 @@ template <class Case> class GatheredPacket {
 
     SPANGLE_INLINE explicit GatheredPacket(const PlaneRow& at) : texture_(at, 0), fog_(at, 0) {}
 
-    SPANGLE_INLINE static void store(Values& to, std::int32_t i, const typename L::U16& v) {
+    SPANGLE_INLINE static void store(Values& to, std::ptrdiff_t i, const typename L::U16& v) {
         __builtin_memcpy(to + i, &v, 16);
     }
-    /// A group whose first fragment is the i-th.
-    SPANGLE_INLINE void place(typename L::Mask live, std::uint8_t* color, std::int32_t i) {
-        groups_[group_count_++] = {live, color, i};
-    }
-    /// All `count` fragments to the surface.
-    [[gnu::noinline]] void flush(std::int32_t count) {
+    /// Eight fragments of the packet, from the first on, those that live: where they go.
+    struct Group {
+        typename L::Mask live;
+        std::uint8_t* color;
+        std::ptrdiff_t first;
+    };
+    Group groups[size];
+
+    /// All `count` fragments to the surface, by groups up to `end`.
+    [[gnu::noinline]] void flush(std::ptrdiff_t count, const Group* end) {
         pad(count);
-        for (std::int32_t i = 0; i < count; i += 8)
+        for (std::ptrdiff_t i = 0; i < count; i += 8)
             finish(i);
-        for (const Group* group = groups_; group != groups_ + group_count_; ++group)
-            Words565<L, Case::key.format>::store_where(group->live, group->color, load(words_, group->first));
-        group_count_ = 0;
+        for (const Group* group = groups; group != end; ++group)
+            L::store(group->color, L::select(group->live, load(words_, group->first), L::load(group->color)));
     }
 
     alignas(16) Values index, colors[3], fogs;
 
   private:
-    struct Group {
-        typename L::Mask live;
-        std::uint8_t* color;
-        std::int32_t first; ///< of its fragments in the packet
-    };
-
-    SPANGLE_INLINE static typename L::U16 load(const Values& from, std::int32_t i) {
+    SPANGLE_INLINE static typename L::U16 load(const Values& from, std::ptrdiff_t i) {
         typename L::U16 v;
         __builtin_memcpy(&v, from + i, 16);
         return v;
     }
     /// Fragments behind the last one look at the first texel.
-    SPANGLE_INLINE void pad(std::int32_t count) {
+    SPANGLE_INLINE void pad(std::ptrdiff_t count) {
         const typename L::U16 none = L::splat(0);
         store(index, count, none);
         for (Values& values : colors)
             store(values, count, none);
         store(fogs, count, none);
     }
-    SPANGLE_INLINE void finish(std::int32_t i) {
+    SPANGLE_INLINE void finish(std::ptrdiff_t i) {
         Px<N> p;
         p.color.r = load(colors[0], i);
         p.color.g = Case::gray ? p.color.r : load(colors[1], i);
@@ -71,84 +69,139 @@ template <class Case> class GatheredPacket {
         texture_.combine_words(p, texture_.words_of(index + i));
         if constexpr (Case::fogged)
             fog_.add(p, f);
-        store(words_, i, truncated565<N>(p.color));
+        store(words_, i, Words565<L, Case::key.format>::ordered(truncated565<N>(p.color)));
     }
 
     typename Case::Texture texture_;
     typename Case::FogColor fog_;
-    alignas(16) Values words_;
-    Group groups_[size];
-    int group_count_ = 0;
+    alignas(16) Values words_; ///< as they are stored
 };
 
-/// What is interpolated: apart from the packet, which has an address, this is in registers.
+/// What is interpolated.
 template <class Case> class GatheredPlanes {
   public:
     using N = typename Case::N;
+    using L = typename N::L;
     using Packet = GatheredPacket<Case>;
 
+    /// For rows from this one up, and columns from its first to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
-        : test_(at, 0), color_(at, 0), coords_(at, 0), fog_(at, 0) {}
-    SPANGLE_INLINE bool takes() const { return coords_.is_small(); }
-    SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) {
-        test_.start(at, x);
-        color_.start(at, x);
-        coords_.start(at, x);
-        fog_.start(at, x);
-    }
-    SPANGLE_INLINE void step() {
-        test_.step();
-        color_.step();
-        coords_.step();
-        fog_.step();
-    }
+        : texture_(at, 0), fog_inside_(at.fog_inside), planes_(planes(at)) {}
+    SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
+    SPANGLE_INLINE void next_row() { planes_.next_row(); }
+    SPANGLE_INLINE void to_row(std::int32_t y) { planes_.to_row(y); }
+    /// In the row that they are in.
+    SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) { start(at.x + x); }
+    SPANGLE_INLINE void start(std::int32_t x) { planes_.start(x); }
+    SPANGLE_INLINE void step() { planes_.step(); }
     /// To the i-th place of the packet; false where no fragment passed.
-    SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::int32_t i) {
-        if (!test_(p))
+    SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::ptrdiff_t i, typename Packet::Group& group) {
+        if (!Case::Test::test(p.live, p.depth_plane + 2 * p.i, planes_.template high<0>()))
             return false;
-        color_(p);
-        Packet::store(to.index, i, coords_.index());
-        Packet::store(to.colors[0], i, p.color.r);
+        Packet::store(to.index, i, texture_.index_at(planes_.template high<1>(), planes_.template high<2>()));
+        Packet::store(to.colors[0], i, planes_.template high<3>());
         if constexpr (!Case::gray) {
-            Packet::store(to.colors[1], i, p.color.g);
-            Packet::store(to.colors[2], i, p.color.b);
+            Packet::store(to.colors[1], i, planes_.template high<4>());
+            Packet::store(to.colors[2], i, planes_.template high<5>());
         }
         if constexpr (Case::fogged)
-            Packet::store(to.fogs, i, fog_.factor());
-        to.place(p.live, p.color_plane + 2 * p.i, i);
+            Packet::store(to.fogs, i, fog_factor());
+        group = {p.live, p.color_plane + 2 * p.i, i};
         return true;
     }
 
   private:
-    typename Case::Test test_;
-    typename Case::Color color_;
-    typename Case::Coords coords_;
-    typename Case::Fog fog_;
+    static constexpr int fog = Case::gray ? 4 : 6;
+    using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
+
+    /// As FogFactorLanes.
+    SPANGLE_INLINE typename L::U16 fog_factor() const {
+        return fog_inside_ ? planes_.template high<fog>()
+                           : N::clamped_fraction(planes_.template words<fog>());
+    }
+    SPANGLE_INLINE Planes planes(const PlaneRow& at) const {
+        const auto s = texture_.s_plane(at, 0), t = texture_.t_plane(at, 0);
+        const auto& c = at.color_value;
+        if constexpr (Case::gray && Case::fogged)
+            return Planes(at, 0, at.z, s, t, c[0], Case::Fog::plane_of(at));
+        else if constexpr (Case::gray)
+            return Planes(at, 0, at.z, s, t, c[0]);
+        else if constexpr (Case::fogged)
+            return Planes(at, 0, at.z, s, t, c[0], c[1], c[2], Case::Fog::plane_of(at));
+        else
+            return Planes(at, 0, at.z, s, t, c[0], c[1], c[2]);
+    }
+
+    typename Case::Texture texture_;
+    const bool fog_inside_;
+    Planes planes_;
 };
 
-/// False: nothing is drawn, there is too large an image for it.
+/// Rows of a primitive on their way through a packet. All but that, which has an address, is in registers.
+template <class Case> class GatheredRows {
+  public:
+    using Packet = GatheredPacket<Case>;
+    SPANGLE_INLINE GatheredRows(const PlaneRow& at, Packet& packet)
+        : planes_(at), p_(at), packet_(packet), end_(packet.groups) {}
+    SPANGLE_INLINE bool takes() const { return planes_.takes(); }
+
+    /// Columns [first, last) of row y, which begins there and comes after the last one. Seven more lie inside
+    /// of the scissor rectangle.
+    SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t, std::int32_t first, std::int32_t last) {
+        planes_.start(first);
+        each_whole_group<true>(
+            planes_, p_, row, first,
+            last, [&](std::int32_t n) __attribute__((always_inline)) { group(n < 8 ? n : 8); });
+    }
+    SPANGLE_INLINE void next_row() { planes_.next_row(); }
+    /// A row of a primitive. The last group in the scissor rectangle starts at column `room`.
+    SPANGLE_INLINE void draw(PlaneRow& at, const Surface& target, const Row& row, std::int32_t room) {
+        planes_.to_row(row.y);
+        if (row.last <= room) [[likely]]
+            return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
+        each_group<Case::key.format>(
+            planes_, p_, at, target, row,
+            room, [&](std::int32_t n) __attribute__((always_inline)) { group(n); });
+    }
+    SPANGLE_INLINE void flush() {
+        packet_.flush(count_, end_);
+        end_ = packet_.groups;
+        count_ = 0;
+    }
+
+  private:
+    /// The first n lanes, or some of them.
+    SPANGLE_INLINE void group(std::int32_t n) {
+        if (!planes_.put(packet_, p_, count_, *end_))
+            return;
+        ++end_;
+        count_ += n;
+        if (count_ > Packet::most) [[unlikely]]
+            flush();
+    }
+
+    GatheredPlanes<Case> planes_;
+    Px<typename Case::N> p_;
+    Packet& packet_;
+    typename Packet::Group* end_;
+    std::ptrdiff_t count_ = 0; ///< of fragments in the packet
+};
+
+/// Rows in any order. False: nothing is drawn, there is too large an image for it.
 template <class Case>
 SPANGLE_INLINE bool fused_gathered_rows(Span<Fixed>& span, const Row* row, const Row* end) {
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
-    PlaneRow at{span, nullptr, nullptr, row->first, row->y, row->first};
-    GatheredPlanes<Case> planes(at);
-    if (!planes.takes()) [[unlikely]]
-        return false;
+    PlaneRow at{span, nullptr, nullptr, clip.x, clip.y, clip.x};
     GatheredPacket<Case> packet(at);
-    std::int32_t count = 0;
-    do {
-        Px<typename Case::N> p(at);
-        each_group<Case::key.format>(
-            planes, p, at, *span.target, *row, room, [&](std::int32_t n) __attribute__((always_inline)) {
-                count += planes.put(packet, p, count) ? n : 0;
-                if (count > packet.most) [[unlikely]] {
-                    packet.flush(count);
-                    count = 0;
-                }
-            });
-    } while (++row != end);
-    packet.flush(count);
+    GatheredRows<Case> rows(at, packet);
+    if (!rows.takes()) [[unlikely]]
+        return false;
+    const Surface target = *span.target; // in registers
+    do
+        rows.draw(at, target, *row, room);
+    while (++row != end);
+    rows.flush();
     return true;
 }
 

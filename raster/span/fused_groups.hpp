@@ -59,6 +59,35 @@ SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
     return Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(at + 8 - (n < 8 ? n : 8)));
 }
 
+/// Columns [first, last) of the row that begins there, in groups of eight lanes; seven more lie inside of the
+/// scissor rectangle. The list is at the first. draw(n): it is at a group of which the first n lanes are
+/// alive, or all of fewer.
+template <bool Tested, class N, class List, class Draw>
+SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, std::int32_t first,
+                                     std::int32_t last, Draw draw) {
+    p.color_plane = row.color + std::ptrdiff_t{first} * 2;
+    if constexpr (Tested)
+        p.depth_plane = row.depth + std::ptrdiff_t{first} * 2;
+    p.i = 0;
+    for (std::int32_t left = last - first;;) {
+        p.live = first_lanes(left);
+        draw(left);
+        left -= 8;
+        if (left <= 0)
+            return;
+        list.step();
+        p.color_plane += 16;
+        if constexpr (Tested)
+            p.depth_plane += 16;
+    }
+}
+
+/// Where a row begins.
+template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std::int32_t y) {
+    return {target.color + std::ptrdiff_t{y} * target.color_stride,
+            Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
+}
+
 /// A row as stages of depth and colours see it. Copies stay in registers: pixels may lie anywhere.
 struct PlainRow {
     Span<Fixed>& planes;
@@ -94,37 +123,21 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
         : LaneRows(At{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, Open{}) {}
     SPANGLE_INLINE LaneRows(const At& at, const Open& open) : at_(at), list_(at_, 0), p_(at_), open_(open) {}
 
-    SPANGLE_INLINE static RowPlace row(const Surface& target, std::int32_t y) {
-        return {target.color + std::ptrdiff_t{y} * target.color_stride,
-                Case::tested ? target.depth + std::ptrdiff_t{y} * target.depth_stride : nullptr};
-    }
-
     /// Columns [first, last) of row y, which begins there. Seven more lie inside of the scissor rectangle.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
         at_.x = first;
         at_.y = y;
         list_.start(at_, 0);
-        p_.color_plane = row.color + std::ptrdiff_t{first} * 2;
-        if constexpr (Case::tested)
-            p_.depth_plane = row.depth + std::ptrdiff_t{first} * 2;
-        p_.i = 0;
-        for (std::int32_t left = last - first;;) {
-            p_.live = first_lanes(left);
-            group(last - left);
-            left -= 8;
-            if (left <= 0)
-                return;
-            list_.step();
-            p_.color_plane += 16;
-            if constexpr (Case::tested)
-                p_.depth_plane += 16;
-        }
+        each_whole_group<Case::tested>(
+            list_, p_, row, first,
+            last, [&](std::int32_t left) __attribute__((always_inline)) { group(last - left); });
     }
+    SPANGLE_INLINE void next_row() {}
 
     /// A row of a primitive. The last group in the scissor rectangle starts at column `room`.
     SPANGLE_INLINE void draw(const Surface& target, const Row& row, std::int32_t room) {
         if (row.last <= room) [[likely]]
-            return draw(LaneRows::row(target, row.y), row.y, row.first, row.last);
+            return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
         each_group<Case::key.format>(
             list_, p_, at_, target, row,
             room, [&](std::int32_t) __attribute__((always_inline)) { group(at_.x + p_.i); });

@@ -1,16 +1,16 @@
 // A list of stages over trapezoids: groups of eight lanes from the left side of each row on.
 #pragma once
 
+#include "raster/span/fused_gathered.hpp"
 #include "raster/span/fused_groups.hpp"
 #include "raster/span/trapezoids.hpp"
 #include "raster/surface/surface.hpp"
 
 namespace spangle::raster {
 
-template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span, const Trapezoids& shape) {
-    LaneRows<Case> rows(span, shape.y);
-    const Surface target = *span.target; // in registers
-    RowPlace at = rows.row(target, shape.y);
+template <class Case, class Rows>
+SPANGLE_INLINE void draw_trapezoids(Rows& rows, const Surface& target, const Trapezoids& shape) {
+    RowPlace at = row_of<Case>(target, shape.y);
     std::int32_t y = shape.y;
     for (const Trapezoids::Part& part : shape.part)
         for (Trapezoids::Side left = part.left, right = part.right; y < part.end; ++y) {
@@ -19,12 +19,44 @@ template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span,
                 touch(target, y, first, last);
                 rows.draw(at, y, first, last);
             }
+            rows.next_row();
             left.at += left.step;
             right.at += right.step;
             at.color += target.color_stride;
             if constexpr (Case::tested)
                 at.depth += target.depth_stride;
         }
+}
+
+/// False: nothing is drawn, there is too large an image for it.
+template <class Case> SPANGLE_INLINE bool gathered_trapezoids(Span<Fixed>& span, const Trapezoids& shape) {
+    const std::int32_t left = span.state->fragment.scissor.x;
+    const PlaneRow at{span, nullptr, nullptr, left, shape.y, left};
+    GatheredPacket<Case> packet(at);
+    GatheredRows<Case> rows(at, packet);
+    if (!rows.takes()) [[unlikely]]
+        return false;
+    const Surface target = *span.target; // in registers
+    draw_trapezoids<Case>(rows, target, shape);
+    rows.flush();
+    return true;
+}
+
+template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span, const Trapezoids& shape) {
+    if constexpr (Case::gathered)
+        if (gathered_trapezoids<typename Case::Gathered>(span, shape)) [[likely]]
+            return;
+    LaneRows<Case> rows(span, shape.y);
+    const Surface target = *span.target; // in registers
+    draw_trapezoids<Case>(rows, target, shape);
+}
+
+/// For primitives whose colours are gray, and others.
+template <class Case, class Gray> void fused_trapezoids_by_gray(Span<Fixed>& span, const Trapezoids& shape) {
+    if (span.gray)
+        fused_trapezoids<Gray>(span, shape);
+    else
+        fused_trapezoids<Case>(span, shape);
 }
 
 } // namespace spangle::raster

@@ -11,6 +11,7 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/span/lanes.hpp"
+#include "raster/span/row_planes.hpp"
 #include "raster/span/span.hpp"
 
 namespace spangle::raster {
@@ -219,48 +220,39 @@ template <class Products> class NearDivisionOf {
 };
 using NearDivision = NearDivisionOf<NearHalves>;
 
-/// Up to four planes along rows that lie right of and above where they are made, in eight lanes. What is
-/// constant lies in lanes: a store to the surface might change anything else.
-template <int Count> class NearPlanes {
+/// Planes in eight lanes, as far as 16 bits tell.
+template <int Count> class NearPlanes : public RowPlanes<Count> {
     static_assert(Count <= 4);
 
   public:
     using L = Lanes<8>;
     template <class S, class... Plane>
     SPANGLE_INLINE explicit NearPlanes(const S& row, std::int32_t x, const Plane&... of)
-        : x_(row.x + x), y_(row.y), dx_{of.dx...}, dy_{of.dy...}, origin_{row.at(x, of)...}, at_(origin_) {
+        : RowPlanes<Count>(row, x, of...) {
+        this->at_[0] = this->row_[0];
         set_offsets(std::make_integer_sequence<int, Count>{});
     }
-    /// Window columns from x on in row y; both are less than 2^16 from where it was made.
     SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
-        at_ = origin_ + times(dx_, x - x_) + times(dy_, y - y_);
+        this->to_row(y);
+        RowPlanes<Count>::start(x);
     }
-    SPANGLE_INLINE void step() { at_ += dx_ << 3; }
+    SPANGLE_INLINE void step() { this->at_[0] += this->dx_[0] << 3; }
     /// Whole parts, up to 2 less than they are.
     template <int I> SPANGLE_INLINE L::U16 whole() const {
-        return L::splat_half<2 * I + 1>(at_) + offset_[I];
-    }
-    /// Of the first lane, exactly.
-    template <int I> SPANGLE_INLINE L::U32 first() const {
-        const L::Words v = __builtin_shufflevector(at_, at_, I, I, I, I);
-        return {v, v};
+        return L::splat_half<2 * I + 1>(this->at_[0]) + offset_[I];
     }
 
   private:
-    SPANGLE_INLINE static L::Words times(const L::Words& v, std::int32_t n) {
-        return L::times(v, L::splat(static_cast<std::uint32_t>(n)));
-    }
     /// What a plane has more than in the first lane, whole parts.
     template <int... I> SPANGLE_INLINE void set_offsets(std::integer_sequence<int, I...>) {
         const L::U16 columns = L::offsets16(L::splat(1), L::splat(0));
         const auto offset = [&](auto whole, auto fraction) __attribute__((always_inline)) {
             return whole * columns + L::mul_high(fraction, columns);
         };
-        ((offset_[I] = offset(L::splat_half<2 * I + 1>(dx_), L::splat_half<2 * I>(dx_))), ...);
+        ((offset_[I] = offset(L::splat_half<2 * I + 1>(this->dx_[0]), L::splat_half<2 * I>(this->dx_[0]))),
+         ...);
     }
 
-    std::int32_t x_, y_;
-    L::Words dx_, dy_, origin_, at_;
     L::U16 offset_[Count];
 };
 

@@ -89,12 +89,18 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
                 L::store(at, incoming);
             return true;
         } else {
-            const typename L::U16 stored = L::load(at);
-            p.live = L::both(p.live, passes(incoming, stored));
-            if constexpr (Write)
-                L::store(at, L::select(p.live, incoming, stored));
-            return L::any(p.live);
+            return test(p.live, at, incoming);
         }
+    }
+    /// Lanes that live, codes that come in and those that lie there.
+    template <class Place>
+    SPANGLE_INLINE static bool test(typename L::Mask& live, const Place& at,
+                                    const typename L::U16& incoming) {
+        const typename L::U16 stored = L::load(at);
+        live = L::both(live, passes(incoming, stored));
+        if constexpr (Write)
+            L::store(at, L::select(live, incoming, stored));
+        return L::any(live);
     }
 
   private:

@@ -85,9 +85,11 @@ template <class N> struct FogFactorLanes : StageBase {
     Ramp<L> v;
     template <class S>
     SPANGLE_INLINE FogFactorLanes(const S& s, std::int32_t x)
-        : inside(s.fog_inside),
-          plane(inside ? Span<Fixed>::Affine{s.fog.value << up, s.fog.dx << up, s.fog.dy << up} : s.fog),
-          v(s, x, plane) {}
+        : inside(s.fog_inside), plane(plane_of(s)), v(s, x, plane) {}
+    template <class S> SPANGLE_INLINE static Span<Fixed>::Affine plane_of(const S& s) {
+        const Span<Fixed>::Affine& fog = s.fog;
+        return s.fog_inside ? Span<Fixed>::Affine{fog.value << up, fog.dx << up, fog.dy << up} : fog;
+    }
     SPANGLE_INLINE typename N::T factor() const {
         return inside ? L::high_half(v.at) : N::clamped_fraction(v.at);
     }

@@ -25,6 +25,18 @@ template <class T> class TexelLanes : public T {
                             __attribute__((always_inline)) { return T::texel(this->texels, index[k]); });
     }
 
+    /// How far they lie behind the first, of high halves, where 16 bits tell.
+    SPANGLE_INLINE typename L::U16 index_at(const typename L::U16& s, const typename L::U16& t) const {
+        return L::mul_high(t, height_) * width_ + L::mul_high(s, width_);
+    }
+    /// The planes of s and t with nearest_bias() added.
+    template <class S> SPANGLE_INLINE Span<Fixed>::Affine s_plane(const S& span, int unit) const {
+        return {span.s[unit].value + nearest_bias(this->log2_width), span.s[unit].dx, span.s[unit].dy};
+    }
+    template <class S> SPANGLE_INLINE Span<Fixed>::Affine t_plane(const S& span, int unit) const {
+        return {span.t[unit].value + nearest_bias(this->log2_height), span.t[unit].dx, span.t[unit].dy};
+    }
+
   protected:
     /// The words of texels that lie so many behind the first.
     SPANGLE_INLINE auto words_of(const typename L::U32& index) const {
@@ -44,10 +56,6 @@ template <class T> class TexelLanes : public T {
     /// The same by s and t of repeats, nearest_bias() added; any value is inside.
     SPANGLE_INLINE auto words_at(const typename L::U32& s, const typename L::U32& t) const {
         return words_of((texel(t, this->log2_height) << this->log2_width) | texel(s, this->log2_width));
-    }
-    /// How far they lie behind the first, of high halves, where 16 bits tell.
-    SPANGLE_INLINE typename L::U16 index_at(const typename L::U16& s, const typename L::U16& t) const {
-        return L::mul_high(t, height_) * width_ + L::mul_high(s, width_);
     }
 
   private:
@@ -71,9 +79,6 @@ template <class T, int Unit> class NearestLanes : public TexelLanes<T> {
           t_(span, x, span.t[Unit], nearest_bias(this->log2_height)) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         return this->combine_words(p, this->words_at(s_.at, t_.at));
-    }
-    SPANGLE_INLINE typename L::U16 index() const {
-        return this->index_at(L::high_half(s_.at), L::high_half(t_.at));
     }
     SPANGLE_INLINE void step() {
         s_.step();

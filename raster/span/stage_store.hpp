@@ -17,12 +17,14 @@ template <class L, PixelFormat Format> struct Words565 {
         const typename L::U16 word = L::load(at);
         return swaps ? L::swap_bytes(word) : word;
     }
-    SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) {
-        L::store(at, swaps ? L::swap_bytes(word) : word);
+    /// As it lies in memory.
+    SPANGLE_INLINE static typename L::U16 ordered(typename L::U16 word) {
+        return swaps ? L::swap_bytes(word) : word;
     }
+    SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) { L::store(at, ordered(word)); }
     /// Other lanes keep what they hold.
     SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {
-        L::store(at, L::select(live, swaps ? L::swap_bytes(word) : word, L::load(at)));
+        L::store(at, L::select(live, ordered(word), L::load(at)));
     }
 };
 

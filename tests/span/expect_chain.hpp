@@ -29,9 +29,9 @@ inline void make_special(Triangle& t, RandomVertices& source, Kind kind) {
 /// every third one records.
 template <class Next>
 void expect_chain(const FusedSpan& fused, const std::string& name, Size size, int rounds,
-                  const Shapes& shapes, Next next) {
+                  const Shapes& shapes, Next next, int log2_texels = 6) {
     const auto [width, height] = size;
-    const StateOfKey of(fused.key, width, height);
+    const StateOfKey of(fused.key, width, height, log2_texels);
     const DepthFormat depth =
         fused.key.depth_format == DepthFormat::none ? DepthFormat::z16 : fused.key.depth_format;
     Canvas chain_canvas(width, height, fused.key.format, depth),

@@ -52,7 +52,7 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
     ASSERT_EQ(reinterpret_cast<RowsFunction<Fixed>>(state.variant[kind].run), fused.run)
         << "the key is not the state's: " << name;
     DrawState chained = in_chain(state, fused.key);
-    state.shapes = false; // small triangles, too, are rows
+    state.shapes = state.tiles = false; // small triangles, too, are rows
     under_test = run;
     state.variant[kind].run = reinterpret_cast<AnyFunction>(&note_and_draw);
     hits = {};

@@ -54,7 +54,7 @@ inline DrawState in_chain(DrawState state, const Key& key) {
     variant.run = chain_runner(key.number);
     variant.gray = false;
     variant.walk = nullptr;
-    state.shapes = state.guesses = false;
+    state.shapes = state.tiles = state.guesses = false;
     return state;
 }
 

@@ -61,6 +61,9 @@ Triangle triangle(RandomVertices& source, Kind kind) {
         v.y = place(low, high);
     }
     make_special(t, source, kind);
+    if (source.below(3) == 0)
+        for (FixedVertex& v : t.v) // gray
+            v.color[1] = v.color[2] = v.color[0];
     return t;
 }
 
@@ -84,6 +87,10 @@ TEST(Trapezoids, AreTheirChain) {
         EXPECT_GE(hits.tall, 3) << name;
         EXPECT_GE(hits.without_low, 20) << name;
         EXPECT_GE(hits.without_high, 20) << name;
+        if (fused.key.unit[0].on) // of more texels than 16 bits tell
+            expect_chain(
+                fused, name, size, 300, shapes,
+                [&](RandomVertices& source) { return triangle(source, fused.key.kind); }, 12);
     }
     EXPECT_GE(entries, host_lanes > 1 ? 4 : 0);
 }

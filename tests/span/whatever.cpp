@@ -34,7 +34,7 @@ DrawState chained(const DrawState& compiled, const Surface& target) {
         if (compiled.guesses)
             variant.color_bias = !raw ? 1u << 15 : variant.steps ? 0 : 1u << 23;
     }
-    out.shapes = out.guesses = false;
+    out.shapes = out.tiles = out.guesses = false;
     out.paths = {};
     return out;
 }
