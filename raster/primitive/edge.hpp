@@ -144,7 +144,7 @@ class LowEdge {
         constexpr std::int32_t bias = (1 << 26) - 32;
         LowEdge e;
         e.step_ = (static_cast<std::uint32_t>(slope) << 7) + static_cast<std::uint32_t>(fine);
-        e.at_ = static_cast<std::uint32_t>((x0 - subpixel_one / 2) * (1 << (26 - subpixel_bits)) + bias) +
+        e.at_ = static_cast<std::uint32_t>(x0 * (1 << (26 - subpixel_bits)) + (bias - (1 << 25))) +
                 static_cast<std::uint32_t>(slope * above >> 1) +
                 static_cast<std::uint32_t>(fine * above >> 8);
         return e;
@@ -275,8 +275,10 @@ SPANGLE_INLINE Row* rows_between(Row* to, std::int32_t y, std::int32_t stop, E& 
             first = l < clip.x ? clip.x : l;
             last = r < clip.x + clip.w ? r : clip.x + clip.w;
         }
-        if (first < last)
-            *to++ = {y, l, r, first, last};
+        if (first < last) {
+            to = numeric::kept_in_register(to + 1);
+            to[-1] = {y, l, r, first, last};
+        }
         if (++y == stop)
             return to;
         left.step();
