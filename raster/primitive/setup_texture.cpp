@@ -33,50 +33,54 @@ SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
     return to_fixed(m, -down, 0);
 }
 
-/// Whole repeats.
-SPANGLE_INLINE std::int32_t whole(std::int64_t v) {
-    return static_cast<std::int32_t>(v >> 32);
-}
-SPANGLE_INLINE std::int32_t least_whole(const std::int64_t v[3]) {
-    return Ends(whole(v[0]), whole(v[1]), whole(v[2])).low;
-}
+/// One coordinate of three vertices, in repeats, a whole number of which comes off: they would take bits from
+/// the fraction.
+struct Repeats {
+    std::int64_t v[3]; ///< 32 fraction bits
+    std::int32_t base;
+    std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
+
+    SPANGLE_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i)
+            v[i] = to_repeats(m[i], exponent[i] - less);
+        const auto whole = [&](int i) { return static_cast<std::int32_t>(v[i] >> 32); };
+        const Ends ends(whole(0), whole(1), whole(2));
+        base = ends.low;
+        range = ends.range();
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i)
+            v[i] -= base * (std::int64_t{1} << 32);
+    }
+    SPANGLE_INLINE std::uint32_t fractions() const {
+        return static_cast<std::uint32_t>(v[0]) | static_cast<std::uint32_t>(v[1]) |
+               static_cast<std::uint32_t>(v[2]);
+    }
+};
 
 } // namespace
 
 void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
-    u.homogeneous = state_.needs.r[unit]; // three coordinates are divided at every fragment
-    for (int i = 0; i < 3; ++i)
-        u.homogeneous = u.homogeneous || v(i).tex[unit].q_is_one == 0;
-    if (u.homogeneous) {
-        load_homogeneous(unit, u);
-        return;
-    }
-    std::int64_t s[3], t[3];
+    const auto &a = v(0).tex[unit], &b = v(1).tex[unit], &c = v(2).tex[unit];
+    // Three coordinates are divided at every fragment.
+    u.homogeneous = state_.needs.r[unit] || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0;
+    if (u.homogeneous)
+        return load_homogeneous(unit, u);
     const auto halves = state_.halves[unit];
-    for (int i = 0; i < 3; ++i) {
-        const auto& c = v(i).tex[unit];
-        s[i] = to_repeats(c.s, c.exponent - halves.s);
-        t[i] = to_repeats(c.t, c.exponent - halves.t);
-    }
-    // Whole repeats come off first: they would take bits from the fraction.
-    const std::int32_t base_s = least_whole(s), base_t = least_whole(t);
-    constexpr std::int64_t repeat = std::int64_t{1} << 32;
-    std::uint64_t all = 0;
-    for (int i = 0; i < 3; ++i) {
-        s[i] -= base_s * repeat;
-        t[i] -= base_t * repeat;
-        all |= static_cast<std::uint64_t>(s[i] | t[i]);
-    }
-    const int shift_down = 34 - clz64(all | 1);
+    const std::int32_t exponent[3] = {a.exponent, b.exponent, c.exponent};
+    const Repeats s({a.s, b.s, c.s}, exponent, halves.s), t({a.t, b.t, c.t}, exponent, halves.t);
+    const std::uint32_t range = s.range | t.range;
+    const int shift_down =
+        range != 0 ? 34 - numeric::clz32(range) : 2 - numeric::clz32(s.fractions() | t.fractions() | 1);
     u.shift = shift_down > 0 ? shift_down : 0;
     for (int i = 0; i < 3; ++i) {
-        u.s[i] = static_cast<std::int32_t>(scaled_word(s[i], u.shift));
-        u.t[i] = static_cast<std::int32_t>(scaled_word(t[i], u.shift));
+        u.s[i] = static_cast<std::int32_t>(scaled_word(s.v[i], u.shift));
+        u.t[i] = static_cast<std::int32_t>(scaled_word(t.v[i], u.shift));
     }
-    u.s0 = s[0];
-    u.t0 = t[0];
-    span_.unit[unit].s_base = numeric::clamp<std::int32_t>(base_s, -4096, 4096);
-    span_.unit[unit].t_base = numeric::clamp<std::int32_t>(base_t, -4096, 4096);
+    u.s0 = s.v[0];
+    u.t0 = t.v[0];
+    span_.unit[unit].s_base = numeric::clamp<std::int32_t>(s.base, -4096, 4096);
+    span_.unit[unit].t_base = numeric::clamp<std::int32_t>(t.base, -4096, 4096);
 }
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
