@@ -88,6 +88,7 @@ template <> class Setup<Fixed> {
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
     void load_fog(std::int32_t fog[3]) const;
+    void load_any_fog(std::int32_t fog[3]) const;
     bool bounded(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
     template <bool Rgb> std::uint32_t color_bits() const;

@@ -47,6 +47,17 @@ SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
     return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
 
+/// product / 2 2^-down, rounded to nearest, where that is below 2^29; false where it may not be.
+SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out) {
+    const auto n = static_cast<std::uint32_t>(down + 1);
+    if (n - 3 > 28) [[unlikely]]
+        return false;
+    const auto sign = static_cast<std::uint32_t>(product >> 63); // a half is rounded towards 0
+    const std::int64_t sum = product + ((1u << down) - sign);
+    out = static_cast<std::int32_t>(numeric::low_word_after(sum, static_cast<int>(n)));
+    return (static_cast<std::uint32_t>(sum >> 32) ^ sign) >> (n - 3) == 0;
+}
+
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
     if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]

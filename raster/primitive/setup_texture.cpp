@@ -117,6 +117,23 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 
 /// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
 void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
+    const auto& of = state_.fog;
+    const auto offset = static_cast<std::int32_t>(of.offset);
+    bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
+        near = near && half_below(numeric::mul_s32(v(i).fog_mantissa, of.scale),
+                                  -25 - v(i).fog_exponent - of.scale_exponent, fog[i]);
+        fog[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(fog[i]) +
+                                           static_cast<std::uint32_t>(offset));
+    }
+    span_.fog_exponent = -24;
+    if (!near) [[unlikely]]
+        load_any_fog(fog);
+}
+
+/// The same wherever they are.
+void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
     std::int64_t c[3];
     std::uint64_t all = 0;
     for (int i = 0; i < 3; ++i) {
@@ -125,7 +142,6 @@ void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
                state_.fog.offset;
         all |= static_cast<std::uint64_t>(c[i] ^ c[i] >> 63); // |c|, or 1 less
     }
-    span_.fog_exponent = -24;
     int shift_down = 0;
     if (all >= (1u << 30) - 1) [[unlikely]] {
         constexpr std::int64_t limit = std::int64_t{1} << 60;

@@ -48,5 +48,31 @@ TEST(SetupMath, LiftedDifferencesGiveTheWordsOfTheShiftedSum) {
     }
 }
 
+TEST(SetupMath, HalvesFitTheirWordOrSaySo) {
+    std::mt19937_64 random(5);
+    int fits = 0;
+    for (int round = 0; round < 1000000; ++round) {
+        const int down = static_cast<int>(random() % 36) - 2;
+        // Around the limit, half of them.
+        const std::int64_t limit = round % 2 == 0 && down > 0 ? std::int64_t{1} << (30 + down) : 0;
+        const std::int64_t any = static_cast<std::int64_t>(random()) >> (2 + random() % 60);
+        const std::int64_t product = (round % 4 == 0 ? -limit : limit) + (limit != 0 ? any % (1 << 20) : any);
+        std::int32_t out = 0;
+        if (!half_below(product, down, out)) {
+            // Refused: shifts of a word's end, or what may be too large.
+            const std::uint64_t enough =
+                down < 2 || down > 30 ? 0 : (std::uint64_t{1} << (30 + down)) - (std::uint64_t{2} << down);
+            ASSERT_TRUE(numeric::abs_u64(product) >= enough || (product < 0 && -product <= (1 << down) + 1))
+                << product << " " << down;
+            continue;
+        }
+        ++fits;
+        const std::int64_t wanted = (product / 2 + (std::int64_t{1} << (down - 1))) >> down;
+        ASSERT_EQ(out, wanted) << product << " " << down;
+        ASSERT_LE(numeric::abs_u64(wanted), 1u << 29);
+    }
+    EXPECT_GT(fits, 300000);
+}
+
 } // namespace
 } // namespace spangle::raster
