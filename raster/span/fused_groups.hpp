@@ -52,11 +52,10 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
     }
 }
 
-/// The first n lanes, n > 0; all where there are fewer.
+/// The first n lanes, 0 < n < 2^15; all where there are fewer.
 SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
-    constexpr std::uint16_t on = 0xFFFF;
-    static constexpr std::uint16_t at[16] = {on, on, on, on, on, on, on, on, 0, 0, 0, 0, 0, 0, 0, 0};
-    return Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(at + 8 - (n < 8 ? n : 8)));
+    using L = Lanes<8>;
+    return L::less_signed(L::offsets16(L::splat(1), L::splat(0)), L::splat(static_cast<std::uint32_t>(n)));
 }
 
 /// Columns [first, last) of the row that begins there, in groups of eight lanes; seven more lie inside of the
