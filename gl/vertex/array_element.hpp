@@ -119,6 +119,7 @@ struct Indices {
             __builtin_memcpy(&value, __builtin_assume_aligned(at, sizeof value), sizeof value);
             return value;
         }
+        Shorts from(std::uint32_t n) const { return {data + std::size_t{n} * sizeof(std::uint16_t)}; }
     };
     Shorts shorts() const {
         const bool aligned = (reinterpret_cast<std::uintptr_t>(data) & 1) == 0;

@@ -12,6 +12,7 @@
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/matrix_build.hpp"
 #include "raster/numeric/reciprocal.hpp"
+#include "raster/primitive/line_end.hpp"
 #include "raster/span/vertex.hpp"
 
 namespace spangle::gl {
@@ -149,6 +150,9 @@ struct FixedMath {
             numeric::Mantissas<4> v = numeric::load(t.to_clip.column, position);
             if (fog)
                 set_fog(numeric::product(t.eye_z, v), out);
+            add(i, t, v);
+        }
+        SPANGLE_INLINE void add(int i, const Transforms& t, numeric::Mantissas<4>& v) {
             const auto* const rows = t.rows.of(t.to_clip);
             Clipped& clip = clip_[i];
             clip.w = static_cast<std::uint32_t>(row(rows + 12, v));
@@ -197,6 +201,27 @@ struct FixedMath {
             return true;
         }
 
+        /// The same of one that falls into an area inside_viewport(); false: any other. `out` is anything
+        /// then.
+        SPANGLE_INLINE bool place(int i, const Transforms& t, const raster::DrawState::Area& area,
+                                  raster::LineEnd& out) const {
+            const Clipped& clip = clip_[i];
+            const int zeros = numeric::clz32(clip.w);
+            if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
+                return false;
+            const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
+                z(clip.z, zeros, t.lift[2]);
+            if ((x.lost() | y.lost() | z.lost()) != 0)
+                return false;
+            const auto minus_r = static_cast<std::int32_t>(0u - inverse(i, zeros));
+            out.x = t.x.place(x.times(minus_r), 32);
+            out.y = t.y.place(y.times(minus_r), 32);
+            const Quotient minus_z = z.times(minus_r);
+            out.depth = raster::depth_code(
+                static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits)), 16);
+            return area.holds(out.x, out.y) && !beyond(minus_z, z_one);
+        }
+
       private:
         /// Words of one exponent.
         struct Clipped {
@@ -215,6 +240,35 @@ struct FixedMath {
                 return of_w_.at(i);
         }
     };
+
+    /// The part of an area in which no vertex falls that lies beyond the left, right, bottom or top plane:
+    /// rounding leaves those on the rim of the viewport at least.
+    static raster::DrawState::Area inside_viewport(const Transforms& t, raster::DrawState::Area area) {
+        const auto cut = [](const Range& range, std::int32_t& begin, std::uint32_t& size) {
+            const auto half = static_cast<std::int32_t>(-range.minus_half) >> half_bits;
+            const std::int32_t end = begin + static_cast<std::int32_t>(size), rim = range.middle + half;
+            if (begin <= range.middle - half)
+                begin = range.middle - half + 1;
+            size = static_cast<std::uint32_t>(end < rim ? end : rim) - static_cast<std::uint32_t>(begin);
+            if (end <= begin || rim <= begin)
+                size = 0;
+        };
+        cut(t.x, area.x, area.w);
+        cut(t.y, area.y, area.h);
+        return area;
+    }
+    /// Where a line ends, if its end is seen: in an area inside_viewport(), between the near and far planes.
+    /// Floats of any bits are a position. False: it is not seen, or that is not known.
+    SPANGLE_INLINE static bool seen(const Transforms& t, const Real (&position)[4],
+                                    const raster::DrawState::Area& area, raster::LineEnd& out) {
+        numeric::Mantissas<4> v;
+        if (!numeric::load_usual(t.to_clip.column, position, v))
+            return false;
+        Projections<1> projection;
+        projection.add(0, t, v);
+        projection.finish(1);
+        return projection.place(0, t, area, out);
+    }
 
     /// What Projections make of a vertex, which is how a window vertex begins.
     struct Place {

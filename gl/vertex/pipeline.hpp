@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <new>
+#include <type_traits>
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
@@ -17,6 +18,7 @@
 #include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
 #include "raster/primitive/draw.hpp"
+#include "raster/primitive/line_end.hpp"
 #include "raster/primitive/line_stipple.hpp"
 #include "raster/primitive/polygon_offset.hpp"
 
@@ -160,6 +162,9 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
+    /// Vertices of line strips are not kept: few are forgotten before the next strip asks.
+    static constexpr bool forgets_strips =
+        vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
     static constexpr int slot_count = 4;
     /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
@@ -432,6 +437,11 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
     void lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices, bool normals);
+    bool draws_places() const;
+    template <class I> void line_strip(const ElementReader& reader, std::uint32_t count, I indices);
+    template <class I>
+    [[gnu::noinline]] std::uint32_t seen_strip(const ElementReader& reader, std::uint32_t count, I indices,
+                                               const raster::DrawState::Area& area) const;
     template <class I>
     [[gnu::noinline]] void line_elements(const ElementReader& reader, std::uint32_t count, I indices,
                                          bool normals);
@@ -543,6 +553,7 @@ template <class M, class L> class Pipeline {
 #include "gl/vertex/pipeline_clip.hpp"
 #include "gl/vertex/pipeline_elements.hpp"
 #include "gl/vertex/pipeline_gather.hpp"
+#include "gl/vertex/pipeline_line_strips.hpp"
 #include "gl/vertex/pipeline_placed.hpp"
 #include "gl/vertex/pipeline_points.hpp"
 #include "gl/vertex/pipeline_primitives.hpp"

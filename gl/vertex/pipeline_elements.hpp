@@ -258,9 +258,15 @@ void Pipeline<M, L>::line_elements(const ElementReader& reader, std::uint32_t co
 template <class M, class L>
 inline void Pipeline<M, L>::lines_of(const ElementReader& reader, std::uint32_t count, const Indices& indices,
                                      bool normals) {
+    const auto lines = [&](const auto& of) {
+        if constexpr (forgets_strips)
+            if (draws_places())
+                return line_strip(reader, count, of);
+        line_elements(reader, count, of, normals);
+    };
     if (const Indices::Shorts shorts = indices.shorts(); shorts.data != nullptr)
-        return line_elements(reader, count, shorts, normals);
-    line_elements(reader, count, indices, normals);
+        return lines(shorts);
+    lines(indices);
 }
 
 /// A strip by what its indices are.

@@ -169,6 +169,17 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_out(std::uint32_t v, std::uint32_
     return n > 31 ? 0 : v >> n;
 }
 
+/// The same for n < 256.
+SPANGLE_INLINE constexpr std::uint32_t shifted_some(std::uint32_t v, std::uint32_t n) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("lsr %0, %0, %1" : "+r"(v) : "r"(n)); // NOLINT(hicpp-no-assembler)
+        return v;
+    }
+#endif
+    return shifted_out(v, n);
+}
+
 /// The low word of floor(v / 2^n), 0 < n < 32: three instructions where words have 32 bits.
 SPANGLE_INLINE constexpr std::uint32_t low_word_after(std::int64_t v, int n) {
     if constexpr (wide_words)

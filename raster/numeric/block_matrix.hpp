@@ -22,6 +22,8 @@ template <int N> struct Columns {
     std::int32_t e[N] = {};
     /// From this exponent on, the largest component of a vertex shifts those out whose biased exponent is 0.
     std::int32_t least = 32;
+    /// Below this one all are finite, and none shifts by more than 255.
+    std::int32_t most = 253;
 };
 
 /// Element (i, j) = m[N * i + j] * 2^(row[i] + column.e[j] - 31). The magnitudes of a row add up to less than
@@ -70,6 +72,9 @@ template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R
     for (int j = 0; j < N; ++j)
         r.e[j] = block_exponent(widest[j] == no_exponent ? most : widest[j]);
     r.least = block_exponent(most) + 32;
+    r.most = r.e[0] + 253;
+    for (const std::int32_t e : r.e)
+        r.most = e + 253 < r.most ? e + 253 : r.most;
     return r;
 }
 
@@ -131,33 +136,66 @@ template <int N> constexpr Mantissas<N> load_small(const Columns<N>& column, con
     return common_exponent<N, Mantissas<N>>(m, e);
 }
 
+/// Of the components by their floats' exponents alone; the largest.
+template <int N>
+SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const Real (&v)[N],
+                                                std::int32_t (&e)[N]) {
+    std::int32_t top = e[0] = static_cast<std::int32_t>((v[0].bits >> 23) & 255) + column.e[0];
+#pragma GCC unroll 4
+    for (int i = 1; i < N; ++i) {
+        e[i] = static_cast<std::int32_t>((v[i].bits >> 23) & 255) + column.e[i];
+        top = e[i] > top ? e[i] : top;
+    }
+    return top;
+}
+
+/// Under two more than the largest of these, which leaves 30 bits. `shifted`: a word without sign, down.
+template <int N, class Shifted>
+SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int32_t (&e)[N],
+                                              std::int32_t top, const Shifted& shifted) {
+    Mantissas<N> out{};
+    top += 2;
+    std::uint32_t one = 0x80000000u;
+    one = kept_in_register(one);
+#pragma GCC unroll 4
+    for (int i = 0; i < N; ++i) {
+        const std::uint32_t magnitude = shifted(v[i].bits << 8 | one, static_cast<std::uint32_t>(top - e[i]));
+        const std::uint32_t sign = 0u - (v[i].bits >> 31);
+        out.m[i] = static_cast<std::int32_t>((magnitude ^ sign) - sign);
+    }
+    out.e = top - 127 - 31;
+    return out;
+}
+
 } // namespace detail
 
 /// v[i] * 2^column.e[i] under one exponent, |m| < 2^30, within an ulp (towards 0). The largest decides, by
 /// its float exponent alone; the implicit one of a 0 or a denormal is shifted out, unless everything is that
 /// small.
 template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
-    std::int32_t e[N] = {static_cast<std::int32_t>((v[0].bits >> 23) & 255) + column.e[0]}, top = e[0];
-#pragma GCC unroll 4
-    for (int i = 1; i < N; ++i) {
-        e[i] = static_cast<std::int32_t>((v[i].bits >> 23) & 255) + column.e[i];
-        top = e[i] > top ? e[i] : top;
-    }
+    std::int32_t e[N];
+    const std::int32_t top = detail::exponents<N>(column, v, e);
     if (top < column.least) [[unlikely]]
         return detail::load_small<N>(column, v);
-    Mantissas<N> out{};
-    top += 2; // 30 bits
-    std::uint32_t one = 0x80000000u;
-    one = kept_in_register(one);
-#pragma GCC unroll 4
-    for (int i = 0; i < N; ++i) {
-        const auto down = static_cast<std::uint32_t>(top - e[i]);
-        const std::uint32_t magnitude = shifted_out(v[i].bits << 8 | one, down);
-        const std::uint32_t sign = 0u - (v[i].bits >> 31);
-        out.m[i] = static_cast<std::int32_t>((magnitude ^ sign) - sign);
-    }
-    out.e = top - 127 - 31;
-    return out;
+    return detail::aligned<N>(
+        v, e, top, [](std::uint32_t m, std::uint32_t down) __attribute__((always_inline)) {
+            return shifted_out(m, down);
+        });
+}
+
+/// The same of floats of any bits. False: it is not known whether all are finite, or they are next to
+/// nothing, or nothing beside each other.
+template <int N>
+SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&v)[N], Mantissas<N>& out) {
+    std::int32_t e[N];
+    const std::int32_t top = detail::exponents<N>(column, v, e);
+    if (top < column.least || top >= column.most) [[unlikely]]
+        return false;
+    out = detail::aligned<N>(
+        v, e, top, [](std::uint32_t m, std::uint32_t down) __attribute__((always_inline)) {
+            return shifted_some(m, down);
+        });
+    return true;
 }
 
 /// A row times v: magnitudes of 2^31 together times 2^30, |sum| < 2^61.

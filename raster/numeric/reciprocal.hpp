@@ -55,6 +55,17 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     return r + static_cast<std::uint32_t>(step);
 }
 
+/// reciprocal(a << zeros) / 2 of an a below 2^12 that has so many leading zeros. Where there is an
+/// instruction it is a division by two digits, of 1 and nearly 1/4: half of what is rounded to nearest.
+SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zeros) {
+    if constexpr (!divides)
+        return reciprocal(a << zeros) >> 1;
+    constexpr std::uint32_t one = 1u << 30;
+    const std::uint32_t first = one / a;
+    const int digits = 31 - zeros;
+    return (first << digits) + (((one - first * a) << digits) + (a * 255 >> 10)) / a;
+}
+
 /// For those that will all be set.
 struct EachIsSet {};
 inline constexpr EachIsSet each_is_set;

@@ -23,4 +23,18 @@ void draw_lines<FixedVertex>(const DrawState& state, const Surface& target, cons
         draw_line(state, target, *vertex[i], *vertex[i + 1], *vertex[i + 1], width);
 }
 
+DrawState::Area strip_area(const DrawState& state, std::int32_t width) {
+    if (!has_paths || width != 1 || detail::observed(state.counters) ||
+        state.variant[static_cast<unsigned>(Kind::flat)].walk == nullptr)
+        return {};
+    return state.paths;
+}
+
+/// Who has no room to keep the vertices of strips has no vectors either.
+void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
+                const FixedVertex& painted) {
+    if constexpr (has_paths)
+        LineBatch<LineLanes<1>>(state, target, 1).draw(ends, n, painted);
+}
+
 } // namespace spangle::raster

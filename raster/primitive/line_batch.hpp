@@ -27,7 +27,7 @@ SPANGLE_INLINE bool same_color(const FixedVertex& a, const FixedVertex& b) {
 
 /// Widens the touched columns by those of a line, if they are not all among them: rows between the ends', and
 /// one more pixel, hold it.
-inline void touch_line(const Surface& target, const FixedVertex& a, const FixedVertex& b) {
+inline void touch_line(const Surface& target, const Position& a, const Position& b) {
     const auto low = [](std::int32_t v, std::int32_t w) {
         return ((v < w ? v : w) - subpixel_one / 2 - 1) >> subpixel_bits;
     };
@@ -79,6 +79,14 @@ template <class L> class LineBatch {
         set_up(state_.needs.z);
         walk(Kind::flat);
     }
+    /// As draw_strip().
+    void draw(const LineEnd* ends, int n, const FixedVertex& painted) {
+        count_ = n - 1;
+        set_up_.take(ends, count_);
+        paint(flat_word(state_, painted.color));
+        set_up(state_.needs.z);
+        walk(Kind::flat);
+    }
 
   private:
     AnyFunction walk_of(Kind kind) const { return state_.variant[static_cast<unsigned>(kind)].walk; }
@@ -94,6 +102,7 @@ template <class L> class LineBatch {
     }
     SPANGLE_INLINE void paint(std::uint32_t word) {
         paths_.one_color = true;
+#pragma GCC unroll 4
         for (int i = 0; i < count_; i += L::count)
             L::store(&paths_.at(Paths::flat, i), typename L::Int{} + static_cast<std::int32_t>(word));
     }
@@ -115,7 +124,9 @@ template <class L> class LineBatch {
         return set_up_.set_up(paths_, PathPixels::per_row(target_, state_.fragment.dither), depth);
     }
 
-    const FixedVertex& provoking() const { return provoking_ != nullptr ? *provoking_ : *vertex_[1]; }
+    const FixedVertex& provoking() const {
+        return provoking_ != nullptr ? *provoking_ : *vertex_[1];
+    }
 
     /// The only line, of several colours.
     [[gnu::noinline]] Kind set_up_colored() {
@@ -145,7 +156,7 @@ template <class L> class LineBatch {
             return rows();
         if (target_.touched != nullptr)
             for (int i = 0; i < count_; ++i)
-                detail::touch_line(target_, first(i), second(i));
+                detail::touch_line(target_, set_up_.end(i, 0), set_up_.end(i, 1));
         if (Counters* const counters = state_.counters; counters != nullptr)
             for (int i = 0; i < count_; ++i)
                 if (paths_.at(Paths::count, i) > 0) { // NOLINT(clang-analyzer-*): set_up() stored each

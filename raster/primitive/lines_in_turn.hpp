@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "raster/primitive/line_end.hpp"
 #include "raster/primitive/line_path.hpp"
 
 namespace spangle::raster {
@@ -12,15 +13,26 @@ class LinesInTurn {
   public:
     /// Lines from vertex 0 to 1, from `step` to step + 1, ... True: all lie in the area.
     SPANGLE_INLINE bool take(const FixedVertex* const* vertex, int n, int step, const DrawState::Area& area) {
-        vertex_ = vertex;
+        end_ = own_;
         step_ = step;
         count_ = step == 1 ? n - 1 : n / 2;
         const DrawState::Area where = area; // in registers
-        for (const FixedVertex* const* const end = vertex + n; vertex != end; ++vertex)
-            if (!where.holds((*vertex)->x, (*vertex)->y))
+        LineEnd* own = own_;
+        for (const FixedVertex* const* const end = vertex + n; vertex != end; ++vertex, ++own) {
+            *own = line_end(**vertex);
+            if (!where.holds(own->x, own->y))
                 return false;
+        }
         return true;
     }
+    /// A strip of so many, whose ends stay where they are.
+    void take(const LineEnd* ends, int count) {
+        end_ = ends;
+        step_ = 1;
+        count_ = count;
+    }
+    /// The first or second end of line i.
+    Position end(int i, int second) const { return position(end_[i * step_ + second]); }
 
     /// All that the paths of one colour need but that. Without depth: the interval of the last.
     [[gnu::noinline]] PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t row, bool depth) const {
@@ -28,7 +40,7 @@ class LinesInTurn {
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
         for (int i = 0; i < count_;) {
-            const FixedVertex &a = *vertex_[i * step_], &b = *vertex_[i * step_ + 1];
+            const LineEnd &a = end_[i * step_], &b = end_[i * step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
                 return this->follow(along_x, ascends, i, paths, row, depth, at);
             };
@@ -48,52 +60,52 @@ class LinesInTurn {
     SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
                               PathInterval<std::int32_t>& at) const {
         using Line = Diamond<L, X, Up>;
-        const FixedVertex* const* const first = vertex_ + i * step_;
-        const FixedVertex* const* const last = step_ == 1 ? vertex_ + (count_ - 1) : first;
-        std::int32_t a = major<X>(**first), a_minor = minor<X>(**first);
+        const LineEnd* const first = end_ + i * step_;
+        const LineEnd* const last = step_ == 1 ? end_ + (count_ - 1) : first;
+        std::int32_t a = major<X>(*first), a_minor = minor<X>(*first);
         std::int32_t past = Line::first_past(x, up, a, a_minor);
-        const FixedVertex* const* vertex = first;
-        for (int path = i;; ++path, ++vertex) {
-            const std::int32_t b = major<X>(*vertex[1]), b_minor = minor<X>(*vertex[1]);
+        const LineEnd* ends = first;
+        for (int path = i;; ++path, ++ends) {
+            const std::int32_t b = major<X>(ends[1]), b_minor = minor<X>(ends[1]);
             const Line line(x, up, a, a_minor, past, b, b_minor);
             paths.at(Paths::count, path) = line.count;
             if (line.count > 0) {
                 const PathInterval<std::int32_t> interval = set_path<L>(paths, path, line, row);
                 if (depth)
-                    set_depth<Up>(paths, path, vertex, interval);
+                    set_depth<Up>(paths, path, ends, interval);
                 else
                     at.begin = interval.begin, at.end = interval.end, at.from_begin = interval.from_begin;
             }
-            if (vertex == last)
+            if (ends == last)
                 break;
             a = b, a_minor = b_minor, past = line.second_past();
-            if (!Line::goes(x, up, major<X>(*vertex[2]) - a, minor<X>(*vertex[2]) - a_minor))
+            if (!Line::goes(x, up, major<X>(ends[2]) - a, minor<X>(ends[2]) - a_minor))
                 break;
         }
-        return i + 1 + static_cast<int>(vertex - first);
+        return i + 1 + static_cast<int>(ends - first);
     }
-    template <class X> SPANGLE_INLINE static std::int32_t major(const FixedVertex& v) {
+    template <class X> SPANGLE_INLINE static std::int32_t major(const LineEnd& v) {
         return X::value ? v.x : v.y;
     }
-    template <class X> SPANGLE_INLINE static std::int32_t minor(const FixedVertex& v) {
+    template <class X> SPANGLE_INLINE static std::int32_t minor(const LineEnd& v) {
         return X::value ? v.y : v.x;
     }
 
     /// set_path_depth(), in high words where the difference is small enough for its length: up to eight
     /// pixels, and longer ones never.
     template <class Up>
-    SPANGLE_INLINE void set_depth(Paths& paths, int i, const FixedVertex* const* ends,
+    SPANGLE_INLINE void set_depth(Paths& paths, int i, const LineEnd* ends,
                                   const PathInterval<std::int32_t>& at) const {
-        const std::uint32_t from = depth_code(ends[0]->z, 16);
+        const std::uint32_t from = ends[0].depth;
         const std::int32_t difference = half_difference(ends);
         const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
         const int zeros = numeric::clz32(length);
-        const PerPixel per_pixel(numeric::reciprocal(length << zeros), zeros, !Up::value);
-        const std::int32_t coefficient = per_pixel.coefficient;
         const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 bits less than its exponent - 1
         if (lift >= static_cast<std::uint32_t>(numeric::clz32(
                         static_cast<std::uint32_t>(difference ^ (difference >> 31))))) [[unlikely]]
-            return set_any_depth(paths, ends, per_pixel, at.begin, at.from_begin);
+            return set_any_depth(paths, ends, at.begin, at.end, at.from_begin);
+        const auto per_pixel = static_cast<std::int32_t>(numeric::half_reciprocal(length, zeros));
+        const std::int32_t coefficient = Up::value ? per_pixel : -per_pixel;
         const std::int32_t high = lifted(difference, lift);
         // (128 - f) coefficient / 256 = (f - 128) 2^24 (-coefficient) / 2^32, f: of begin
         const auto to_center =
@@ -106,20 +118,20 @@ class LinesInTurn {
                 numeric::mul_high_s32(high, numeric::mul_high_s32(to_center, -coefficient))) +
             static_cast<std::uint32_t>(at.from_begin) * static_cast<std::uint32_t>(step));
     }
-    [[gnu::noinline]] void set_any_depth(Paths& paths, const FixedVertex* const* ends, PerPixel per_pixel,
-                                         std::int32_t begin, std::int32_t from_begin) const {
-        const auto from_first = static_cast<int>(ends - vertex_);
-        set_path_depth(paths, step_ == 1 ? from_first : from_first / 2, depth_code(ends[0]->z, 16),
-                       half_difference(ends), per_pixel, begin, from_begin);
+    [[gnu::noinline]] void set_any_depth(Paths& paths, const LineEnd* ends, std::int32_t begin,
+                                         std::int32_t end, std::int32_t from_begin) const {
+        const auto from_first = static_cast<int>(ends - end_);
+        set_path_depth(paths, step_ == 1 ? from_first : from_first / 2, ends[0].depth, half_difference(ends),
+                       PerPixel(begin, end), begin, from_begin);
     }
     /// Of the codes of two ends.
-    SPANGLE_INLINE static std::int32_t half_difference(const FixedVertex* const* ends) {
-        return static_cast<std::int32_t>(depth_code(ends[1]->z, 16) >> 1) -
-               static_cast<std::int32_t>(depth_code(ends[0]->z, 16) >> 1);
+    SPANGLE_INLINE static std::int32_t half_difference(const LineEnd* ends) {
+        return static_cast<std::int32_t>(ends[1].depth >> 1) - static_cast<std::int32_t>(ends[0].depth >> 1);
     }
 
-    const FixedVertex* const* vertex_ = nullptr;
+    const LineEnd* end_ = nullptr;
     int step_ = 1, count_ = 0;
+    LineEnd own_[2 * Paths::size]; ///< of vertices
 };
 
 } // namespace spangle::raster

@@ -14,6 +14,10 @@ using namespace spangle::numeric;
 TEST(Kernels, ReciprocalHoldsItsBounds) {
     check_reciprocal(97);
 }
+TEST(Kernels, HalfReciprocalsAreHalfOfThose) {
+    for (std::uint32_t a = 1; a < 1 << 12; ++a)
+        ASSERT_EQ(half_reciprocal(a, clz32(a)), reciprocal(a << clz32(a)) >> 1) << a;
+}
 TEST(Kernels, ReciprocalsTogetherAreThoseAlone) {
     Random random(12);
     for (int round = 0; round < 200'000; ++round) {

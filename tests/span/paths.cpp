@@ -3,6 +3,7 @@
 
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/line_batch.hpp"
+#include "raster/primitive/line_end.hpp"
 #include "raster/primitive/setup_math.hpp"
 #include "raster/span/dither_pattern.hpp"
 #include "raster/span/stage_raw.hpp"
@@ -169,7 +170,11 @@ TEST(Paths, StripsAreTheirRows) {
         for (const int step : {1, 2}) {
             fragment.dither = dither;
             Drawn in_turn(fragment, DepthFormat::z16, true), together(fragment, DepthFormat::z16, true),
-                rows(fragment, DepthFormat::z16, false);
+                strip(fragment, DepthFormat::z16, true), rows(fragment, DepthFormat::z16, false);
+            const DrawState::Area area = strip_area(strip.state, 1);
+            EXPECT_TRUE(area.holds(2 * 256, 2 * 256) && area.holds((width - 2) * 256, (height - 2) * 256));
+            EXPECT_EQ(strip_area(strip.state, 2).w, 0u);
+            EXPECT_EQ(strip_area(rows.state, 1).w, 0u);
             long fragments = 0;
             for (int round = 0; round < 1600; ++round) {
                 std::vector<FixedVertex> v(20);
@@ -191,8 +196,8 @@ TEST(Paths, StripsAreTheirRows) {
                     at.push_back(&v[i]);
                 }
                 const FixedVertex* const painted = round % 2 == 0 ? at[0] : nullptr;
-                in_turn.state.fragment.flat = together.state.fragment.flat = rows.state.fragment.flat =
-                    round % 4 == 3;
+                for (Drawn* const drawn : {&in_turn, &together, &strip, &rows})
+                    drawn->state.fragment.flat = round % 4 == 3;
                 draw_lines_by<LineLanes<1>>(in_turn.state, in_turn.canvas.surface, at.data(), 20, step,
                                             painted, 1);
                 draw_lines<FixedVertex>(together.state, together.canvas.surface, at.data(), 20, step, painted,
@@ -201,10 +206,22 @@ TEST(Paths, StripsAreTheirRows) {
                     rows.line(v[i], v[i + 1]);
                 in_turn.expect(rows, round);
                 together.expect(rows, round);
+                if (step == 1 && round % 4 != 3) {
+                    std::vector<LineEnd> ends;
+                    for (const FixedVertex& end : v)
+                        ends.push_back(line_end(end));
+                    draw_strip(strip.state, strip.canvas.surface, ends.data(), 10, v[0]);
+                    draw_strip(strip.state, strip.canvas.surface, ends.data() + 9, 11, v[0]);
+                    strip.expect(rows, round);
+                } else {
+                    for (std::size_t i = 0; i + 1 < v.size(); i += static_cast<std::size_t>(step))
+                        strip.line(v[i], v[i + 1]);
+                }
                 ASSERT_FALSE(HasFailure());
                 fragments = in_turn.counters.fragments;
                 if (round % 16 == 0) // depths to be nearer than
-                    in_turn.canvas.noise(9), together.canvas.noise(9), rows.canvas.noise(9);
+                    for (Drawn* const drawn : {&in_turn, &together, &strip, &rows})
+                        drawn->canvas.noise(9);
             }
             EXPECT_GT(fragments, 10000);
         }

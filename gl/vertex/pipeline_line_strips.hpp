@@ -1,0 +1,72 @@
+// Strips of lines in one colour, for little memory: of their vertices nothing counts but where they fall, and
+// a few kept ones would be others before a strip comes back to them. So none is looked up or kept.
+#pragma once
+
+#include "gl/vertex/pipeline.hpp"
+
+#if SPANGLE_VERTEX_CACHE != 1
+
+namespace spangle::gl {
+
+/// Lines of this draw have one colour, are cut by no more than the view volume, and drawn as they are.
+template <class M, class L> inline bool Pipeline<M, L>::draws_places() const {
+    return mode_ == GL_LINE_STRIP && !lit_ && !fog_ && units_ == 0 && !planes_.any() && !modal_lines();
+}
+
+/// What is not seen whole goes the way of all lines, a batch at a time.
+template <class M, class L>
+template <class I>
+void Pipeline<M, L>::line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
+    const raster::DrawState::Area area =
+        M::inside_viewport(transforms_, raster::strip_area(*state_, line_width_));
+    if (area.w == 0)
+        return line_elements(reader, count, indices, false);
+    for (std::uint32_t i = 0; i < count;) {
+        i += seen_strip(reader, count - i, indices.from(i), area);
+        const std::uint32_t left = count - i, now = left < line_batch ? left : line_batch;
+        if (now < 2)
+            return;
+        line_elements(reader, now, indices.from(i), false);
+        i += now - 1;
+    }
+}
+
+/// Lines up to the first element that is not seen. The number of the last that is: from there on nothing is
+/// drawn.
+template <class M, class L>
+template <class I>
+std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint32_t count, const I indices,
+                                         const raster::DrawState::Area& area) const {
+    const raster::DrawState::Area where = area;
+    raster::LineEnd ends[line_batch + 1], *end = ends;
+    const auto draw = [&] {
+        if (end - ends < 2)
+            return;
+        raster::draw_strip(*state_, context_->drawable.surface, ends, static_cast<int>(end - ends), unlit_);
+        ends[0] = end[-1];
+        end = ends + 1;
+    };
+    const auto seen = [&](std::uint32_t i) __attribute__((always_inline)) {
+        const std::uint8_t* const words = reader.vertex.words(indices.at(i));
+        return M::seen(transforms_,
+                       {{ArrayReader::word(words, 0)},
+                        {ArrayReader::word(words, 1)},
+                        {ArrayReader::word(words, 2)},
+                        numeric::one},
+                       where, *end);
+    };
+    std::uint32_t i = 0; // `end` is to be that element's
+    for (bool all = true; all && i < count;) {
+        const auto room = static_cast<std::uint32_t>(ends + line_batch + 1 - end);
+        const raster::LineEnd* const last = end + (count - i < room ? count - i : room);
+        while (end != last && seen(i))
+            ++end, ++i;
+        all = end == last;
+        draw();
+    }
+    return i == 0 ? 0 : i - 1;
+}
+
+} // namespace spangle::gl
+
+#endif
