@@ -154,7 +154,7 @@ template <int N, class Shifted>
 SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int32_t (&e)[N],
                                               std::int32_t top, const Shifted& shifted) {
     Mantissas<N> out{};
-    top += 2;
+    top += 2; // 30 bits
     std::uint32_t one = 0x80000000u;
     one = kept_in_register(one);
 #pragma GCC unroll 4
