@@ -93,6 +93,11 @@ SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32
     return v;
 }
 
+/// What follows a branch is not begun before it.
+SPANGLE_INLINE void begin_here() {
+    asm volatile(""); // NOLINT(hicpp-no-assembler): no instruction
+}
+
 /// v in a register, where words have 32 bits: compilers do not make it anew at every use.
 template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
 #if __SIZEOF_POINTER__ == 4

@@ -110,13 +110,19 @@ struct PackedExact : Packed {
 struct PackedCoarse : Packed {
     SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // 0 of 32
     SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // all of them
-    /// Of a colour that is not solid. Every sum is below 2^10 or, of six bits, 2^11: none reaches the next.
+    /// One test for both, by what the weight is made of.
+    SPANGLE_INLINE static bool whole(const Color& s) { return (s.word + (4u << 24)) >> 27 == 0; }
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
-        const std::uint32_t a = (s.word + (4u << 24)) >> 27;
+        return over_both(s, under | under << 16);
+    }
+    /// What is stored, twice. Of a colour that is not solid. Every sum is below 2^10 or, of six bits, 2^11:
+    /// none reaches the next.
+    SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t both) {
+        const std::uint32_t a = (s.word + (4u << 24)) >> 27; // as whole() has it
         // Taken out before they are put in: five instructions of ARM.
         const std::uint32_t r = numeric::factor32(s.word >> 3 & 31), g = numeric::factor32(s.word >> 10 & 63);
         const std::uint32_t source = (s.word >> 19 & 31) | r << 11 | g << 21;
-        const std::uint32_t stored = (under | under << 16) & components;
+        const std::uint32_t stored = both & components;
         constexpr std::uint32_t halves = 16u << 21 | 16u << 11 | 16u;
         const std::uint32_t sum = (stored + (((source - stored) * a + halves) >> 5)) & components; // mod 2^27
         return (sum | sum >> 16) & 0xFFFF;

@@ -94,6 +94,8 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     [[no_unique_address]] Row dither;
     SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (!Dither && std::is_same_v<N, PackedCoarse>)
+            return blend_coarse(p);
         if (N::clear(p.color))
             return false;
         std::uint8_t* const at = p.color_plane + 2 * p.i;
@@ -115,6 +117,23 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     }
     SPANGLE_INLINE void step() { dither.step(); }
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { dither = Row(s.x + x, s.y); }
+
+  private:
+    /// One test for clear and solid texels; loops end with the others.
+    SPANGLE_INLINE static bool blend_coarse(const Px<N>& p) {
+        const typename N::Color s = p.color;
+        if (N::whole(s)) [[unlikely]] {
+            if (N::clear(s))
+                return false;
+            numeric::begin_here();
+            Words::store(p.color_plane + 2 * p.i, N::opaque(s));
+        } else {
+            numeric::begin_here();
+            std::uint8_t* const at = p.color_plane + 2 * p.i;
+            Words::store(at, N::over_both(s, Words::load_both(at)));
+        }
+        return true;
+    }
 };
 
 /// BlendAlpha and StoreDithered of ExactBytes.

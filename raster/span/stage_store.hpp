@@ -21,6 +21,11 @@ template <class L, PixelFormat Format> struct Words565 {
     SPANGLE_INLINE static typename L::U16 ordered(typename L::U16 word) {
         return swaps ? L::swap_bytes(word) : word;
     }
+    /// The word in both halves of one of 32 bits. One lane.
+    SPANGLE_INLINE static std::uint32_t load_both(const std::uint8_t* at) {
+        const std::uint32_t word = L::load(at), other = swaps ? __builtin_bswap32(word) : word << 16;
+        return other | (swaps ? other >> 16 : word);
+    }
     SPANGLE_INLINE static void store(std::uint8_t* at, typename L::U16 word) { L::store(at, ordered(word)); }
     /// Other lanes keep what they hold.
     SPANGLE_INLINE static void store_where(typename L::Mask live, std::uint8_t* at, typename L::U16 word) {

@@ -183,6 +183,7 @@ TEST(Coarse, PackedHasTheSameBits) {
                                                over.operator()<5>(255 - other, b5);
                     const std::uint32_t under = r5 << 11 | k << 5 | b5;
                     const auto c = PackedCoarse::from_word(s | other << 8 | (255 - other) << 16 | a << 24);
+                    ASSERT_EQ(PackedCoarse::whole(c), PackedCoarse::clear(c) || PackedCoarse::solid(c));
                     ASSERT_EQ(PackedCoarse::clear(c)   ? under
                               : PackedCoarse::solid(c) ? PackedCoarse::opaque(c)
                                                        : PackedCoarse::over(c, under),
