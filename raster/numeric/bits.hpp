@@ -141,6 +141,18 @@ template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& f
     return from;
 #endif
 }
+/// The same, not before `first` is computed: fewer registers.
+template <class A, class B>
+SPANGLE_INLINE Two<A, B> load_two_after([[maybe_unused]] std::uint32_t& first, const Two<A, B>& from) {
+#if defined(__thumb2__)
+    A a;
+    B b;
+    asm("ldrd %0, %1, %3" : "=&r"(a), "=&r"(b), "+r"(first) : "o"(from)); // NOLINT(hicpp-no-assembler)
+    return {a, b};
+#else
+    return from;
+#endif
+}
 
 /// An instruction puts bits of one word into another. Decides between forms of equal results.
 #if defined(__thumb2__)

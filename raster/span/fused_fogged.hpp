@@ -15,7 +15,8 @@ template <class Case> class FoggedRows {
         const auto& fragment = span.state->fragment;
         const int log2_width = span.state->log2_width[0], log2_height = span.state->log2_height[0];
         image_ = {1u << log2_width, 1u << log2_height};
-        step_z_ = {fragment.unit[0].texture->level[0].texels, span.z.dx};
+        tables_ = {fragment.unit[0].texture->level[0].texels, numeric::kept_in_register(Combine::sixths)};
+        end_step_z_ = {nullptr, span.z.dx};
         step_coord_ = {span.s[0].dx, span.t[0].dx};
         z_ = origin(span, span.z);
         s_ = origin(span, span.s[0], 0 - NearestPosition::origin(log2_width));
@@ -34,8 +35,7 @@ template <class Case> class FoggedRows {
         const auto y = static_cast<std::uint32_t>(row.y);
         const std::int32_t last = row.last, first = row.first;
         const auto x = static_cast<std::uint32_t>(first);
-        const auto [texels0, dz] = numeric::load_two(step_z_);
-        std::uint32_t z = at(z_, x, y, dz);
+        std::uint32_t z = at(z_, x, y, end_step_z_.b);
         const auto [ds, dt] = numeric::load_two(step_coord_);
         std::uint32_t s = at(s_, x, y, ds), t = at(t_, x, y, dt), light[lights], fog;
         for (int k = 0; k < lights; ++k) {
@@ -45,16 +45,15 @@ template <class Case> class FoggedRows {
                 fog = at(fog_, x, y, dfog);
         }
         [[maybe_unused]] Threshold dither(first, row.y);
-        color_end_ = place(color_, row.y, last);
+        end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
         std::int32_t i = first - last; // counted up to 0: the last index needs no register
         do {
             numeric::kept_in_memory(*this);
             const std::uint32_t z16 = z >> 16;
-            const auto [texels, by_z] = numeric::load_two(step_z_);
-            z += by_z;
             if (test(depth + 2 * i, z16)) {
                 N::Color color;
+                const auto [texels, sixths] = numeric::load_two(tables_);
                 color.texel = texel(texels, s, t);
                 const std::uint32_t f = N::clamped_fraction(fog);
                 color.r = color.g = color.b = N::scaled(N::from_affine(light[0]), f);
@@ -62,7 +61,12 @@ template <class Case> class FoggedRows {
                     color.g = N::scaled(N::from_affine(light[1]), f);
                     color.b = N::scaled(N::from_affine(light[2]), f);
                 }
-                combine_.store(color_end_ + 2 * i, color, f, dither.threshold());
+                std::uint32_t word = combine_.word(color, f, dither.threshold(), sixths);
+                const auto [end, by_z] = numeric::load_two_after(word, end_step_z_);
+                N::L::store(end + 2 * i, word);
+                z += by_z;
+            } else {
+                z += end_step_z_.b;
             }
             dither.step();
             const auto [by_s, by_t] = numeric::load_two(step_coord_);
@@ -81,6 +85,7 @@ template <class Case> class FoggedRows {
     using N = BalancedLit;
     static constexpr int lights = Case::gray ? 1 : 3;
     using Threshold = std::conditional_t<Case::key.dither, detail::DitherRow<N::L>, detail::NoThreshold>;
+    using Combine = FoggedTexel<Case::key.format, true, Case::key.dither>;
     /// At column 0 of row 0 of the window, and from row to row.
     using Origin = numeric::Two<std::uint32_t, std::uint32_t>;
     using Plane = numeric::Two<std::uint8_t*, std::int32_t>;
@@ -116,11 +121,11 @@ template <class Case> class FoggedRows {
         return N::L::load(texels + 2 * (row * width + column));
     }
 
-    numeric::Two<std::uint32_t, std::uint32_t> image_; ///< width and height
-    numeric::Two<const std::uint8_t*, std::uint32_t> step_z_;
-    FoggedTexel<Case::key.format, true, Case::key.dither> combine_;
+    numeric::Two<std::uint32_t, std::uint32_t> image_;                   ///< width and height
+    numeric::Two<const std::uint8_t*, typename Combine::Sixths> tables_; ///< texels, and what they stand for
+    Combine combine_;
+    numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_; ///< of the row in the colour plane
     numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];
-    std::uint8_t* color_end_; ///< of the row
     Origin z_, s_, t_, fog_, light_[lights];
     Plane color_, depth_;
 };

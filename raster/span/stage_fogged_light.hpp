@@ -25,10 +25,16 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedTexel {
     SPANGLE_INLINE explicit FoggedTexel(const S& s)
         : g_(s.state->fragment.fog_color[1]), r_(s.state->fragment.fog_color[0]),
           b_(s.state->fragment.fog_color[2]) {}
-    SPANGLE_INLINE void store(std::uint8_t* at, const N::Color& light, std::uint32_t f,
-                              [[maybe_unused]] std::uint32_t threshold) const {
+    /// What a texel R5 G6 B5 multiplies green by.
+    using Sixths = const std::uint16_t*;
+    static constexpr Sixths sixths = texel_factors<Balanced<1>>.of6;
+    /// As stored; what is above 16 bits is not.
+    SPANGLE_INLINE std::uint32_t word(const N::Color& light, std::uint32_t f,
+                                      [[maybe_unused]] std::uint32_t threshold,
+                                      [[maybe_unused]] Sixths of6) const {
         std::uint32_t texel = light.texel;
-        std::uint32_t g = g_.under(light.g * Scales::green(texel), f);
+        const std::uint32_t by = Is565 ? of6[texel >> 5 & 63] : Scales::green(texel);
+        std::uint32_t g = g_.under(light.g * by, f);
         texel = numeric::later(texel, g);
         std::uint32_t r = r_.under(light.r * Scales::red(texel), f);
         texel = numeric::later(texel, r);
@@ -42,10 +48,10 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedTexel {
         using Words = Words565<N::L, Format>;
         if constexpr (numeric::inserts_bits) { // in the high half, of which a byte swap leaves the low one
             const std::uint32_t high = numeric::with_bits<16, 5>((r & 0xF8000000) | g >> 5, b >> 27);
-            N::L::store(at, Words::swaps ? __builtin_bswap32(high) : high >> 16);
-        } else {
-            Words::store(at, ((r >> 27) << 6 | g >> 26) << 5 | b >> 27);
+            return Words::swaps ? __builtin_bswap32(high) : high >> 16;
         }
+        const std::uint32_t low = ((r >> 27) << 6 | g >> 26) << 5 | b >> 27;
+        return Words::swaps ? N::L::swap_bytes(low) : low;
     }
 
   private:
@@ -82,7 +88,8 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { dither_ = Row(s.x + x, s.y); }
     SPANGLE_INLINE void step() { dither_.step(); }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        texel_.store(p.color_plane + 2 * p.i, p.color, N::clamped_fraction(p.fog), dither_.threshold());
+        const std::uint32_t f = N::clamped_fraction(p.fog);
+        N::L::store(p.color_plane + 2 * p.i, texel_.word(p.color, f, dither_.threshold(), texel_.sixths));
         return true;
     }
 
