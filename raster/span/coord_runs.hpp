@@ -105,7 +105,7 @@ struct RunBound {
 /// pixels has |du| <= L |N| / min(Q)^2, |dq| = L |dQ|, and an error of at most |du| |dq| / (4 min(Q))
 /// (numerics.md 1.2): L^2 <= min(Q)^3 / (|N| |dQ|) for a quarter. The fast tier takes at least 16, and as
 /// many more as are proven to be off by half a texel. Where 1/w does not change along the row, the row is one
-/// run.
+/// run; so it is where it is short and |du| |dq| / (4 min(Q)) of its ends is at most an eighth.
 class CoordRuns {
   public:
     std::uint32_t s; ///< at the current pixel, and per pixel (TexCoords)
@@ -135,8 +135,11 @@ class CoordRuns {
 
   private:
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
-        if (log2_ < 0)
+        if (log2_ < 0) {
+            if (span_->length <= short_row && one_run(x))
+                return next_;
             first_run(x);
+        }
         const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
         next_ = from + length;
         const auto& wraps = span_->state->wraps[unit_];
@@ -155,6 +158,36 @@ class CoordRuns {
             t += static_cast<std::uint32_t>(x - from) * dt;
         }
         return next_;
+    }
+    /// A short row is looked at as a whole: its ends cost less than logarithms, and say more. False: it takes
+    /// several runs, or coordinates that saturate.
+    [[gnu::noinline]] bool one_run(std::int32_t x) {
+        const auto& wraps = span_->state->wraps[unit_];
+        if (!(wraps.s && wraps.t))
+            return false;
+        const int exponent = span_->unit[unit_].exponent;
+        const std::int32_t steps = span_->length - 1;
+        const Inverse first(row_.q(0)), last(row_.q(steps));
+        const Sample begin(row_, 0, first, exponent), end(row_, steps, last, exponent);
+        const std::int64_t s_range = difference(end.s, begin.s), t_range = difference(end.t, begin.t);
+        const auto by_s = static_cast<std::int32_t>(s_range), by_t = static_cast<std::int32_t>(t_range);
+        if (by_s != s_range || by_t != t_range)
+            return false;
+        const std::uint32_t least = first.q < last.q ? first.q : last.q,
+                            range = first.q < last.q ? last.q - first.q : first.q - last.q;
+        const auto within = [&](std::int32_t v, int log2_size) { // an eighth of a texel
+            return numeric::mul_u32(numeric::abs_u32(v), range) <= std::uint64_t{least} << (31 - log2_size);
+        };
+        if (drawn(span_->state->tier) != Tier::fast && !(within(by_s, span_->state->log2_width[unit_]) &&
+                                                         within(by_t, span_->state->log2_height[unit_])))
+            return false;
+        const std::int32_t n = steps > 0 ? steps : 1;
+        ds = static_cast<std::uint32_t>(by_s / n);
+        dt = static_cast<std::uint32_t>(by_t / n);
+        s = static_cast<std::uint32_t>(begin.s) + static_cast<std::uint32_t>(x) * ds;
+        t = static_cast<std::uint32_t>(begin.t) + static_cast<std::uint32_t>(x) * dt;
+        next_ = span_->length;
+        return true;
     }
     /// The start of the first one.
     [[gnu::noinline]] void first_run(std::int32_t x) {
@@ -179,13 +212,16 @@ class CoordRuns {
         last_ = end;
     }
 
+    static constexpr std::int32_t short_row = 16;
     static constexpr int fast_log2 = 4, max_log2 = 6, row_log2 = 16; ///< 16 and 64 pixels; the whole row
 
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         Sample() = default;
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent) {
-            const Inverse inverse(row.q(x));
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent)
+            : Sample(row, x, Inverse(row.q(x)), exponent) {}
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
+                              int exponent) {
             s = detail::to_repeats(row.s(x), inverse, exponent);
             t = detail::to_repeats(row.t(x), inverse, exponent);
         }
