@@ -51,7 +51,12 @@ SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
     return n > 31 ? 0 : narrow(v, n);
 }
 
+/// The result, not held back, fits a word.
 constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
+    if (n > 0 && n < 32) [[likely]] {
+        const auto r = static_cast<std::int32_t>(low_word_after(v + (std::int32_t{1} << (n - 1)), n));
+        return clamp(r, -block_max, block_max);
+    }
     if (n <= 0)
         return static_cast<std::int32_t>(static_cast<std::uint64_t>(v) << -n);
     const std::int64_t r = shift_right_round(v, n);

@@ -116,7 +116,7 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 }
 
 /// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
-void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
+SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     const auto& of = state_.fog;
     const auto offset = static_cast<std::int32_t>(of.offset);
     bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
@@ -252,8 +252,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
 }
 
 /// Affine where the bounds of the tier allow it, textured where only colours are, else full.
-Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
-                               const std::int32_t fog[3]) {
+SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
+                                              const std::int32_t fog[3]) {
     const Needs& needs = state_.needs;
     if (!same_w && color_bits != 0 && !colors_affine(color_bits))
         return Kind::full;
@@ -269,7 +269,7 @@ Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint3
 }
 
 /// One colour, or three.
-bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
+SPANGLE_INLINE bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
     const auto gray = [](const Vertex& v) { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
     return color_bits == 0 ? gray(painted) : gray(v(0)) && gray(v(1)) && gray(v(2));
 }
