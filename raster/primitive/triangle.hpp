@@ -105,6 +105,20 @@ SPANGLE_INLINE void set_up(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     pen.set_up();
 }
 
+/// The same of one so wide, within SmallEdge::extent: its box fits a word.
+template <class P>
+SPANGLE_INLINE void set_up_small(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
+                                 const typename P::Vertex& provoking, std::int32_t width) {
+    if constexpr (!std::is_same_v<P, Fixed>) {
+        set_up(pen, t, provoking);
+    } else if (!pen.is_set_up()) {
+        Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking,
+                 Setup<P>::Area::in_box(static_cast<std::int32_t>(t.area2),
+                                        static_cast<std::uint32_t>(width * (t.c.y - t.a.y))));
+        pen.set_up();
+    }
+}
+
 template <class E, class P>
 void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename P::Vertex& provoking) {
     const std::int32_t xs[3] = {t.a.x, t.b.x, t.c.x}, ys[3] = {t.a.y, t.b.y, t.c.y};
@@ -141,13 +155,7 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
     const Row* const end = width <= Low::extent ? rows(Low()) : rows(SmallEdge());
     if (end == begin)
         return;
-    if constexpr (!std::is_same_v<P, Fixed>) {
-        set_up(pen, t, provoking);
-    } else if (!pen.is_set_up()) {
-        Setup<P>(pen.span, *t.a.vertex, *t.b.vertex, *t.c.vertex, provoking,
-                 Setup<P>::Area::in_box(static_cast<std::int32_t>(t.area2),
-                                        static_cast<std::uint32_t>(width * (t.c.y - t.a.y))));
-    }
+    set_up_small(pen, t, provoking, width);
     pen.begin();
     pen.draw(end);
 }
@@ -155,7 +163,8 @@ SPANGLE_INLINE void draw_low(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
 /// As a tile or two, where it is that small and its state and kind draw tiles.
 template <class P>
 SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
-                              const typename P::Vertex& provoking, std::int32_t left, std::int32_t right) {
+                              const typename P::Vertex& provoking, std::int32_t width, std::int32_t left,
+                              std::int32_t right) {
     if constexpr (host_lanes > 1 && std::is_same_v<P, Fixed>) {
         const DrawState& state = *pen.span.state;
         Tile tile;
@@ -166,7 +175,7 @@ SPANGLE_INLINE bool draw_tile(Pen<P>& pen, const Sorted<typename P::Vertex>& t,
             return false;
         if (tile.rows <= 0)
             return true;
-        set_up(pen, t, provoking);
+        set_up_small(pen, t, provoking, width);
         const Shapes* const shapes = state.variant[static_cast<unsigned>(pen.span.kind)].shapes;
         if (shapes == nullptr || shapes->tile == nullptr)
             return false;
@@ -197,7 +206,7 @@ SPANGLE_INLINE bool draw_trapezoids(Pen<P>& pen, const Sorted<typename P::Vertex
                            end = high < pen.row_end() ? high : pen.row_end();
         if (begin >= end)
             return true;
-        set_up(pen, t, provoking);
+        set_up_small(pen, t, provoking, width);
         const Shapes* const shapes = state.variant[static_cast<unsigned>(pen.span.kind)].shapes;
         if (shapes == nullptr)
             return false;
@@ -231,9 +240,9 @@ SPANGLE_INLINE void draw_triangle_of(const DrawState& state, const Surface& targ
         return;
     if constexpr (!has_shortcuts)
         return detail::draw_rows<Edge>(pen, sorted(), provoking);
-    if (detail::draw_tile(pen, sorted(), provoking, left, right))
-        return;
     const std::int32_t width = most - least, height = high.y - low.y;
+    if (detail::draw_tile(pen, sorted(), provoking, width, left, right))
+        return;
     if (detail::draw_trapezoids(pen, sorted(), provoking, width, right))
         return;
     if (width <= SmallEdge::extent && height <= low_extent)
