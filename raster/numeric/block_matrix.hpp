@@ -22,8 +22,8 @@ template <int N> struct Columns {
     std::int32_t e[N] = {};
     /// From this exponent on, the largest component of a vertex shifts those out whose biased exponent is 0.
     std::int32_t least = 32;
-    /// Below this one all are finite, and none shifts by more than 255.
-    std::int32_t most = 253;
+    /// So many from there on with which all are finite, and none shifts by more than 255.
+    std::uint32_t usual = 221;
 };
 
 /// Element (i, j) = m[N * i + j] * 2^(row[i] + column.e[j] - 31). The magnitudes of a row add up to less than
@@ -72,9 +72,10 @@ template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R
     for (int j = 0; j < N; ++j)
         r.e[j] = block_exponent(widest[j] == no_exponent ? most : widest[j]);
     r.least = block_exponent(most) + 32;
-    r.most = r.e[0] + 253;
+    std::int32_t lowest = r.e[0];
     for (const std::int32_t e : r.e)
-        r.most = e + 253 < r.most ? e + 253 : r.most;
+        lowest = e < lowest ? e : lowest;
+    r.usual = lowest + 253 > r.least ? static_cast<std::uint32_t>(lowest + 253 - r.least) : 0;
     return r;
 }
 
@@ -189,7 +190,7 @@ template <int N>
 SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&v)[N], Mantissas<N>& out) {
     std::int32_t e[N];
     const std::int32_t top = detail::exponents<N>(column, v, e);
-    if (top < column.least || top >= column.most) [[unlikely]]
+    if (static_cast<std::uint32_t>(top - column.least) >= column.usual) [[unlikely]]
         return false;
     out = detail::aligned<N>(
         v, e, top, [](std::uint32_t m, std::uint32_t down) __attribute__((always_inline)) {

@@ -34,8 +34,14 @@ template <> struct LineLanes<1> {
     SPANGLE_INLINE static Int negate(Mask m, Int v) { return m ? -v : v; }
     /// n / d and the remainder, of 0 <= n < 5 d.
     SPANGLE_INLINE static Int divide_small(Int& n, Int d) {
-        const auto whole = static_cast<Int>(static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(d));
-        n -= whole * d;
+        Int whole = 0;
+        if constexpr (numeric::divides) {
+            whole = static_cast<Int>(static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(d));
+            n -= whole * d;
+        } else {
+            for (; n >= d; ++whole)
+                n -= d;
+        }
         return whole;
     }
 };
