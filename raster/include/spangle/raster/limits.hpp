@@ -62,11 +62,8 @@ static_assert(has_chain || has_fused_spans);
 inline constexpr int packet = SPANGLE_PACKET;
 static_assert(packet == 2 || packet == 4 || packet == 8 || packet == 16);
 
-/// Lines under way, even; with two they are drawn one by one. They lie on the stack, some 50 bytes each, where
-/// words have 64 bits also vertices on their way.
-inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0 ? SPANGLE_LINE_BATCH
-                                  : sizeof(void*) == 4    ? 24
-                                                          : 16;
+/// Lines under way, even; with two they are drawn one by one. They lie on the stack, some 50 bytes each.
+inline constexpr int line_batch = SPANGLE_LINE_BATCH != 0 ? SPANGLE_LINE_BATCH : sizeof(void*) == 4 ? 24 : 16;
 static_assert(line_batch >= 2 && line_batch % 2 == 0);
 
 /// Bits of the formats from the first to the last.
