@@ -18,6 +18,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -124,6 +125,13 @@ def recorded():
     return {line.split()[0] for line in lines if line and line[0] != "#"}
 
 
+def record(every, outcome):
+    """What was caught now, and what was before and has not been tried."""
+    known = recorded()
+    lines = [f"{m.id} {m.row}" for m in every if (outcome[m.id] == "caught" if m.id in outcome else m.id in known)]
+    (HERE / "caught.txt").write_text("# Written by ./dev mutants --write: each mutant that the tests caught, and its row.\n" + "\n".join(lines) + "\n")
+
+
 def touched_since(commit, mutants):
     changed = subprocess.run(["git", "diff", "--name-only", commit], cwd=ROOT, capture_output=True, text=True, check=True)
     files = changed.stdout.split()
@@ -160,7 +168,7 @@ def main():
         pool[0].baseline(list(words))
     for worker in pool:
         workers.put(worker)
-    outcome, start = {}, time.time()
+    outcome, writing, start = {}, threading.Lock(), time.time()
 
     def attempt(mutant):
         worker = workers.get()
@@ -168,18 +176,16 @@ def main():
             result = worker.attempt(mutant)
         finally:
             workers.put(worker)
-        outcome[mutant.id] = result
+        with writing:
+            outcome[mutant.id] = result
+            if arguments.write:  # each at once: a run that is ended early has not been for nothing
+                record(every, outcome)
         print(f"[{len(outcome)}/{len(mutants)} {time.time() - start:.0f} s] {mutant.id} ({mutant.row}): {result}", flush=True)
 
     with concurrent.futures.ThreadPoolExecutor(arguments.workers) as executor:
         # Same test program after each other: less to rebuild.
         list(executor.map(attempt, sorted(mutants, key=lambda m: (m.test[0], m.file))))
     survivors = [m.id for m in mutants if outcome[m.id] != "caught"]
-    if arguments.write:
-        known = recorded()
-        caught = [m for m in every if (outcome[m.id] == "caught" if m.id in outcome else m.id in known)]
-        lines = [f"{m.id} {m.row}" for m in caught]
-        (HERE / "caught.txt").write_text("# Written by ./dev mutants --write: each mutant that the tests caught, and its row.\n" + "\n".join(lines) + "\n")
     print(f"{len(mutants) - len(survivors)} of {len(mutants)} caught" + (": not " + ", ".join(survivors) if survivors else ""))
     return 1 if survivors else 0
 
