@@ -86,7 +86,7 @@ template <class Case> class GatheredPlanes {
 
     /// For rows from this one up, and columns from its first to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
-        : texture_(at, 0), fog_inside_(at.fog_inside), planes_(planes(at)) {}
+        : texture_(at, 0), fog_inside_(Case::fogged && at.fog_inside), planes_(planes(at)) {}
     SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
     SPANGLE_INLINE void to_row(std::int32_t y) { planes_.to_row(y); }

@@ -54,7 +54,8 @@ TEST(SetupMath, HalvesFitTheirWordOrSaySo) {
     for (int round = 0; round < 1000000; ++round) {
         const int down = static_cast<int>(random() % 36) - 2;
         // Around the limit, half of them.
-        const std::int64_t limit = round % 2 == 0 && down > 0 ? std::int64_t{1} << (30 + down) : 0;
+        const std::int64_t limit =
+            round % 2 == 0 && down > 0 && down < 32 ? std::int64_t{1} << (30 + down) : 0;
         const std::int64_t any = static_cast<std::int64_t>(random()) >> (2 + random() % 60);
         const std::int64_t product = (round % 4 == 0 ? -limit : limit) + (limit != 0 ? any % (1 << 20) : any);
         std::int32_t out = 0;
