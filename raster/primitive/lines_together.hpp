@@ -44,8 +44,10 @@ template <class L> class LinesTogether {
         return (outside[0] | outside[1]) >= 0;
     }
 
-    /// The first or second end of line i.
-    Position end(int i, int second) const { return position(*vertex_[i * step_ + second]); }
+    /// The first or second end of line i, after take().
+    Position end(int i, int second) const {
+        return position(*vertex_[i * step_ + second]); // NOLINT(clang-analyzer-core.NullDereference)
+    }
 
     /// All that the paths of one colour need but that. The interval of the first.
     SPANGLE_INLINE PathInterval<std::int32_t> set_up(Paths& paths, std::int32_t pixels_per_row, bool depth) {
