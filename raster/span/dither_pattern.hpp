@@ -1,4 +1,4 @@
-// One colour as it is stored, dithered: 4x4 words, made once for all fragments that have it.
+// One colour as it is stored, dithered: a word, or 4x4 of them, made once for all fragments that have it.
 #pragma once
 
 #include <bit>
@@ -10,14 +10,44 @@ namespace spangle::raster {
 
 namespace detail {
 
+/// One threshold added to all three components of a DitheredWord, by y & 3, x & 3.
+struct DitherSums {
+    std::uint32_t at[16];
+    constexpr DitherSums() : at{} {
+        for (std::int32_t i = 0; i < 16; ++i)
+            at[i] = dither_threshold(dither_row(i >> 2), i) * (1u << 21 | 1u << 10 | 1);
+    }
+};
+inline constexpr DitherSums dither_sums;
+
+} // namespace detail
+
+/// One colour, dithered. Its components are given in 32nds of a step, whole ones, 10 bits at 21, 11 at 10 and
+/// 10 at 0: no more of them tells, thresholds being whole 32nds.
+struct DitheredWord {
+    std::uint32_t components;
+    /// Of the whole steps.
+    SPANGLE_INLINE constexpr std::uint32_t word() const {
+        return ((components >> 15) & 0xF800) | ((components >> 10) & 0x07E0) | ((components >> 5) & 0x1F);
+    }
+    /// Of the fragment in that place: y + (x << 30), mod 2^32.
+    SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
+        return DitheredWord{components + detail::dither_sums.at[std::rotl(place, 2) & 15]}.word();
+    }
+    static constexpr std::uint32_t column = 1u << 30; ///< from place to place
+    static constexpr std::uint32_t place(std::int32_t x, std::int32_t y) {
+        return static_cast<std::uint32_t>(y) + static_cast<std::uint32_t>(x) * column;
+    }
+};
+
+namespace detail {
+
 /// The components of a DitheredWord, four columns at a time.
 template <bool SwapsBytes> struct DitheredColumns {
     std::uint32_t whole, r, g, b; ///< the word twice, and fractions of its components four times
     SPANGLE_INLINE explicit DitheredColumns(std::uint32_t components)
-        : whole(((components >> 15 & 0xF800) | (components >> 10 & 0x07E0) | (components >> 5 & 0x001F)) *
-                0x10001),
-          r((components >> 21 & 31) * 0x01010101), g((components >> 10 & 31) * 0x01010101),
-          b((components & 31) * 0x01010101) {}
+        : whole(DitheredWord{components}.word() * 0x10001), r((components >> 21 & 31) * 0x01010101),
+          g((components >> 10 & 31) * 0x01010101), b((components & 31) * 0x01010101) {}
     /// Of column x, 0 or 1, of these thresholds, and of x + 2.
     SPANGLE_INLINE std::uint32_t at(std::uint32_t thresholds, int x) const {
         constexpr std::uint32_t more = 0x00200020; // where a fraction and its threshold are one step

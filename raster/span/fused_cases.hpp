@@ -101,6 +101,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr bool halved = lit && !numeric::long_products;
 
     static constexpr bool tested = K.depth != Compare::always || K.depth_write;
+    /// Depth and colours, nothing else: rows are PlaneRows.
+    static constexpr bool plain = raw && !textured;
+    static constexpr bool patterned = plain && K.kind == Kind::flat && K.dither;
 
   private:
     /// There are lanes for it: not for 64 bits, which Exact needs, nor for one division per fragment.
@@ -121,6 +124,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <class N>
     using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
     enum class Walk { rows, paths, tiles };
+    /// Colours come as they are stored.
+    template <int L, Walk By>
+    static constexpr bool in_pattern = patterned && (L == 1 || (L == 8 && By == Walk::rows));
     template <int L, Walk By = Walk::rows> struct Stages {
         using N = std::conditional_t<
             raw, Raw565<L>,
@@ -142,8 +148,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (raw && K.kind == Kind::flat)
                 return std::type_identity<std::conditional_t<
                     !K.dither, FlatWord<L>,
-                    std::conditional_t<By == Walk::paths, PathPattern,
-                                       std::conditional_t<L == 1, RowPattern, FlatDithered<L>>>>>{};
+                    std::conditional_t<
+                        By == Walk::paths, PathPattern,
+                        std::conditional_t<
+                            L == 1, RowPattern,
+                            std::conditional_t<in_pattern<L, By>, FlatDitheredRows, FlatDithered<L>>>>>>{};
             else if constexpr (is_guessed(K))
                 return std::type_identity<GouraudGuessed<L, K.dither>>{};
             else if constexpr (raw && K.dither)
@@ -208,7 +217,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<None<N, 4>>{};
         }
         static auto store() {
-            if constexpr (L == 1 && patterned)
+            if constexpr (in_pattern<L, By>)
                 return std::type_identity<StoreRaw<L, K.format, false>>{};
             else if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
@@ -251,12 +260,10 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static constexpr Key key = K;
     static constexpr bool apart = Apart, numbered = divided && !Apart;
     static constexpr bool guessed = is_guessed(K);
-    /// Depth and colours, nothing else: rows are PlaneRows.
-    static constexpr bool plain = raw && !textured;
-    /// The words of its fragments, as they are stored, and those of paths.
-    static constexpr bool patterned = plain && K.kind == Kind::flat && K.dither;
     static constexpr bool swaps = Words565<Lanes<1>, K.format>::swaps;
+    /// The words of its fragments, as they are stored, and those of paths.
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
+    using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
@@ -273,6 +280,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using N = Raw565<8>;
         using Guessed = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog>;
         using Patch = typename Guessed::Patch;
+        using LanePattern = NoPattern;
         template <int> using System = N;
         template <int> using List = Seq<N, Guessed, StoreRaw<8, K.format>>;
         static constexpr Key untested() {

@@ -76,7 +76,8 @@ template <class Case>
     OpenGroup open[most];
     // The last group of a scissor rectangle may begin seven columns before the patch.
     const std::int32_t left = rows.patch.x - rows.patch.columns - 7;
-    LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open});
+    const NoPattern none(0);
+    LaneRows<Lit, Collect> lanes({{span, nullptr, nullptr, left, row->y, left}, patch}, {open}, none);
     const Surface target = *span.target; // in registers
     do {
         lanes.draw(target, *row, room);

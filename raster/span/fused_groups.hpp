@@ -96,6 +96,7 @@ struct PlainRow {
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};
     std::uint32_t flat_word = planes.flat_word;
+    const detail::Half* words = nullptr; ///< of DitherLaneRows
 
     template <class T> SPANGLE_INLINE T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - anchor_x), y - anchor_y);
@@ -118,14 +119,16 @@ template <class Case> struct DivideOpen {
 template <class Case, class Open = DivideOpen<Case>> class LaneRows {
   public:
     using At = typename Open::Row;
-    SPANGLE_INLINE LaneRows(Span<Fixed>& span, std::int32_t y)
-        : LaneRows(At{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, Open{}) {}
-    SPANGLE_INLINE LaneRows(const At& at, const Open& open) : at_(at), list_(at_, 0), p_(at_), open_(open) {}
+    using Pattern = typename Case::LanePattern;
+    SPANGLE_INLINE LaneRows(Span<Fixed>& span, std::int32_t y, const Pattern& pattern)
+        : LaneRows(At{span, nullptr, nullptr, span.anchor_x, y, span.anchor_x}, Open{}, pattern) {}
+    SPANGLE_INLINE LaneRows(const At& at, const Open& open, const Pattern& pattern)
+        : at_(at), list_(at_, 0), p_(at_), open_(open), pattern_(pattern) {}
 
     /// Columns [first, last) of row y, which begins there. Seven more lie inside of the scissor rectangle.
     SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
+        enter(y);
         at_.x = first;
-        at_.y = y;
         list_.start(at_, 0);
         each_whole_group<Case::tested>(
             list_, p_, row, first,
@@ -137,6 +140,7 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     SPANGLE_INLINE void draw(const Surface& target, const Row& row, std::int32_t room) {
         if (row.last <= room) [[likely]]
             return draw(row_of<Case>(target, row.y), row.y, row.first, row.last);
+        enter(row.y);
         each_group<Case::key.format>(
             list_, p_, at_, target, row,
             room, [&](std::int32_t) __attribute__((always_inline)) { group(at_.x + p_.i); });
@@ -145,6 +149,11 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     SPANGLE_INLINE Open& open() { return open_; }
 
   private:
+    SPANGLE_INLINE void enter(std::int32_t y) {
+        at_.y = y;
+        if constexpr (!std::is_same_v<Pattern, NoPattern>)
+            at_.words = pattern_.row(y);
+    }
     /// At column x.
     SPANGLE_INLINE void group(std::int32_t x) {
         if constexpr (Case::plain)
@@ -158,6 +167,7 @@ template <class Case, class Open = DivideOpen<Case>> class LaneRows {
     typename Case::template List<8> list_;
     Px<typename Case::template System<8>> p_;
     [[no_unique_address]] Open open_;
+    const Pattern& pattern_;
 };
 
 template <class Case>
@@ -165,7 +175,8 @@ SPANGLE_INLINE void fused_plain_rows(Span<Fixed>& span, const Row* row, const Ro
     const Rect& clip = span.state->fragment.scissor;
     const std::int32_t room = clip.x + clip.w - 8;
     const Surface target = *span.target; // in registers
-    LaneRows<Case> rows(span, row->y);
+    const typename Case::LanePattern pattern(span.flat_word);
+    LaneRows<Case> rows(span, row->y, pattern);
     do
         rows.draw(target, *row, room);
     while (++row != end);

@@ -46,7 +46,8 @@ template <class Case> [[gnu::noinline]] void fused_trapezoids(Span<Fixed>& span,
     if constexpr (Case::gathered)
         if (gathered_trapezoids<typename Case::Gathered>(span, shape)) [[likely]]
             return;
-    LaneRows<Case> rows(span, shape.y);
+    const typename Case::LanePattern pattern(span.flat_word);
+    LaneRows<Case> rows(span, shape.y, pattern);
     const Surface target = *span.target; // in registers
     draw_trapezoids<Case>(rows, target, shape);
 }

@@ -1,11 +1,46 @@
 // Lists whose colour is 16 bits from its source to the surface: the two ends of them.
 #pragma once
 
+#include "raster/span/dither_pattern.hpp"
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
-#include "raster/span/stage_thresholds.hpp"
+#include "raster/span/stage_store.hpp"
 
 namespace spangle::raster {
+
+namespace detail {
+
+/// A DitheredWord in lanes.
+template <class L> struct DitheredLanes {
+    using U16 = typename L::U16;
+    U16 whole, r, g, b; ///< the word, and fractions of its components
+    SPANGLE_INLINE explicit DitheredLanes(std::uint32_t components)
+        : whole(L::splat(DitheredWord{components}.word())), r(L::splat(components >> 21 & 31)),
+          g(L::splat(components >> 10 & 31)), b(L::splat(components & 31)) {}
+    SPANGLE_INLINE U16 at(U16 thresholds) const {
+        return whole + (((r + thresholds) & 32) << 6) + ((g + thresholds) & 32) + ((b + thresholds) >> 5);
+    }
+};
+
+} // namespace detail
+
+/// Rows of the window in one colour, dithered, as they are stored: eight columns from any of a period's
+/// first.
+template <PixelFormat Format> class DitherLaneRows {
+  public:
+    SPANGLE_INLINE explicit DitherLaneRows(std::uint32_t components) {
+        using L = Lanes<8>;
+        const detail::DitheredLanes<L> lanes(components);
+        for (std::int32_t y = 0; y < 4; ++y)
+            for (const int half : {0, 4})
+                Words565<L, Format>::store(reinterpret_cast<std::uint8_t*>(of_[y] + half),
+                                           lanes.at(detail::DitherRow<L>(0, y).threshold()));
+    }
+    SPANGLE_INLINE const detail::Half* row(std::int32_t y) const { return of_[y & 3]; }
+
+  private:
+    detail::Half of_[4][12];
+};
 
 /// One colour for the whole primitive.
 template <int Count> struct FlatWord : StageBase {
@@ -19,63 +54,38 @@ template <int Count> struct FlatWord : StageBase {
     }
 };
 
-namespace detail {
-
-/// One threshold added to all three components of a DitheredWord, by y & 3, x & 3.
-struct DitherSums {
-    std::uint32_t at[16];
-    constexpr DitherSums() : at{} {
-        for (std::int32_t i = 0; i < 16; ++i)
-            at[i] = dither_threshold(dither_row(i >> 2), i) * (1u << 21 | 1u << 10 | 1);
-    }
-};
-inline constexpr DitherSums dither_sums;
-
-} // namespace detail
-
-/// One colour, dithered. Its components are given in 32nds of a step, whole ones, 10 bits at 21, 11 at 10 and
-/// 10 at 0: no more of them tells, thresholds being whole 32nds.
-struct DitheredWord {
-    std::uint32_t components;
-    /// Of the fragment in that place: y + (x << 30), mod 2^32.
-    SPANGLE_INLINE std::uint32_t at(std::uint32_t place) const {
-        const std::uint32_t sum = components + detail::dither_sums.at[std::rotl(place, 2) & 15];
-        return ((sum >> 15) & 0xF800) | ((sum >> 10) & 0x07E0) | ((sum >> 5) & 0x1F);
-    }
-    static constexpr std::uint32_t column = 1u << 30; ///< from place to place
-    static constexpr std::uint32_t place(std::int32_t x, std::int32_t y) {
-        return static_cast<std::uint32_t>(y) + static_cast<std::uint32_t>(x) * column;
-    }
-};
-
-/// The same as a stage along rows: eight columns are two periods, nothing to walk.
+/// One colour, dithered, from row to row of a tile: eight columns are two periods, nothing to walk.
 template <int Count> struct FlatDithered : StageBase {
     static constexpr unsigned out = field_color;
     using N = Raw565<Count>;
-    typename N::L::U32 r, g, b; ///< steps
+    detail::DitheredLanes<typename N::L> lanes;
     detail::DitherPlace<typename N::L> dither;
     typename N::T words;
     template <class S>
     SPANGLE_INLINE FlatDithered(const S& s, std::int32_t x)
-        : r(N::L::splat32(s.flat_word >> 21 << 22)), g(N::L::splat32((s.flat_word >> 10 & 0x7FF) << 21)),
-          b(N::L::splat32((s.flat_word & 0x3FF) << 22)), dither(s.x + x, s.y) {
-        mix();
-    }
+        : lanes(s.flat_word), dither(s.x + x, s.y), words(lanes.at(dither.threshold())) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color.word = words;
         return true;
     }
     SPANGLE_INLINE void next_row() {
         dither.next_row();
-        mix();
+        words = lanes.at(dither.threshold());
+    }
+};
+/// And along rows of eight lanes: words of DitherLaneRows.
+struct FlatDitheredRows : StageBase {
+    static constexpr unsigned out = field_color;
+    using N = Raw565<8>;
+    N::T words{};
+    template <class S> SPANGLE_INLINE FlatDitheredRows(const S&, std::int32_t) {} // no row yet
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        p.color.word = words;
+        return true;
     }
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        dither = detail::DitherPlace<typename N::L>(s.x + x, s.y);
-        mix();
+        words = N::L::load(reinterpret_cast<const std::uint8_t*>(s.words + ((s.x + x) & 3)));
     }
-
-  private:
-    SPANGLE_INLINE void mix() { words = N::word(N::dithered(N::tops(r, g, b), dither.threshold())).word; }
 };
 template <> struct FlatDithered<1> : StageBase {
     static constexpr unsigned out = field_color;
