@@ -96,7 +96,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// There are lanes for what is divided, which end in 16 bits.
     static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
                                 K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
-                                !K.blend && !K.dither && is_565(K.format) && !Apart;
+                                !K.blend && (!K.dither || host_lanes == 8) && is_565(K.format) && !Apart;
     /// There is no lane for it that has long products.
     static constexpr bool halved = lit && !numeric::long_products;
 
@@ -278,7 +278,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         static constexpr Key key = K;
         static constexpr bool plain = false, tested = FusedCase::tested;
         using N = Raw565<8>;
-        using Guessed = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog>;
+        using Guessed = LitGuessed<Test<N>, Image<Balanced<8>>, full, Gray, K.fog, K.dither>;
         using Patch = typename Guessed::Patch;
         using LanePattern = NoPattern;
         template <int> using System = N;

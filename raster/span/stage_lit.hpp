@@ -15,7 +15,8 @@ namespace spangle::raster {
 /// In 256ths of 255ths: the colour, rounded to these, is off by 1/2; a factor F of 16 bits stands for (F + e)
 /// / 2^16, 0 <= e <= 1, and products are rounded down, so the modulated colour is up to 1/2 less than the
 /// guess and up to 5/2 more. Fog adds two products, again with factors whose sum is one less than 2^16: up to
-/// 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths.
+/// 3 more. What the exact tier rounds away is less than 2^-10. 1/2 is added to round to 255ths. Dithered,
+/// steps of 5 or 6 bits are made of it by one product, rounded down, which makes errors no larger.
 template <bool Fog> struct LitGuess { static constexpr std::uint32_t under = 1, over = Fog ? 5 : 2; };
 
 /// The attributes of a lit texture near a place. Full: colours are projective; Gray: red stands for all
@@ -104,8 +105,9 @@ class LitRatio {
 };
 
 /// Test of depth, MODULATE, fog and truncation, T a TextureFixed. A component is rounded to 255ths: 1/2 is
-/// added.
-template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuessed : public TexelLanes<T> {
+/// added; or it is dithered.
+template <class Test, class T, bool Full, bool Gray, bool HasFog, bool Dither>
+class LitGuessed : public TexelLanes<T> {
   public:
     using N = Raw565<8>;
     using L = N::L;
@@ -117,12 +119,14 @@ template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuess
         : TexelLanes<T>(row, x), test_(row, x), patch_(row.patch), small_(this->is_small()),
           planes_(planes(row, x)), values_(values(row, x)), s_(patch_.s, this->log2_width),
           t_(patch_.t, this->log2_height), fog_(fog(patch_)), r_(color(row, x, 0)), g_(other(row, x, 1)),
-          b_(other(row, x, 2)), from_(L::splat(128 - Guess::under - patch_.under)),
-          range_(L::splat(Guess::under + Guess::over + patch_.under + patch_.over)) {
+          b_(other(row, x, 2)), thresholds_(row.x + x, row.y),
+          from_(L::splat((Dither ? 0 : 128) - Guess::under - patch_.under)),
+          range_(L::splat(Guess::under + Guess::over + Dither + patch_.under + patch_.over)) {
         for (int i = 0; i < 3; ++i)
             fog_color_[i] = L::splat((row.state->fragment.fog_color[i] + (1u << 11)) >> 12);
     }
     SPANGLE_INLINE void start(const PlaneRow& row, std::int32_t x) {
+        thresholds_ = Thresholds(row.x + x, row.y);
         planes_.start(row.x + x, row.y);
         values_.start(row.x + x, row.y);
         if constexpr (Test::kill)
@@ -163,9 +167,9 @@ template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuess
             b = share<2>(b_, f, inverse);
         }
         const L::U16 rest = ~f;
-        p.color.word = (bits(open, lit(r, factor.r, rest, 0), 0xF800) & 0xF800) |
-                       ((bits(open, lit(g, factor.g, rest, 1), 0xFC00) >> 5) & 0x07E0) |
-                       (bits(open, lit(b, factor.b, rest, 2), 0xF800) >> 11);
+        p.color.word = (bits<5>(open, lit(r, factor.r, rest, 0)) & 0xF800) |
+                       ((bits<6>(open, lit(g, factor.g, rest, 1)) >> 5) & 0x07E0) |
+                       (bits<5>(open, lit(b, factor.b, rest, 2)) >> 11);
         p.open = open;
         return true;
     }
@@ -175,6 +179,7 @@ template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuess
     /// A colour, affine or not, in 256ths of 255ths. Half of one was added to affine ones in set-up.
     using Color = std::conditional_t<Full, LitRatio, Ramp<L>>;
     using Guess = LitGuess<HasFog>;
+    using Thresholds = std::conditional_t<Dither, detail::DitherRow<L>, detail::NoThreshold>;
 
     /// u, and what it divides but for colours.
     SPANGLE_INLINE static auto planes(const LitRow<Patch>& row, std::int32_t x) {
@@ -251,9 +256,14 @@ template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuess
         return HasFog ? v + L::mul_high(fog_color_[i], rest) : v;
     }
     /// Top bits of a component, and whether an error could change any.
-    SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v, std::uint32_t mask) const {
-        const L::U16 least = v + from_;
-        open |= ((least + range_) ^ least) & L::splat(mask);
+    template <unsigned Bits> SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v) const {
+        L::U16 least = v + from_;
+        if constexpr (Dither) {
+            constexpr std::uint32_t most = 255 << 8, steps = ((1u << Bits) - 1) << (16 - Bits);
+            least = L::mul_high(v, L::splat(((steps << 16) + most - 1) / most)) + from_ +
+                    (thresholds_.threshold() << (11 - Bits));
+        }
+        open |= ((least + range_) ^ least) & L::splat(0x10000 - (1u << (16 - Bits)));
         return least;
     }
 
@@ -266,6 +276,7 @@ template <class Test, class T, bool Full, bool Gray, bool HasFog> class LitGuess
     [[no_unique_address]] std::conditional_t<HasFog, LitRatio, StageBase> fog_;
     Color r_;
     [[no_unique_address]] std::conditional_t<Gray, StageBase, Color> g_, b_;
+    [[no_unique_address]] Thresholds thresholds_;
     L::U16 from_, range_, fog_color_[3];
 };
 
