@@ -307,10 +307,9 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using Patch = typename Draw::Patch;
     };
     /// Parts of a GatheredPacket.
-    static constexpr bool gathered = heavy && !exact && tested && textured && !projective &&
-                                     K.unit[0].filter == Filter::nearest &&
-                                     K.unit[0].env == TexEnv::modulate && K.unit[0].base == BaseFormat::rgb &&
-                                     !K.color_alpha && !K.blend && !K.dither;
+    static constexpr bool gathered =
+        heavy && !exact && tested && textured && !projective && K.unit[0].filter == Filter::nearest &&
+        K.unit[0].env == TexEnv::modulate && K.unit[0].base == BaseFormat::rgb && !K.color_alpha && !K.blend;
     struct Gathered {
         static constexpr Key key = K;
         static constexpr bool fogged = K.fog, gray = Gray, tested = true;

@@ -41,7 +41,7 @@ template <class Case> class GatheredPacket {
             L::store(group->color, L::select(group->live, load(words_, group->first), L::load(group->color)));
     }
 
-    alignas(16) Values index, colors[3], fogs;
+    alignas(16) Values index, colors[3], fogs, thresholds;
 
   private:
     SPANGLE_INLINE static typename L::U16 load(const Values& from, std::ptrdiff_t i) {
@@ -69,7 +69,12 @@ template <class Case> class GatheredPacket {
         texture_.combine_words(p, texture_.words_of(index + i));
         if constexpr (Case::fogged)
             fog_.add(p, f);
-        store(words_, i, Words565<L, Case::key.format>::ordered(truncated565<N>(p.color)));
+        typename L::U16 word;
+        if constexpr (Case::key.dither)
+            word = dithered565<N>(p.color, load(thresholds, i));
+        else
+            word = truncated565<N>(p.color);
+        store(words_, i, Words565<L, Case::key.format>::ordered(word));
     }
 
     typename Case::Texture texture_;
@@ -86,13 +91,17 @@ template <class Case> class GatheredPlanes {
 
     /// For rows from this one up, and columns from its first to the right.
     SPANGLE_INLINE explicit GatheredPlanes(const PlaneRow& at)
-        : texture_(at, 0), fog_inside_(Case::fogged && at.fog_inside), planes_(planes(at)) {}
+        : texture_(at, 0), fog_inside_(Case::fogged && at.fog_inside), planes_(planes(at)),
+          thresholds_(at.x, at.y) {}
     SPANGLE_INLINE bool takes() const { return texture_.is_small(); }
     SPANGLE_INLINE void next_row() { planes_.next_row(); }
     SPANGLE_INLINE void to_row(std::int32_t y) { planes_.to_row(y); }
     /// In the row that they are in.
-    SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) { start(at.x + x); }
-    SPANGLE_INLINE void start(std::int32_t x) { planes_.start(x); }
+    SPANGLE_INLINE void start(const PlaneRow& at, std::int32_t x) { start(at.x + x, at.y); }
+    SPANGLE_INLINE void start(std::int32_t x, std::int32_t y) {
+        planes_.start(x);
+        thresholds_ = Thresholds(x, y);
+    }
     SPANGLE_INLINE void step() { planes_.step(); }
     /// To the i-th place of the packet; false where no fragment passed.
     SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::ptrdiff_t i, typename Packet::Group& group) {
@@ -106,12 +115,15 @@ template <class Case> class GatheredPlanes {
         }
         if constexpr (Case::fogged)
             Packet::store(to.fogs, i, fog_factor());
+        if constexpr (Case::key.dither)
+            Packet::store(to.thresholds, i, thresholds_.threshold());
         group = {p.live, p.color_plane + 2 * p.i, i};
         return true;
     }
 
   private:
     static constexpr int fog = Case::gray ? 4 : 6;
+    using Thresholds = std::conditional_t<Case::key.dither, detail::DitherRow<L>, detail::NoThreshold>;
     using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
 
     /// As FogFactorLanes.
@@ -135,6 +147,7 @@ template <class Case> class GatheredPlanes {
     typename Case::Texture texture_;
     const bool fog_inside_;
     Planes planes_;
+    [[no_unique_address]] Thresholds thresholds_; ///< eight columns are two periods
 };
 
 /// Rows of a primitive on their way through a packet. All but that, which has an address, is in registers.
@@ -147,8 +160,8 @@ template <class Case> class GatheredRows {
 
     /// Columns [first, last) of row y, which begins there and comes after the last one. Seven more lie inside
     /// of the scissor rectangle.
-    SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t, std::int32_t first, std::int32_t last) {
-        planes_.start(first);
+    SPANGLE_INLINE void draw(const RowPlace& row, std::int32_t y, std::int32_t first, std::int32_t last) {
+        planes_.start(first, y);
         each_whole_group<true>(
             planes_, p_, row, first,
             last, [&](std::int32_t n) __attribute__((always_inline)) { group(n < 8 ? n : 8); });
