@@ -39,7 +39,8 @@ template <int Count, bool Dither> struct GouraudTops : Gouraud<Raw565<Count>, fa
 
 template <int Count> struct GouraudDithered : GouraudTops<Count, true> {
     using N = Raw565<Count>;
-    using GouraudTops<Count, true>::GouraudTops;
+    template <class S>
+    SPANGLE_INLINE GouraudDithered(const S& s, std::int32_t x) : GouraudTops<Count, true>(s, x) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         p.color = N::word(this->tops());
         return true;

@@ -34,16 +34,29 @@ template <> struct DitherRow<Lanes<8>> {
     Lanes<8>::U16 row;
     SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
         : row(Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(dither_columns.of[y & 3] + (x & 3)))) {}
+    SPANGLE_INLINE explicit DitherRow(const Lanes<8>::U16& thresholds) : row(thresholds) {}
     SPANGLE_INLINE Lanes<8>::U16 threshold() const { return row; }
     SPANGLE_INLINE void step() {}
 };
 
+/// Four columns of a row and of the next one, from any column and row of a period.
+struct DitherTiles {
+    std::uint16_t of[4][4][8];
+    constexpr DitherTiles() : of{} {
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 4; ++x)
+                for (int lane = 0; lane < 8; ++lane)
+                    of[y][x][lane] =
+                        static_cast<std::uint16_t>(dither_threshold(dither_row(y + lane / 4), x + lane % 4));
+    }
+};
+inline constexpr DitherTiles dither_tiles;
+
 /// Four columns are one.
 template <> struct DitherRow<Lanes<two_rows>> : DitherRow<Lanes<8>> {
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : DitherRow<Lanes<8>>(x, y) {
-        using L = Lanes<8>;
-        row = L::halves(L::half(row, 0), L::half(DitherRow<L>(x, y + 1).row, 0));
-    }
+    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
+        : DitherRow<Lanes<8>>(
+              Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(dither_tiles.of[y & 3][x & 3]))) {}
 };
 
 /// The same that knows where it is, for stages that walk from row to row.
