@@ -1,6 +1,6 @@
-# A lit, textured model in the fast tier, and nothing else: what the smallest boards draw. Only the spans of the list are there; a
-# state that needs another one is an error.
-set(SPANGLE_PROFILE_FEATURES LIGHTING)
+# A lit, textured model in the fast tier, and nothing else: what the smallest boards draw, in fixed-point numbers (boards/minimal).
+# Only the spans of the list are there; a state that needs another one is an error.
+set(SPANGLE_PROFILE_FEATURES LIGHTING FIXED_POINT)
 set(SPANGLE_FUSED lit_textured)
 set(SPANGLE_CHAIN 0)
 set(SPANGLE_TIER_SET 4)            # fast

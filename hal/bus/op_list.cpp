@@ -4,50 +4,6 @@
 
 namespace spangle::hal {
 
-Op* OpList::append(Op::Kind kind) {
-    if (size_ == capacity_) {
-        overflow_ = true;
-        return nullptr;
-    }
-    Op& op = ops_[size_++];
-    op = Op{};
-    op.kind = kind;
-    return &op;
-}
-
-void OpList::command(std::uint8_t code, const std::uint8_t* params, std::uint32_t count) {
-    Op* op = append(Op::Kind::command);
-    if (op == nullptr)
-        return;
-    op->command = code;
-    op->parameters_are_commands = parameters_are_commands_;
-    op->data = params;
-    op->length = count;
-}
-
-void OpList::command_with(std::uint8_t code, OpParams params, std::uint32_t count) {
-    if (size_ == capacity_) {
-        overflow_ = true;
-        return;
-    }
-    params_[size_] = params;
-    command(code, params_[size_].bytes, count);
-}
-
-void OpList::command_byte(std::uint8_t code, std::uint8_t param) {
-    command_with(code, {{param}}, 1);
-}
-
-void OpList::command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last) {
-    command_with(code, {{first, last}}, 2);
-}
-
-void OpList::command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last) {
-    const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };
-    const auto low = [](std::uint16_t v) { return static_cast<std::uint8_t>(v & 0xFF); };
-    command_with(code, {{high(first), low(first), high(last), low(last)}}, 4);
-}
-
 void OpList::pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows,
                     std::int32_t stride) {
     Op* op = append(Op::Kind::pixels);

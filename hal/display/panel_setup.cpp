@@ -222,14 +222,7 @@ Result<void> PanelDisplay::append_registers() {
     const FormatCode format = format_code(panel, caps_.kind, wire_format(config_));
     if (const auto r = make_room(set.setting_count); !r)
         return r;
-    for (unsigned i = 0; i < set.setting_count; ++i) {
-        const Setting& setting = set.settings[i];
-        const std::uint8_t value = value_of(setting, placement_.madctl, panel, format);
-        if (setting.in_command)
-            ops_.command(static_cast<std::uint8_t>(setting.command ^ value));
-        else
-            ops_.command_byte(setting.command, value);
-    }
+    append_settings(ops_, panel, placement_, format);
     if (config_.wait_te)
         if (const auto r = append_program(set.tearing); !r)
             return r;

@@ -5,8 +5,8 @@ its pictures against those of the whole library.
 usage: profiles.py [PROFILE...] [--update] [--build FOLDER]
 
 Text is .text with .rodata of the linked image with start-up, EGL, one panel and one bus, without the data of the model; -Os, fused
-spans at -O2, linked as one (-flto), no messages. minimal: the demo of one scene. first_slice and whole: the same with every command that the profile
-has. RAM is what the pictures took of statics, arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
+spans at -O2, linked as one (-flto), no messages. minimal: boards/minimal. first_slice and whole: the demo of one scene with every command that the
+profile has. RAM is what the pictures took of statics, arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
 """
 import argparse
 import dataclasses
@@ -35,15 +35,15 @@ class Subject:
     goal: int  # bytes of text
     ram_goal: int  # bytes beyond colour and depth; 0: none is set
     precision: str
-    scenes: tuple  # whose pictures are held against the whole library's
-    every_command: bool
+    scenes: tuple  # whose pictures are held against the whole library's; of an own program: its name
 
 
 SUBJECTS = {
-    "minimal": Subject(20 * 1024, 8 * 1024, "FAST", ("BAKED",), False),
-    "first_slice": Subject(56 * 1024, 0, "BALANCED", ("BAKED", "S3", "S4", "S6", "S7", "S9"), True),
-    "whole": Subject(128 * 1024, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9"), True),
+    "minimal": Subject(20 * 1024, 8 * 1024, "FAST", ("MINIMAL",)),
+    "first_slice": Subject(56 * 1024, 0, "BALANCED", ("BAKED", "S3", "S4", "S6", "S7", "S9")),
+    "whole": Subject(128 * 1024, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9")),
 }
+GL_BYTES = 64 * 1024  # what the whole library keeps of boards/minimal, at most
 
 
 def commands():
@@ -51,17 +51,39 @@ def commands():
     return re.findall(r"^GLAPI .*GLAPIENTRY (gl\w+)\(", (ROOT / "gl/include/spangle/GL/gl.h").read_text(), re.M)
 
 
-def demo(build, name, library, scenes, report, subject, keep=(), lto=False):
-    """The demo of these scenes as an image."""
-    defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
-               f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
-    paths = [ROOT / path for path in ("boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp")]
-    paths += [path for path in firmware.startup(TARGET) if report == "semihosting" or path.parent.name != "emulated"]
+def image(build, name, library, sources, emulated, defines=(), keep=(), lto=False):
+    """These sources with start-up, on the board, as an image."""
+    paths = [*sources, *(path for path in firmware.startup(TARGET) if emulated or path.parent.name != "emulated")]
     own = [build.compile(TARGET, "-Os", path, defines, name, lto) for path in paths]
     script = build.folder / f"{name}.ld"
     script.parent.mkdir(parents=True, exist_ok=True)
     script.write_text("".join(f"EXTERN({symbol})\n" for symbol in keep) + (ROOT / f"boards/{BOARD}/memory.ld").read_text())
     return build.image(TARGET, [*own, *library], script, f"{name}.elf", lto)
+
+
+def demo(build, name, library, scenes, report, subject, keep=(), lto=False):
+    """The demo of these scenes as an image."""
+    defines = ["-DDEMO_SCENES=" + ",".join(f"&scenes::{firmware.SCENES[scene]}" for scene in scenes),
+               f"-DDEMO_PRECISION=EGL_PRECISION_{subject.precision}_SPANGLE"]
+    sources = [ROOT / path for path in ("boards/demo/main.cpp", "boards/demo/demo.cpp", f"boards/demo/report_{report}.cpp", f"boards/{BOARD}/board.cpp")]
+    return image(build, name, library, sources, report == "semihosting", defines, keep, lto)
+
+
+def minimal(build, name, library, emulated, defines, lto=False):
+    """The program of boards/minimal as an image; emulated, one that tells of its frames."""
+    sources = [HERE / "minimal.cpp" if emulated else ROOT / "boards/minimal/main.cpp", *(ROOT / f"boards/minimal/{file}.cpp" for file in ("rocket", "screen"))]
+    return image(build, name, library, sources, emulated, defines, lto=lto)
+
+
+def images_of(name, build, everything, library, defines):
+    """The one that is measured, the one whose pictures are held against those of the third."""
+    subject = SUBJECTS[name]
+    if name == "minimal":
+        return (minimal(build, f"{name}_size", library, False, defines, lto=True), minimal(build, f"{name}_pictures", library, True, defines, lto=True),
+                minimal(build, f"{name}_reference", everything, True, [f"-DMINIMAL_GL_BYTES={GL_BYTES}"]))
+    return (demo(build, f"{name}_size", library, ("BAKED",), "silent", subject, commands(), lto=True),
+            demo(build, f"{name}_pictures", library, subject.scenes, "semihosting", subject, lto=True),
+            demo(build, f"{name}_reference", everything, subject.scenes, "semihosting", subject))
 
 
 @dataclasses.dataclass
@@ -124,13 +146,8 @@ def measure(names, folder):
     images = {}
     everything = build.library(TARGET, (), "everything")
     for name in names:
-        subject = SUBJECTS[name]
         defines = [f"-D{definition}" for definition in profile.definitions(name)]
-        library = build.library(TARGET, defines, name, hot=HOT, lto=True)
-        keep = commands() if subject.every_command else ()
-        images[name] = (demo(build, f"{name}_size", library, ("BAKED",), "silent", subject, keep, lto=True),
-                        demo(build, f"{name}_pictures", library, subject.scenes, "semihosting", subject, lto=True),
-                        demo(build, f"{name}_reference", everything, subject.scenes, "semihosting", subject))
+        images[name] = images_of(name, build, everything, build.library(TARGET, defines, name, hot=HOT, lto=True), defines)
     build.run()
     measured = {}
     for name, (size, pictures, reference) in images.items():

@@ -4,6 +4,7 @@
 #include <spangle/hal/board.hpp>
 #include <spangle/hal/bus.hpp>
 #include <spangle/hal/display.hpp>
+#include <spangle/hal/frame_display.hpp>
 #include <spangle/hal/mapped_display.hpp>
 #include <spangle/hal/orientation.hpp>
 #include <spangle/hal/panel.hpp>

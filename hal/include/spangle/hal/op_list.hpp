@@ -1,5 +1,5 @@
 // Builds the op list of one transfer in memory that the owner provides, with room for the parameters of short
-// commands.
+// commands. Commands can be listed while a program is compiled, too.
 #pragma once
 
 #include <cstddef>
@@ -17,24 +17,24 @@ struct OpParams {
 class OpList {
   public:
     OpList() = default;
-    OpList(Op* ops, OpParams* params, std::size_t capacity)
+    constexpr OpList(Op* ops, OpParams* params, std::size_t capacity)
         : ops_(ops), params_(params), capacity_(capacity) {}
 
-    std::size_t size() const { return size_; }
+    constexpr std::size_t size() const { return size_; }
     std::size_t capacity() const { return capacity_; }
     std::size_t room() const { return capacity_ - size_; }
-    const Op* data() const { return ops_; }
+    constexpr const Op* data() const { return ops_; }
     void clear() { size_ = 0, overflow_ = false; }
     /// Of the commands appended from here on.
-    void parameters_are_commands(bool so) { parameters_are_commands_ = so; }
+    constexpr void parameters_are_commands(bool so) { parameters_are_commands_ = so; }
 
     /// `params` must live until the transfer is done.
-    void command(std::uint8_t code, const std::uint8_t* params = nullptr, std::uint32_t count = 0);
-    void command_byte(std::uint8_t code, std::uint8_t param);
+    constexpr void command(std::uint8_t code, const std::uint8_t* params = nullptr, std::uint32_t count = 0);
+    constexpr void command_byte(std::uint8_t code, std::uint8_t param);
     /// Two numbers of one byte: 15h and 75h of OLED controllers.
-    void command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last);
+    constexpr void command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last);
     /// Two 16-bit numbers, high bytes first: CASET, RASET.
-    void command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last);
+    constexpr void command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last);
     void pixels(const std::uint8_t* data, std::uint32_t row_bytes, std::uint32_t rows, std::int32_t stride);
     /// One pixel of `bytes` <= 4 zero bytes, `count` times.
     void repeat_black(std::uint32_t bytes, std::uint32_t count);
@@ -55,8 +55,8 @@ class OpList {
     std::uint32_t duration(const BusCaps& caps) const;
 
   private:
-    Op* append(Op::Kind kind);
-    void command_with(std::uint8_t code, OpParams params, std::uint32_t count);
+    constexpr Op* append(Op::Kind kind);
+    constexpr void command_with(std::uint8_t code, OpParams params, std::uint32_t count);
 
     Op* ops_ = nullptr;
     OpParams* params_ = nullptr;
@@ -64,6 +64,50 @@ class OpList {
     std::size_t size_ = 0;
     bool overflow_ = false, parameters_are_commands_ = false;
 };
+
+constexpr Op* OpList::append(Op::Kind kind) {
+    if (size_ == capacity_) {
+        overflow_ = true;
+        return nullptr;
+    }
+    Op& op = ops_[size_++];
+    op = Op{};
+    op.kind = kind;
+    return &op;
+}
+
+constexpr void OpList::command(std::uint8_t code, const std::uint8_t* params, std::uint32_t count) {
+    Op* op = append(Op::Kind::command);
+    if (op == nullptr)
+        return;
+    op->command = code;
+    op->parameters_are_commands = parameters_are_commands_;
+    op->data = params;
+    op->length = count;
+}
+
+constexpr void OpList::command_with(std::uint8_t code, OpParams params, std::uint32_t count) {
+    if (size_ == capacity_) {
+        overflow_ = true;
+        return;
+    }
+    params_[size_] = params;
+    command(code, params_[size_].bytes, count);
+}
+
+constexpr void OpList::command_byte(std::uint8_t code, std::uint8_t param) {
+    command_with(code, {{param}}, 1);
+}
+
+constexpr void OpList::command_bytes(std::uint8_t code, std::uint8_t first, std::uint8_t last) {
+    command_with(code, {{first, last}}, 2);
+}
+
+constexpr void OpList::command_pair(std::uint8_t code, std::uint16_t first, std::uint16_t last) {
+    const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };
+    const auto low = [](std::uint16_t v) { return static_cast<std::uint8_t>(v & 0xFF); };
+    command_with(code, {{high(first), low(first), high(last), low(last)}}, 4);
+}
 
 /// Nanoseconds that `bytes` < 2^28 take on a bus that has a clock.
 std::int64_t wire_nanoseconds(const BusCaps& caps, std::uint64_t bytes);

@@ -1,4 +1,5 @@
-// Window commands: which part of the controller's memory the next pixels go to.
+// Registers and window commands: how pixels lie, and which part of the controller's memory the next ones go
+// to.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +15,20 @@ class Windows {
   public:
     Windows() = default;
     /// `format`: which pixels share a byte, and with it a number of the window.
-    Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
+    constexpr Windows(const PanelDesc& panel, const Placement& placement, WireFormat format);
 
     /// Ops of a window with nothing remembered.
     std::uint32_t commands() const { return window_size(*set_).commands; }
     /// Pixels across and down that share a byte.
     Extent shared() const { return shared_; }
     /// The first part of `area` that one window of this controller can name.
-    Rect first_of(const Rect& area) const;
+    constexpr Rect first_of(const Rect& area) const;
 
     /// Appends the axes, as far as they change. `area` lies in the placed picture, is not empty, and ends
     /// where bytes do.
-    void select(OpList& ops, const Rect& area);
+    constexpr void select(OpList& ops, const Rect& area);
     /// The same, then the memory write: pixels may follow.
-    void open(OpList& ops, const Rect& area);
+    constexpr void open(OpList& ops, const Rect& area);
     void forget() { columns_ = rows_ = Interval{}; }
 
   private:
@@ -35,8 +36,8 @@ class Windows {
         std::uint16_t first = 1, last = 0; ///< first > last: unknown
         friend bool operator==(const Interval&, const Interval&) = default;
     };
-    static Interval interval(std::int32_t first, std::int32_t count, std::int32_t shared);
-    void select_axis(OpList& ops, Axis axis, Interval& held, Interval wanted);
+    static constexpr Interval interval(std::int32_t first, std::int32_t count, std::int32_t shared);
+    constexpr void select_axis(OpList& ops, Axis axis, Interval& held, Interval wanted);
 
     const CommandSet* set_ = &dcs::commands;
     Offset offset_;
@@ -45,6 +46,84 @@ class Windows {
     bool resend_ = false;
     Interval columns_, rows_;
 };
+
+constexpr Windows::Windows(const PanelDesc& panel, const Placement& placement, WireFormat format)
+    : set_(panel.commands), offset_(placement.offset), exchanged_((placement.madctl & dcs::MV) != 0),
+      resend_(panel.quirks.resend_window || !panel.commands->rewinds) {
+    const WireInfo info = wire_info(format);
+    shared_ = exchanged_ ? Extent{info.rows, info.columns} : Extent{info.columns, info.rows};
+}
+
+constexpr Rect Windows::first_of(const Rect& area) const {
+    Rect part = area;
+    if (names_one(set_->rows) && exchanged_)
+        part.w = shared_.width;
+    else if (names_one(set_->rows))
+        part.h = shared_.height;
+    return part;
+}
+
+constexpr Windows::Interval Windows::interval(std::int32_t first, std::int32_t count, std::int32_t shared) {
+    return {static_cast<std::uint16_t>(first / shared),
+            static_cast<std::uint16_t>((first + count) / shared - 1)};
+}
+
+constexpr void Windows::select_axis(OpList& ops, Axis axis, Interval& held, Interval wanted) {
+    if (held == wanted && !resend_)
+        return;
+    held = wanted;
+    const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };
+    const auto low = [](std::uint16_t v) { return static_cast<std::uint8_t>(v & 0xFF); };
+    const auto next = [&](unsigned n) { return static_cast<std::uint8_t>(axis.command + n); };
+    switch (axis.code) {
+    case Axis::Code::pair16:
+        ops.command_pair(axis.command, wanted.first, wanted.last);
+        break;
+    case Axis::Code::pair8:
+        ops.command_bytes(axis.command, low(wanted.first), low(wanted.last));
+        break;
+    case Axis::Code::registers:
+        ops.command_byte(axis.command, high(wanted.first));
+        ops.command_byte(next(1), low(wanted.first));
+        ops.command_byte(next(2), high(wanted.last));
+        ops.command_byte(next(3), low(wanted.last));
+        break;
+    case Axis::Code::nibbles:
+        ops.command_byte(next(wanted.first & 15u), next(0x10u + (wanted.first >> 4)));
+        break;
+    case Axis::Code::in_command:
+        ops.command(next(wanted.first));
+        break;
+    }
+}
+
+/// MV of DCS makes CASET name rows; others go on naming columns with it.
+constexpr void Windows::select(OpList& ops, const Rect& area) {
+    const Interval across = interval(area.x + offset_.x, area.w, shared_.width);
+    const Interval down = interval(area.y + offset_.y, area.h, shared_.height);
+    const bool crossed = exchanged_ && set_->axes_stay;
+    select_axis(ops, set_->columns, columns_, crossed ? down : across);
+    select_axis(ops, set_->rows, rows_, crossed ? across : down);
+}
+
+constexpr void Windows::open(OpList& ops, const Rect& area) {
+    select(ops, area);
+    if (set_->memory_write != 0)
+        ops.command(set_->memory_write);
+}
+
+/// What follows from orientation, colour order, inversion and format.
+constexpr void append_settings(OpList& ops, const PanelDesc& panel, const Placement& placement,
+                               FormatCode format) {
+    for (unsigned i = 0; i < panel.commands->setting_count; ++i) {
+        const Setting& setting = panel.commands->settings[i];
+        const std::uint8_t value = value_of(setting, placement.madctl, panel, format);
+        if (setting.in_command)
+            ops.command(static_cast<std::uint8_t>(setting.command ^ value));
+        else
+            ops.command_byte(setting.command, value);
+    }
+}
 
 /// Calls `append` for each part of the area that one window can name, from the top left.
 template <class Append>

@@ -21,13 +21,18 @@ struct Mps2 {
     constexpr RegisterPin misc(unsigned bit) const { return {fpgaio + 0x4C, bit}; }
 };
 
+/// Its lines at rest, and its light.
+inline void start_display(const Mps2& blocks) {
+    blocks.misc(0).set(true); // not selected
+    Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});
+    blocks.misc(6).set(true); // back light
+}
+
 /// An MPS2 board's own display; `board` says how it is turned.
 template <const hal::Board& board, const Mps2& blocks> class Mps2Display {
   public:
     hal::Display& start() {
-        blocks.misc(0).set(true); // not selected
-        Pl022(blocks.spi).start({.prescale = 2, .rate = 0, .mode = 3});
-        blocks.misc(6).set(true); // back light
+        start_display(blocks);
         return display_;
     }
     std::uint32_t bus_bytes() const { return bus_.bytes(); }

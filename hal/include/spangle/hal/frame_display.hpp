@@ -1,0 +1,184 @@
+// A panel that is sent whole frames through a port that is polled: for programs whose flash or RAM has no
+// room for PanelDisplay, which keeps what the panel shows and sends what differs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <spangle/hal/board.hpp>
+
+namespace spangle::hal {
+
+namespace detail {
+
+/// Writes a program while the compiler runs.
+struct ProgramWriter {
+    std::array<std::uint8_t, 512> bytes{};
+    std::size_t size = 0;
+
+    consteval void add(Program program) {
+        for (std::size_t i = 0; i < program.size; ++i)
+            bytes[size++] = program.at[i];
+    }
+    consteval void add(const OpList& commands) {
+        for (const Op* op = commands.data(); op != commands.data() + commands.size(); ++op) {
+            bytes[size++] = op->command;
+            bytes[size++] = static_cast<std::uint8_t>(op->length);
+            for (std::uint32_t i = 0; i < op->length; ++i)
+                bytes[size++] = op->data[i];
+        }
+    }
+    consteval void add_delay(std::uint32_t micros) {
+        if (micros != 0)
+            add(delay_ms((micros + 999) / 1000));
+    }
+};
+
+/// From reset to the first pixel, and from one frame's last pixel to the next one's first.
+struct FramePrograms {
+    ProgramWriter opening, next;
+};
+
+consteval FramePrograms frame_programs(const Board& board) {
+    const PanelConfig& config = board.display;
+    const PanelDesc& panel = *config.panel;
+    const Placement placement = place(panel, config.orientation);
+    const FormatCode format = format_code(panel, board.bus, wire_format(config));
+    const Rect all = {0, 0, placement.size.width, placement.size.height};
+    Windows windows(panel, placement, wire_format(config));
+    if (!(windows.first_of(all) == all))
+        return {}; // one window does not name a frame
+    Op ops[16];
+    OpParams params[16];
+    FramePrograms out;
+    if (!config.reset_line)
+        out.opening.add(panel.commands->soft_reset);
+    out.opening.add_delay(panel.timing.reset_wait_us);
+    out.opening.add(panel.setup);
+    OpList settings(ops, params, 16);
+    append_settings(settings, panel, placement, format);
+    out.opening.add(settings);
+    out.opening.add(panel.commands->wake);
+    out.opening.add_delay(panel.timing.sleep_out_wait_us);
+    OpList first(ops, params, 16);
+    windows.open(first, all);
+    out.opening.add(first);
+    OpList second(ops, params, 16);
+    windows.open(second, all);
+    out.next.add(second);
+    return out;
+}
+
+/// The bytes that were written.
+template <ProgramWriter written> consteval ProgramBytes<written.size> trimmed() {
+    ProgramBytes<written.size> bytes{};
+    for (std::size_t i = 0; i < written.size; ++i)
+        bytes[i] = written.bytes[i];
+    return bytes;
+}
+template <const Board& board>
+inline constexpr auto opening_program = trimmed<frame_programs(board).opening>();
+template <const Board& board> inline constexpr auto next_program = trimmed<frame_programs(board).next>();
+
+/// Whether whole frames, as they are, through a port that is polled, are all that the board asks for.
+constexpr bool sends_plain_frames(const Board& board) {
+    const PanelConfig& c = board.display;
+    return !c.wire.converts() && c.buffers == 1 && !c.read_back && !c.wait_te && !c.poll_line &&
+           !c.scan_order && !c.row_hash && c.band == 0 && !is_indexed(c.format);
+}
+
+} // namespace detail
+
+/// All but the pixels is written down when the program is compiled; on the wire it is what PanelDisplay sends
+/// of frames that changed everywhere. `Port` is a PolledPort, called without its table.
+template <const Board& board, class Port> class FrameDisplay final : public Display {
+    static_assert(detail::sends_plain_frames(board), "display: this board asks for more than whole frames");
+    static_assert(!detail::opening_program<board>.empty(),
+                  "display: one window of this panel does not name a frame");
+
+  public:
+    static constexpr std::size_t bytes = bus_memory(board); ///< of a frame
+
+    /// `frame` must stay, and is black: all zero.
+    constexpr FrameDisplay(Port& port, std::uint8_t* frame) : port_(port), frame_(frame) {}
+
+    DisplayInfo info() const override {
+        return {.name = board.display.panel->name,
+                .width = size.width,
+                .height = size.height,
+                .format = board.display.format,
+                .keeps_buffer = true};
+    }
+    /// The panel comes on with what was drawn last, if it loses its power.
+    Result<void> init() override {
+        if constexpr (board.display.reset_line) {
+            port_.reset(true);
+            port_.pause(board.display.panel->timing.reset_low_us);
+            port_.reset(false);
+        }
+        Fault fault = send(detail::opening_program<board>);
+        if (fault == Fault::none)
+            fault = play(board.display.panel->commands->light);
+        return ended(fault);
+    }
+    Result<Frame> acquire() override {
+        return Frame{frame_, row_bytes(board.display.format, size.width), age_};
+    }
+    /// A panel that did not take a frame is set up anew with the next.
+    Result<void> present() override {
+        if (!ready_)
+            return init();
+        age_ = 1;
+        return ended(send(detail::next_program<board>));
+    }
+
+  private:
+    static constexpr Extent size = picture_size(board.display);
+
+    Result<void> ended(Fault fault) {
+        port_.end();
+        ready_ = fault == Fault::none;
+        if (fault != Fault::none)
+            return Error{fault, "FrameDisplay: the port ended the transfer with a fault"};
+        return {};
+    }
+    /// A frame behind a program that ends with the command for its pixels.
+    Fault send(Program program) {
+        if (const Fault fault = play(program); fault != Fault::none)
+            return fault;
+        return write(true, frame_,
+                     row_bytes(board.display.format, size.width) *
+                         stored_rows(board.display.format, size.height));
+    }
+    Fault play(Program program) {
+        while (!program.empty()) {
+            const std::uint8_t* const command = program.at;
+            const Program::Step step = program.next();
+            if (step.delay_micros != 0) {
+                port_.end();
+                port_.pause(step.delay_micros);
+                continue;
+            }
+            if (const Fault fault = write(false, command, 1); fault != Fault::none)
+                return fault;
+            if (step.count != 0)
+                if (const Fault fault = write(!board.display.panel->commands->parameters_are_commands,
+                                              step.params, step.count);
+                    fault != Fault::none)
+                    return fault;
+        }
+        return Fault::none;
+    }
+    Fault write(bool data, const std::uint8_t* from, std::uint32_t count) {
+        const Fault fault = port_.begin(data);
+        return fault == Fault::none ? port_.write(from, count) : fault;
+    }
+
+    Port& port_;
+    std::uint8_t* frame_;
+    std::int32_t age_ = 0;
+    bool ready_ = false;
+};
+
+} // namespace spangle::hal
