@@ -112,7 +112,8 @@ EGLSurface window;
 
 } // namespace
 
-bool open(hal::Display& display) {
+/// Not in line: its part of the stack is free again while frames are drawn.
+[[gnu::noinline]] bool open(hal::Display& display) {
     static constexpr EGLint wishes[] = {
         EGL_RENDERABLE_TYPE,        EGL_OPENGL_BIT, EGL_DEPTH_SIZE, 16, EGL_PRECISION_SPANGLE,
         EGL_PRECISION_FAST_SPANGLE, EGL_NONE};
