@@ -8,6 +8,14 @@
 
 #include <spangle/hal/wire.hpp>
 
+/// For GoogleTest.
+namespace spangle {
+static void PrintTo(PixelFormat format, std::ostream* out) {
+    const char* const names[] = {"rgb565_be", "rgb565_le", "rgb888", "rgba8888"};
+    *out << names[static_cast<int>(format)];
+}
+} // namespace spangle
+
 using namespace spangle;
 using namespace spangle::hal;
 

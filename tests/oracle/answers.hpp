@@ -2,6 +2,7 @@
 // to be held against Mesa's.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct Questions {
     const char* id;
     Answers (*ask)();
 };
+/// For GoogleTest.
+inline void PrintTo(const Questions& questions, std::ostream* out) {
+    *out << questions.id;
+}
 
 inline constexpr int answer_size = 64;
 const std::vector<Questions>& all_questions();

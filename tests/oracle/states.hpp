@@ -1,6 +1,7 @@
 // Drawings in states taken at random, the same from Mesa and from Spangle: a family of them a chapter of GL.
 #pragma once
 
+#include <ostream>
 #include <vector>
 
 #include "tests/random.hpp"
@@ -43,6 +44,10 @@ struct Family {
     int samples = 0;                 ///< of a pixel
     const char* driver = "softpipe"; ///< of Mesa
 };
+/// For GoogleTest.
+inline void PrintTo(const Family& family, std::ostream* out) {
+    *out << family.id;
+}
 const std::vector<Family>& all_families();
 
 struct Drawn {

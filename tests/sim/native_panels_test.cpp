@@ -144,6 +144,17 @@ int sharing(PixelFormat format) {
                                                                            : 1;
 }
 
+std::string name_of(const Case& c) {
+    std::string name = std::string(c.panel->name) + "_" + c.native.name;
+    for (char& letter : name)
+        letter = std::isalnum(static_cast<unsigned char>(letter)) ? letter : '_';
+    return name;
+}
+/// For GoogleTest.
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << name_of(c);
+}
+
 class NativePanels : public testing::TestWithParam<Case> {};
 
 /// Three frames, the later ones as damage; what is read back through GL is what the glass shows.
@@ -197,12 +208,8 @@ TEST_P(NativePanels, ShowTheSurface) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, NativePanels, testing::ValuesIn(cases()), [](const auto& test) {
-    std::string name = std::string(test.param.panel->name) + "_" + test.param.native.name;
-    for (char& letter : name)
-        letter = std::isalnum(static_cast<unsigned char>(letter)) ? letter : '_';
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, NativePanels, testing::ValuesIn(cases()),
+                         [](const auto& test) { return name_of(test.param); });
 
 TEST(NativeSurfaces, TheRowHashServesRowsAndRefusesPages) {
     hal::Board grey = boards::ssd1327_spi;

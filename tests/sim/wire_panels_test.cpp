@@ -134,6 +134,11 @@ void expect_scene(const Case& c, const scenes::Scene& scene, hal::Orientation o,
                               << *other;
 }
 
+/// For GoogleTest.
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << name_of(c);
+}
+
 class WirePanels : public testing::TestWithParam<Case> {};
 
 /// The scenes take turns. Large panels are turned in panels_test.cpp already: one way here.
