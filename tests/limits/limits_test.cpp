@@ -26,8 +26,9 @@ struct Limits : ::testing::Test {
                   {EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 0, EGL_BUFFER_SIZE, 1, EGL_PRECISION_SPANGLE,
                    EGL_PRECISION_EXACT_SPANGLE, EGL_CONFIG_ID, mono_config()}};
 
+    static EGLint mono_config() { return config_of(PixelFormat::mono); }
     /// Its id among those there are.
-    static EGLint mono_config() {
+    static EGLint config_of(PixelFormat format) {
         const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         eglInitialize(display, nullptr, nullptr);
         std::vector<EGLConfig> configs(256);
@@ -40,7 +41,7 @@ struct Limits : ::testing::Test {
             eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_PRECISION_SPANGLE,
                                &precision);
             eglGetConfigAttrib(display, configs[static_cast<std::size_t>(i)], EGL_CONFIG_ID, &id);
-            if (visual == static_cast<EGLint>(PixelFormat::mono) && depth == 0 &&
+            if (visual == static_cast<EGLint>(format) && depth == 0 &&
                 precision == EGL_PRECISION_EXACT_SPANGLE)
                 return id;
         }
@@ -212,6 +213,34 @@ TEST_F(Limits, LinesAndPointsOfArraysAreTheSame) {
     glColor3f(0, 0, 0);
     glDrawElements(GL_TRIANGLE_STRIP, 8, GL_UNSIGNED_BYTE, order.data());
     EXPECT_EQ(hash(), 256275623u);
+}
+
+/// Again and again in and out of the view, by elements of any size.
+TEST(LimitsOfWords, StripsOfLinesAreTheSame) {
+    HeadlessGl gl(width, height,
+                  {EGL_ALPHA_SIZE, 0, EGL_DEPTH_SIZE, 0, EGL_BUFFER_SIZE, 16, EGL_PRECISION_SPANGLE,
+                   EGL_PRECISION_EXACT_SPANGLE, EGL_CONFIG_ID, Limits::config_of(PixelFormat::rgb565_be)});
+    glDisable(GL_DITHER);
+    Limits::view();
+    std::vector<GLfloat> at;
+    std::vector<GLushort> order;
+    for (int i = 0; i < 90; ++i) {
+        at.insert(at.end(), {static_cast<float>(i * 7 % 31) * 0.1f - 1.5f,
+                             static_cast<float>(i * 5 % 17) * 0.03f - 0.24f, -1.0f});
+        order.push_back(static_cast<GLushort>(i));
+    }
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, at.data());
+    glColor3f(1, 0.5f, 0.25f);
+    glDrawArrays(GL_LINE_STRIP, 0, 45);
+    glColor3f(0.25f, 0.5f, 1);
+    glDrawElements(GL_LINE_STRIP, 45, GL_UNSIGNED_SHORT, order.data() + 45);
+    std::vector<GLubyte> seen(width * height * 3);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, seen.data());
+    std::uint32_t h = 2166136261u;
+    for (const GLubyte byte : seen)
+        h = (h ^ byte) * 16777619u;
+    EXPECT_EQ(h, 3334101321u);
 }
 
 /// Lines apart from each other, each of a colour of its own: where they end shows, and which element they
