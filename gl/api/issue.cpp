@@ -19,8 +19,19 @@ void refuse_feature(const char* text) {
     refuse(GL_INVALID_OPERATION, text);
 }
 
-void refuse_inside(Context& context, const char* text) {
-    error(context, GL_INVALID_OPERATION, text);
+bool allowed(Context& context, const Gated& command) {
+    if ((context.gate & command.stops & gate_inside) == 0)
+        return true;
+    error(context, GL_INVALID_OPERATION, command.refusal);
+    return false;
+}
+
+Context* outside_begin_end(const char* refusal) {
+    Context* const context = current_context();
+    if (context == nullptr || !context->inside_begin_end())
+        return context;
+    error(*context, GL_INVALID_OPERATION, refusal);
+    return nullptr;
 }
 
 } // namespace spangle::gl

@@ -3,9 +3,7 @@
 
 #include <type_traits>
 
-#include "gl/api/family.hpp"
-#include "gl/context/context.hpp"
-#include "gl/list/record.hpp"
+#include "gl/api/command.hpp"
 
 namespace spangle::gl {
 
@@ -15,65 +13,73 @@ void refuse_null(const char* text);
 /// A command of a system this build left out: INVALID_OPERATION and a message that names the feature.
 void refuse_feature(const char* text);
 
-/// INVALID_OPERATION for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).
-void refuse_inside(Context& context, const char* text);
-
-/// The bits of the gate that keep a family from simply running.
-template <class F>
-constexpr std::uint8_t stops =
-    static_cast<std::uint8_t>((F::inside ? 0 : gate_inside) |
-                              (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
+/// The current context where Begin and End allow a command; else null, and INVALID_OPERATION if there is one.
+Context* outside_begin_end(const char* refusal);
 
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
 /// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
 /// 9). Arguments come by value, so that they stay in registers on the way that does not come here.
-template <class F, class... A> [[gnu::noinline, gnu::cold]] bool admit(Context& context, A... args) {
-    if constexpr ((stops<F> & gate_compiling) != 0) {
-        if ((context.gate & gate_compiling) != 0) {
-            if constexpr (F::listing == Listing::words)
-                list::record_words<F>(context, args...);
+template <class... A>
+[[gnu::noinline, gnu::cold]] bool admit(const Command<A...>& command, Context& context, A... args) {
+#if SPANGLE_FEATURE_LISTS
+    if ((context.gate & command.stops & gate_compiling) != 0) {
+        if constexpr (list::are_words<A...>) {
+            if (command.encode == nullptr)
+                list::write_words(context, command, args...);
             else
-                F::encode(context, args...);
-            if (!context.list.execute)
-                return false;
+                command.encode(context, args...);
+        } else {
+            command.encode(context, args...);
         }
-    }
-    if constexpr (!F::inside) {
-        if (context.inside_begin_end()) {
-            refuse_inside(context, F::refusal);
+        if (!context.list.execute)
             return false;
-        }
     }
-    return true;
+#endif
+    return allowed(context, command);
 }
 
-template <class F, class... A> inline void issue(A... args) {
+/// Arguments lie where the family's function takes them.
+template <class... A>
+[[gnu::noinline]] void issue_command(const Command<A...>& command, std::type_identity_t<A>... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
         return;
-    if ((context->gate & stops<F>) != 0) [[unlikely]] {
-        if (!admit<F>(*context, args...))
+    if ((context->gate & command.stops) != 0 && !admit<A...>(command, *context, args...)) [[unlikely]]
+        return;
+    command.run(*context, args...);
+}
+
+template <class F, class... A> inline void issue(const A&... args) {
+    if constexpr (F::listing == Listing::never) {
+        static_assert(!F::inside);
+        if (Context* context = outside_begin_end(F::refusal); context != nullptr)
+            F::run(*context, args...);
+    } else if constexpr (F::listing == Listing::attribute) { // of each vertex: nothing is looked up
+        Context* context = current_context();
+        if (context == nullptr) [[unlikely]]
             return;
+        if ((context->gate & stops<F>) != 0 && !admit<A...>(command<F>, *context, args...)) [[unlikely]]
+            return;
+        F::run(*context, args...);
+    } else {
+        issue_command(command<F>, args...);
     }
-    F::run(*context, args...);
 }
 
 /// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
 template <class F, class... A> inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
-    Context* context = current_context();
+    static_assert(F::listing == Listing::never && !F::inside);
+    Context* context = outside_begin_end(F::refusal);
     if (context == nullptr)
-        return 0;
-    if ((context->gate & stops<F>) != 0 && !admit<F>(*context, args...))
         return 0;
     return F::run(*context, args...);
 }
 
 /// The same for queries of parameters; `out` stays empty when they may not run.
 template <class F, class... A> inline void fetch(Params& out, A... args) {
-    Context* context = current_context();
-    if (context == nullptr || ((context->gate & stops<F>) != 0 && !admit<F>(*context, args...)))
-        return;
-    F::run(*context, args..., out);
+    static_assert(F::listing == Listing::never && !F::inside);
+    if (Context* context = outside_begin_end(F::refusal); context != nullptr)
+        F::run(*context, args..., out);
 }
 
 } // namespace spangle::gl

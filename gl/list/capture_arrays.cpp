@@ -6,8 +6,8 @@
 
 #include <cstring>
 
+#include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
-#include "gl/list/record.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
@@ -83,12 +83,12 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
 
 void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLuint count,
                  const Indices& indices) {
-    Word* const begin = list::record(context, &play_begin_draw, 1 + list::address_words);
+    Word* const begin = list::record(context, &list::player<&play_begin_draw>, 1 + list::address_words);
     for (GLuint i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
         capture(context, reader, indices.at(i));
     // The record of End is never the first of a chunk without a link to it, so its address is where a skip
     // goes on.
-    Word* const end = list::record(context, &play_end_draw, 0);
+    Word* const end = list::record(context, &list::player<&play_end_draw>, 0);
     if (end == nullptr)
         return;
     begin[0] = mode;
@@ -123,7 +123,7 @@ void ArrayElement(Context& context, GLint i) {
     if (i < 0)
         return list::record_error(context, GL_INVALID_VALUE, true);
     if (restarts(context.array_bindings, static_cast<GLuint>(i)))
-        return static_cast<void>(list::record(context, &play_restart, 0));
+        return static_cast<void>(list::record(context, &list::player<&play_restart>, 0));
     if (!arrays_reach(context, static_cast<GLuint>(i)))
         return list::record_error(context, GL_INVALID_OPERATION, true);
     const AddressedArrays addressed(context);

@@ -78,7 +78,7 @@ constexpr std::uint32_t fixed_words = 13;
 
 } // namespace
 
-void capture_image(Context& context, Player player, const ListedImage& image, GLsizei most) {
+void capture_image(Context& context, const Player* player, const ListedImage& image, GLsizei most) {
     PixelLayout layout;
     const bool keep = sensible(image, most, layout);
     const Extent extent = keep ? extent_of(image, layout) : Extent{0, 0, 0};

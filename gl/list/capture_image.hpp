@@ -18,7 +18,7 @@ struct ListedImage {
 
 /// Images whose sides are above `most`, or that no command takes, are kept without their pixels: the command
 /// refuses them when it is played.
-void capture_image(Context& context, Player player, const ListedImage& image, GLsizei most);
+void capture_image(Context& context, const Player* player, const ListedImage& image, GLsizei most);
 
 /// Calls run(context, image) unless between Begin and End.
 const Word* play_image(Context& context, const Word* words, const char* refusal,

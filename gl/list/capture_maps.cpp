@@ -41,7 +41,7 @@ template <unsigned dimension> void capture(Context& context, const MapArguments&
     const unsigned components =
         components_of(map.target - (dimension == 0 ? GL_MAP1_COLOR_4 : GL_MAP2_COLOR_4));
     const auto points = static_cast<std::uint32_t>(map.side[0].order * map.side[1].order);
-    Word* to = list::record(context, &play_map<dimension>, head_words + points * components);
+    Word* to = list::record(context, &list::player<&play_map<dimension>>, head_words + points * components);
     if (to == nullptr)
         return;
     *to++ = map.target;

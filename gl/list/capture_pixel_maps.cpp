@@ -35,7 +35,7 @@ void encode::PixelMap(Context& context, GLenum map, GLsizei size, const Values& 
     if (const GLenum code = pixel_map_error(map, size, values); code != GL_NO_ERROR)
         return list::record_error(context, code, false);
     const std::uint32_t bytes = entry_bytes(values.type, size);
-    Word* const to = list::record(context, &play_pixel_map, map_words + (bytes + 3) / 4);
+    Word* const to = list::record(context, &list::player<&play_pixel_map>, map_words + (bytes + 3) / 4);
     if (to == nullptr)
         return;
     to[0] = map;

@@ -42,7 +42,8 @@ namespace encode {
 #if SPANGLE_FEATURE_DRAW_PIXELS
 void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, GLenum type,
                 const void* pixels) {
-    list::capture_image(context, &play_draw_pixels, {{}, {width, height, 1}, format, type, pixels}, largest);
+    list::capture_image(context, &list::player<&play_draw_pixels>,
+                        {{}, {width, height, 1}, format, type, pixels}, largest);
 }
 #endif
 
@@ -50,7 +51,7 @@ void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, 
 void Bitmap(Context& context, GLsizei width, GLsizei height, Real xorig, Real yorig, Real xmove, Real ymove,
             const GLubyte* bitmap) {
     const auto word = [](Real v) { return static_cast<GLint>(v.bits); };
-    list::capture_image(context, &play_bitmap,
+    list::capture_image(context, &list::player<&play_bitmap>,
                         {{word(xorig), word(yorig), word(xmove), word(ymove)},
                          {width, height, 1},
                          GL_COLOR_INDEX,

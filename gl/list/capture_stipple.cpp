@@ -32,7 +32,8 @@ void PolygonStipple(Context& context, const GLubyte* pattern) {
     if (pattern == nullptr)
         return list::record_error(context, GL_INVALID_VALUE, false);
     const StipplePattern unpacked = unpack_stipple(context.pixel_store.unpack, pattern);
-    if (Word* const to = list::record(context, &play_polygon_stipple, pattern_words); to != nullptr)
+    if (Word* const to = list::record(context, &list::player<&play_polygon_stipple>, pattern_words);
+        to != nullptr)
         std::memcpy(to, unpacked.row, sizeof unpacked);
 }
 

@@ -55,7 +55,7 @@ void TexImage2D(Context& context, GLenum target, GLint level, GLint internalform
                             pixels);
         return;
     }
-    list::capture_image(context, &play_tex_image_2d,
+    list::capture_image(context, &list::player<&play_tex_image_2d>,
                         {{static_cast<GLint>(target), level, internalformat, border, 0},
                          {width, height, 1},
                          format,
@@ -67,7 +67,7 @@ void TexImage2D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
                    GLsizei height, GLenum format, GLenum type, const void* pixels) {
     list::capture_image(
-        context, &play_tex_sub_image_2d,
+        context, &list::player<&play_tex_sub_image_2d>,
         {{static_cast<GLint>(target), level, xoffset, yoffset, 0}, {width, height, 1}, format, type, pixels},
         most);
 }
@@ -105,7 +105,7 @@ void TexImage1D(Context& context, GLenum target, GLint level, GLint internalform
         return;
     }
     list::capture_image(
-        context, &play_tex_image_1d,
+        context, &list::player<&play_tex_image_1d>,
         {{static_cast<GLint>(target), level, internalformat, border, 0}, {width, 1, 1}, format, type, pixels},
         most);
 }
@@ -113,7 +113,7 @@ void TexImage1D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
                    GLenum type, const void* pixels) {
     list::capture_image(
-        context, &play_tex_sub_image_1d,
+        context, &list::player<&play_tex_sub_image_1d>,
         {{static_cast<GLint>(target), level, xoffset, 0, 0}, {width, 1, 1}, format, type, pixels}, most);
 }
 
@@ -152,7 +152,7 @@ void TexImage3D(Context& context, GLenum target, GLint level, GLint internalform
                             type, pixels);
         return;
     }
-    list::capture_image(context, &play_tex_image_3d,
+    list::capture_image(context, &list::player<&play_tex_image_3d>,
                         {{static_cast<GLint>(target), level, internalformat, border, 0},
                          {width, height, depth},
                          format,
@@ -165,7 +165,7 @@ void TexImage3D(Context& context, GLenum target, GLint level, GLint internalform
 void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
                    GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
                    const void* pixels) {
-    list::capture_image(context, &play_tex_sub_image_3d,
+    list::capture_image(context, &list::player<&play_tex_sub_image_3d>,
                         {{static_cast<GLint>(target), level, xoffset, yoffset, zoffset},
                          {width, height, depth},
                          format,
@@ -185,8 +185,8 @@ namespace {
 /// Seven arguments, the number of bytes that follow, or -1 for a null pointer, then those.
 constexpr std::uint32_t compressed_words = 8;
 
-void capture_compressed(Context& context, list::Player player, const GLint (&arguments)[7], GLsizei size,
-                        const void* data) {
+void capture_compressed(Context& context, const list::Player* player, const GLint (&arguments)[7],
+                        GLsizei size, const void* data) {
     const auto bytes = static_cast<std::uint32_t>(data != nullptr && size > 0 ? size : 0);
     Word* to = list::record(context, player, compressed_words + (bytes + 3) / 4);
     if (to == nullptr)
@@ -238,7 +238,7 @@ void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum i
                                       imageSize, data);
         return;
     }
-    capture_compressed(context, &play_compressed_image,
+    capture_compressed(context, &list::player<&play_compressed_image>,
                        {static_cast<GLint>(target), level, static_cast<GLint>(internalformat), width, height,
                         border, imageSize},
                        imageSize, data);
@@ -247,7 +247,7 @@ void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum i
 void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                              GLsizei width, GLsizei height, GLenum format, GLsizei imageSize,
                              const void* data) {
-    capture_compressed(context, &play_compressed_sub_image,
+    capture_compressed(context, &list::player<&play_compressed_sub_image>,
                        {static_cast<GLint>(target), level, xoffset | yoffset, width, height,
                         static_cast<GLint>(format), imageSize},
                        imageSize, data);
@@ -275,7 +275,7 @@ void encode::PrioritizeTextures(Context& context, GLsizei n, const GLuint* textu
                                 const GLclampf* priorities) {
     const bool keep = n > 0 && textures != nullptr && priorities != nullptr;
     const auto count = static_cast<std::uint32_t>(keep ? n : 0);
-    Word* const to = list::record(context, &play_priorities, 1 + 2 * count);
+    Word* const to = list::record(context, &list::player<&play_priorities>, 1 + 2 * count);
     if (to == nullptr)
         return;
     to[0] = static_cast<Word>(keep || n == 0 ? n : -1);

@@ -119,7 +119,7 @@ GLboolean IsList(Context& context, GLuint list) {
 namespace spangle::gl::encode {
 
 void CallList(Context& context, GLuint list) {
-    if (list::Word* to = list::record(context, &list::play_call, 1); to != nullptr)
+    if (list::Word* to = list::record(context, &list::player<&list::play_call>, 1); to != nullptr)
         *to = list;
 }
 
@@ -128,7 +128,7 @@ void CallLists(Context& context, GLsizei n, GLenum type, const void* lists) {
         return list::record_error(
             context, n >= 0 && !list::is_name_type(type) ? GL_INVALID_ENUM : GL_INVALID_VALUE, true);
     for (GLsizei i = 0; i < n && !context.list.recorder.out_of_memory; ++i)
-        if (list::Word* to = list::record(context, &list::play_call_offset, 1); to != nullptr)
+        if (list::Word* to = list::record(context, &list::player<&list::play_call_offset>, 1); to != nullptr)
             *to = list::name_offset(type, lists, i);
 }
 

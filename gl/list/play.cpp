@@ -33,10 +33,10 @@ void execute(Context& context, GLuint name) {
     if (at == nullptr)
         return;
     for (;;) {
-        Player player;
+        const Player* player;
         __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
         if (player != nullptr) {
-            at = player(context, at + player_words);
+            at = player->play(context, at + player_words);
             continue;
         }
         if (context.list.depth == 0)

@@ -3,23 +3,27 @@
 // drops it.
 #pragma once
 
-#include <type_traits>
-#include <utility>
-
 #include "gl/api/family.hpp"
 #include "gl/context/context.hpp"
 
 namespace spangle::gl::list {
 
-/// Executes the record whose arguments start at `words`; returns the next record, or null after a jump that
-/// ended.
-using Player = const Word* (*)(Context& context, const Word* words);
+/// A constant that says how records of one kind are played.
+struct Player {
+#if SPANGLE_FEATURE_LISTS
+    /// Executes the record whose arguments start at `words`; returns the next record, or null after a jump
+    /// that ended. The player's own address lies before them.
+    const Word* (*play)(Context& context, const Word* words) = nullptr;
+#endif
+};
 
-inline constexpr std::uint32_t player_words = sizeof(Player) / sizeof(Word);
+template <auto play> inline constexpr Player player{play};
+
+inline constexpr std::uint32_t player_words = sizeof(Player*) / sizeof(Word);
 inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< of a position in a list
 
 /// Room for the arguments of a new record, or null without memory (EndList reports that). Closes an open run.
-Word* record(Context& context, Player player, std::uint32_t words);
+Word* record(Context& context, const Player* player, std::uint32_t words);
 
 /// One word per argument; a matrix and parameters stand last and take more.
 template <class T> struct Codec {
@@ -71,33 +75,5 @@ void record_error(Context& context, GLenum code, bool inside);
 
 /// True when `context` is not between Begin and End, where F is not allowed; else INVALID_OPERATION.
 bool allowed_outside(Context& context, const char* refusal);
-
-template <class F, class Run> struct Recorder;
-
-template <class F, class... A> struct Recorder<F, void (*)(Context&, A...)> {
-    static void write(Context& context, A... args) {
-        Word* to = record(context, &play, (Codec<A>::words(args) + ... + 0u));
-        if (to == nullptr)
-            return;
-        ((Codec<A>::store(to, args), to += Codec<A>::words(args)), ...);
-    }
-
-    static const Word* play(Context& context, const Word* words) {
-        return call(context, words, std::index_sequence_for<A...>{});
-    }
-
-    template <std::size_t... I>
-    static const Word* call(Context& context, const Word* words, std::index_sequence<I...>) {
-        if (F::inside || allowed_outside(context, F::refusal))
-            F::run(context, Codec<A>::load(words + I)...); // all but the last argument take one word
-        const Word* next = words;
-        ((next += Codec<A>::stored(next)), ...);
-        return next;
-    }
-};
-
-template <class F, class... A> inline void record_words(Context& context, const A&... args) {
-    Recorder<F, std::remove_const_t<decltype(F::run)>>::write(context, args...);
-}
 
 } // namespace spangle::gl::list

@@ -10,6 +10,7 @@
 
 #include <cstring>
 
+#include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
 #include "gl/context/share_group.hpp"
@@ -78,7 +79,7 @@ const Word* play_run(Context& context, const Word* words) {
     return words;
 }
 
-void store_player(Word* to, Player player) {
+void store_player(Word* to, const Player* player) {
     std::memcpy(to, &player, sizeof player);
 }
 
@@ -98,7 +99,7 @@ bool grow(Context& context, std::uint32_t words) {
     chunk->words = size;
     if (r.last != nullptr) {
         const Word* next = chunk->data();
-        store_player(r.write, &play_link);
+        store_player(r.write, &player<&play_link>);
         std::memcpy(r.write + player_words, &next, sizeof next);
         r.last->next = chunk;
     } else {
@@ -110,7 +111,7 @@ bool grow(Context& context, std::uint32_t words) {
     return true;
 }
 
-Word* append(Context& context, Player player, std::uint32_t words) {
+Word* append(Context& context, const Player* player, std::uint32_t words) {
     ListRecorder& r = context.list.recorder;
     r.run = nullptr;
     const std::uint32_t needed = player_words + words;
@@ -147,7 +148,7 @@ void flush_attributes(Context& context) {
 
 } // namespace
 
-Word* record(Context& context, Player player, std::uint32_t words) {
+Word* record(Context& context, const Player* player, std::uint32_t words) {
     if (context.list.recorder.pending != 0)
         flush_attributes(context);
     return append(context, player, words);
@@ -172,7 +173,7 @@ const Word* play_error(Context& context, const Word* words) {
 } // namespace
 
 void record_error(Context& context, GLenum code, bool inside) {
-    if (Word* to = record(context, &play_error, 2); to != nullptr) {
+    if (Word* to = record(context, &player<&play_error>, 2); to != nullptr) {
         to[0] = code;
         to[1] = inside;
     }
@@ -239,7 +240,7 @@ void Vertex(Context& context, Real x, Real y, Real z, Real w) {
     Word* to = r.write;
     if (r.run == nullptr || *r.run >> count_bits != fields || (*r.run & count_mask) == count_mask ||
         static_cast<std::size_t>(r.end - r.write) < words) {
-        Word* const header = append(context, &play_run, 1 + words);
+        Word* const header = append(context, &player<&play_run>, 1 + words);
         if (header == nullptr)
             return;
         *header = fields << count_bits;
