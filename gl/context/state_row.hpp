@@ -27,25 +27,29 @@ constexpr std::uint16_t short_name(GLenum name) {
     return static_cast<std::uint16_t>(name);
 }
 
+constexpr StateRow constant(GLenum name, std::int32_t value) {
+    StateRow row;
+    row.name = short_name(name);
+    row.count = 1;
+    row.place.where = static_cast<std::uint32_t>(value);
+    return row;
+}
+
 template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
-    return {.name = short_name(name),
-            .kind = source == Source::real ? Kind::real : Kind::integer,
-            .source = source,
-            .toggle = toggle,
-            .count = static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>)),
-            .where = static_cast<std::uint32_t>(offset)};
+    StateRow row = constant(name, static_cast<std::int32_t>(offset));
+    row.kind = source == Source::real ? Kind::real : Kind::integer;
+    row.source = source;
+    row.toggle = toggle;
+    row.count = static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>));
+    return row;
 }
 
 /// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
 constexpr StateRow linear(StateRow row) {
     row.kind = Kind::color;
     return row;
-}
-
-constexpr StateRow constant(GLenum name, std::int32_t value) {
-    return {.name = short_name(name), .count = 1, .where = static_cast<std::uint32_t>(value)};
 }
 
 constexpr StateRow absent_switch(GLenum name) {
@@ -56,21 +60,28 @@ constexpr StateRow absent_switch(GLenum name) {
 
 constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
                             void (*compute)(const Context&, GLenum, Param*)) {
-    return {.name = short_name(name),
-            .kind = kind,
-            .source = Source::computed,
-            .count = count,
-            .compute = compute};
+    StateRow row = constant(name, 0);
+    row.kind = kind;
+    row.source = Source::computed;
+    row.count = count;
+    row.place.compute = compute;
+    return row;
 }
 
 /// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
 constexpr StateRow held(std::size_t offset, std::size_t bytes) {
-    return {.source = Source::held, .where = static_cast<std::uint32_t>(offset | bytes << 16)};
+    StateRow row;
+    row.source = Source::held;
+    row.place.where = static_cast<std::uint32_t>(offset | bytes << 16);
+    return row;
 }
 
 /// The rows up to the next one of these belong to `group`.
 constexpr StateRow in(Group group) {
-    return {.source = Source::section, .group = group};
+    StateRow row;
+    row.source = Source::section;
+    row.group = group;
+    return row;
 }
 
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.

@@ -104,14 +104,14 @@ std::array<std::span<const StateRow>, 2> all_state() {
 Kept kept_by(const StateRow& row) {
     switch (row.source) {
     case Source::boolean:
-        return {row.where, row.count};
+        return {row.place.where, row.count};
     case Source::integer:
     case Source::real:
-        return {row.where, row.count * std::uint32_t{4}};
+        return {row.place.where, row.count * std::uint32_t{4}};
     case Source::pointer:
-        return {row.where, sizeof(void*)};
+        return {row.place.where, sizeof(void*)};
     case Source::held:
-        return {row.where & 0xFFFF, row.where >> 16};
+        return {row.place.where & 0xFFFF, row.place.where >> 16};
     default:
         return {0, 0};
     }
@@ -125,10 +125,12 @@ std::size_t offset_of(const Context& context, const StateRow& row) {
     const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active
                              : row.per_unit == PerUnit::client ? context.array_bindings.client_active
                                                                : 0;
-    return row.where + row.unit_step * unit;
+    return row.place.where + row.unit_step * unit;
 }
 
 void load_state(const Context& context, const StateRow& row, Param* out) {
+    if (row.source == Source::computed)
+        return row.place.compute(context, row.name, out);
     const auto* const from = reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row);
     switch (row.source) {
     case Source::boolean:
@@ -145,10 +147,7 @@ void load_state(const Context& context, const StateRow& row, Param* out) {
             out[i] = Param::from(reinterpret_cast<const Real*>(from)[i]);
         break;
     case Source::constant:
-        out[0] = Param::from_integer(row.where);
-        break;
-    case Source::computed:
-        row.compute(context, row.name, out);
+        out[0] = Param::from_integer(row.place.where);
         break;
     default: // pointers and held bytes are no Params
         break;

@@ -67,20 +67,22 @@ enum class PerUnit : std::uint8_t {
     client, ///< that of ClientActiveTexture
 };
 
-/// A board's flash holds some 290 of them.
+/// A board's flash holds some 340 of them.
 struct StateRow {
-    std::uint16_t name = 0;    ///< 0: no query
-    Kind kind = Kind::integer; ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
-    Source source = Source::constant;
-    Switch toggle = Switch::none;
-    std::uint8_t count = 0;
-    Group group = Group::none; ///< every Switch::server is in Group::enable, too
-    PerUnit per_unit = PerUnit::no;
+    std::uint16_t name = 0;      ///< 0: no query
     std::uint16_t unit_step = 0; ///< bytes from one unit's value to the next one's
-    bool left_out = false;       ///< of a system this build has not
-    std::uint32_t where =
-        0; ///< offset in Context, or the constant; of held bytes also their number, from bit 16
-    void (*compute)(const Context& context, GLenum name, Param* out) = nullptr;
+    std::uint8_t count = 0;
+    Kind kind : 2 = Kind::integer; ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    Source source : 3 = Source::constant;
+    Switch toggle : 2 = Switch::none;
+    PerUnit per_unit : 2 = PerUnit::no;
+    Group group : 6 = Group::none; ///< every Switch::server is in Group::enable, too
+    bool left_out : 1 = false;     ///< of a system this build has not
+    union Place {
+        /// Offset in Context, or the constant; of held bytes also their number, from bit 16.
+        std::uint32_t where = 0;
+        void (*compute)(const Context& context, GLenum name, Param* out); ///< Source::computed
+    } place;
 #if SPANGLE_MESSAGES
     const char* missing = nullptr; ///< that system
 #else
