@@ -130,12 +130,12 @@ class Family:
 
     # --- entry points ------------------------------------------------------------------------------------------
 
-    def entry(self, name, params, call, tries, null=None):
-        """`call` are the canonical arguments; `null` names a pointer that must not be null."""
+    def entry(self, name, params, call, tries, null=None, body=None):
+        """`call` are the canonical arguments; `null` names a pointer that must not be null; `body` stands instead of both."""
         text = ", ".join(call)
         guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n" if null else ""
         verb = "return ask" if self.returns != "void" else "issue"
-        return Entry(self, name, params, f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
+        return Entry(self, name, params, body or f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
 
     def entries_plain(self):
         for code, suffix in self.types or [("", "")]:
@@ -173,10 +173,19 @@ class Family:
                 stem, c = f"gl{self.name}{size if self.data.get('digits', True) else ''}", C_TYPES[code]
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
-                yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one,
-                                 first_tries + [("real", value)] * size)
-                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many,
-                                 first_tries + [("values", value)], "v")
+                # Floats, and integers one by one, are what programs with a loop of vertices call: no detour.
+                scalars, vectors = len(pad) > 1 and code not in "fi", len(pad) > 1 and code != "f"
+                kind = "convert::components(convert::Element::" + convert(code, "").split("::")[1].removesuffix("()") + f", {size})"
+                yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one, first_tries + [("real", value)] * size,
+                                 body=self.components_of(first, names[:size], c, kind) if scalars else None)
+                yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many, first_tries + [("values", value)], "v",
+                                 body=self.components_at(first, f"v, {kind}, SPANGLE_TEXT(\"{stem + vector}: null pointer\")") if vectors else None)
+
+    def components_at(self, first, place):
+        return f"    issue_components<family::{self.name}>({', '.join([*first, place])});\n"
+
+    def components_of(self, first, names, c_type, kind):
+        return f"    const {c_type} v[] = {{{', '.join(names)}}};\n" + self.components_at(first, f"v, {kind}, nullptr")
 
     def entries_flag(self):
         value = Arg("boolean flag", {})

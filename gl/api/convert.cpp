@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "gl/api/issue.hpp"
+
 namespace spangle::gl::convert {
 
 Real cast_special(std::uint32_t bits) {
@@ -91,6 +93,53 @@ template <class T, class Convert> void store(Shape shape, const Params& found, T
 
 } // namespace
 
+namespace {
+
+template <class T> T element(const void* array, std::size_t index) {
+    T value;
+    std::memcpy(&value, static_cast<const unsigned char*>(array) + index * sizeof(T), sizeof value);
+    return value;
+}
+
+Real component(Element type, const void* v, std::size_t i) {
+    switch (type) {
+    case Element::cast_s:
+        return cast_i(element<GLshort>(v, i));
+    case Element::cast_i:
+        return cast_i(element<GLint>(v, i));
+    case Element::cast_d:
+        return cast_d(element<GLdouble>(v, i));
+    case Element::cast_x:
+        return cast_x(element<GLfixed>(v, i));
+    case Element::unit_b:
+        return unit_b(element<GLbyte>(v, i));
+    case Element::unit_s:
+        return unit_s(element<GLshort>(v, i));
+    case Element::unit_i:
+        return unit_i(element<GLint>(v, i));
+    case Element::unit_ub:
+        return unit_ub(element<GLubyte>(v, i));
+    case Element::unit_us:
+        return unit_us(element<GLushort>(v, i));
+    default:
+        return unit_ui(element<GLuint>(v, i));
+    }
+}
+
+} // namespace
+
+bool load(const void* v, Components kind, const char* null_text, Real (&out)[4]) {
+    if (v == nullptr) {
+        refuse_null(null_text);
+        return false;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        out[i] = i <= (kind & 3u) ? component(static_cast<Element>(kind >> 2), v, i)
+                 : i == 3         ? numeric::one
+                                  : numeric::zero;
+    return true;
+}
+
 Matrix16 matrix_f(const GLfloat* m) {
     return matrix(m, cast_f);
 }
@@ -174,12 +223,6 @@ GLboolean to_boolean(Kind kind, Param value) {
 
 namespace {
 
-template <class T> T element(const Values& array, std::size_t index) {
-    T value;
-    std::memcpy(&value, static_cast<const unsigned char*>(array.at) + index * sizeof(T), sizeof value);
-    return value;
-}
-
 template <class T> void store_element(const Values& array, std::size_t index, T value) {
     std::memcpy(static_cast<unsigned char*>(const_cast<void*>(array.at)) + index * sizeof(T), &value,
                 sizeof value);
@@ -190,13 +233,13 @@ template <class T> void store_element(const Values& array, std::size_t index, T 
 Real array_value(const Values& array, std::size_t index) {
     switch (array.type) {
     case GL_FLOAT:
-        return numeric::from_float_bits(element<std::uint32_t>(array, index));
+        return numeric::from_float_bits(element<std::uint32_t>(array.at, index));
     case GL_DOUBLE:
-        return numeric::from_double_bits(element<std::uint64_t>(array, index));
+        return numeric::from_double_bits(element<std::uint64_t>(array.at, index));
     case GL_FIXED:
-        return cast_x(element<GLfixed>(array, index));
+        return cast_x(element<GLfixed>(array.at, index));
     default:
-        return cast_i(element<GLint>(array, index));
+        return cast_i(element<GLint>(array.at, index));
     }
 }
 

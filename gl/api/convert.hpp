@@ -34,6 +34,29 @@ Real unit_ub(GLubyte v);
 Real unit_us(GLushort v);
 Real unit_ui(GLuint v);
 
+/// The types above, as a number.
+enum class Element : std::uint8_t {
+    cast_s,
+    cast_i,
+    cast_d,
+    cast_x,
+    unit_b,
+    unit_s,
+    unit_i,
+    unit_ub,
+    unit_us,
+    unit_ui
+};
+
+/// A type and how many there are of it, 1 to 4.
+using Components = std::uint8_t;
+constexpr Components components(Element element, unsigned count) {
+    return static_cast<Components>(static_cast<unsigned>(element) << 2 | (count - 1));
+}
+
+/// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and false.
+bool load(const void* v, Components kind, const char* null_text, Real (&out)[4]);
+
 Matrix16 matrix_f(const GLfloat* m);
 Matrix16 matrix_d(const GLdouble* m);
 Matrix16 matrix_x(const GLfixed* m);

@@ -1,5 +1,6 @@
 // Entry points: Matrices, viewport.
 // Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/components.hpp"
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"

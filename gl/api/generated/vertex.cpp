@@ -1,5 +1,6 @@
 // Entry points: Vertices, attributes, arrays.
 // Written by gl/api/generate.py from gl/api/commands: change those, not this.
+#include "gl/api/components.hpp"
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
@@ -19,13 +20,12 @@ void GLAPIENTRY glEnd() {
 }
 
 void GLAPIENTRY glVertex2s(GLshort x, GLshort y) {
-    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), numeric::zero, numeric::one);
+    const GLshort v[] = {x, y};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2sv: null pointer"));
-    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glVertex2sv: null pointer"));
 }
 
 void GLAPIENTRY glVertex2i(GLint x, GLint y) {
@@ -33,9 +33,7 @@ void GLAPIENTRY glVertex2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glVertex2iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2iv: null pointer"));
-    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glVertex2iv: null pointer"));
 }
 
 void GLAPIENTRY glVertex2f(GLfloat x, GLfloat y) {
@@ -49,37 +47,34 @@ void GLAPIENTRY glVertex2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glVertex2d(GLdouble x, GLdouble y) {
-    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), numeric::zero, numeric::one);
+    const GLdouble v[] = {x, y};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2dv: null pointer"));
-    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glVertex2dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex2xOES(GLfixed x, GLfixed y) {
-    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), numeric::zero, numeric::one);
+    const GLfixed v[] = {x, y};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2xvOES: null pointer"));
-    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glVertex2xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
-    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::one);
+    const GLshort v[] = {x, y, z};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3sv: null pointer"));
-    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glVertex3sv: null pointer"));
 }
 
 void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
@@ -87,9 +82,7 @@ void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glVertex3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3iv: null pointer"));
-    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glVertex3iv: null pointer"));
 }
 
 void GLAPIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -103,37 +96,34 @@ void GLAPIENTRY glVertex3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), numeric::one);
+    const GLdouble v[] = {x, y, z};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3dv: null pointer"));
-    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glVertex3dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex3xOES(GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::one);
+    const GLfixed v[] = {x, y, z};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3xvOES: null pointer"));
-    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glVertex3xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    issue<family::Vertex>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), convert::cast_s(w));
+    const GLshort v[] = {x, y, z, w};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4sv: null pointer"));
-    issue<family::Vertex>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glVertex4sv: null pointer"));
 }
 
 void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
@@ -141,9 +131,7 @@ void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
 }
 
 void GLAPIENTRY glVertex4iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4iv: null pointer"));
-    issue<family::Vertex>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glVertex4iv: null pointer"));
 }
 
 void GLAPIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
@@ -157,37 +145,34 @@ void GLAPIENTRY glVertex4fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-    issue<family::Vertex>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), convert::cast_d(w));
+    const GLdouble v[] = {x, y, z, w};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4dv: null pointer"));
-    issue<family::Vertex>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glVertex4dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
-    issue<family::Vertex>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), convert::cast_x(w));
+    const GLfixed v[] = {x, y, z, w};
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4xvOES: null pointer"));
-    issue<family::Vertex>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glVertex4xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glTexCoord1s(GLshort s) {
-    issue<family::TexCoord>(convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
+    const GLshort v[] = {s};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1sv: null pointer"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glTexCoord1sv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1i(GLint s) {
@@ -195,9 +180,7 @@ void GLAPIENTRY glTexCoord1i(GLint s) {
 }
 
 void GLAPIENTRY glTexCoord1iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1iv: null pointer"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glTexCoord1iv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1f(GLfloat s) {
@@ -211,37 +194,34 @@ void GLAPIENTRY glTexCoord1fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glTexCoord1d(GLdouble s) {
-    issue<family::TexCoord>(convert::cast_d(s), numeric::zero, numeric::zero, numeric::one);
+    const GLdouble v[] = {s};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1dv: null pointer"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glTexCoord1dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord1xOES(GLfixed s) {
-    issue<family::TexCoord>(convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
+    const GLfixed v[] = {s};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1xvOES: null pointer"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glTexCoord1xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
-    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
+    const GLshort v[] = {s, t};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2sv: null pointer"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glTexCoord2sv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
@@ -249,9 +229,7 @@ void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
 }
 
 void GLAPIENTRY glTexCoord2iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2iv: null pointer"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glTexCoord2iv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2f(GLfloat s, GLfloat t) {
@@ -265,37 +243,34 @@ void GLAPIENTRY glTexCoord2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glTexCoord2d(GLdouble s, GLdouble t) {
-    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), numeric::zero, numeric::one);
+    const GLdouble v[] = {s, t};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2dv: null pointer"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glTexCoord2dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord2xOES(GLfixed s, GLfixed t) {
-    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
+    const GLfixed v[] = {s, t};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2xvOES: null pointer"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glTexCoord2xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
-    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
+    const GLshort v[] = {s, t, r};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3sv: null pointer"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glTexCoord3sv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
@@ -303,9 +278,7 @@ void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
 }
 
 void GLAPIENTRY glTexCoord3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3iv: null pointer"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glTexCoord3iv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
@@ -319,37 +292,34 @@ void GLAPIENTRY glTexCoord3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
-    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), numeric::one);
+    const GLdouble v[] = {s, t, r};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3dv: null pointer"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glTexCoord3dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord3xOES(GLfixed s, GLfixed t, GLfixed r) {
-    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
+    const GLfixed v[] = {s, t, r};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3xvOES: null pointer"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glTexCoord3xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
-    issue<family::TexCoord>(convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
+    const GLshort v[] = {s, t, r, q};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4sv: null pointer"));
-    issue<family::TexCoord>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glTexCoord4sv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
@@ -357,9 +327,7 @@ void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
 }
 
 void GLAPIENTRY glTexCoord4iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4iv: null pointer"));
-    issue<family::TexCoord>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glTexCoord4iv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
@@ -373,37 +341,34 @@ void GLAPIENTRY glTexCoord4fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-    issue<family::TexCoord>(convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), convert::cast_d(q));
+    const GLdouble v[] = {s, t, r, q};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4dv: null pointer"));
-    issue<family::TexCoord>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glTexCoord4dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
-    issue<family::TexCoord>(convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
+    const GLfixed v[] = {s, t, r, q};
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4xvOES: null pointer"));
-    issue<family::TexCoord>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glTexCoord4xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
-    issue<family::MultiTexCoord>(target, convert::cast_s(s), numeric::zero, numeric::zero, numeric::one);
+    const GLshort v[] = {s};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1sv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glMultiTexCoord1sv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
@@ -411,9 +376,7 @@ void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1iv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glMultiTexCoord1iv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
@@ -427,37 +390,34 @@ void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
-    issue<family::MultiTexCoord>(target, convert::cast_d(s), numeric::zero, numeric::zero, numeric::one);
+    const GLdouble v[] = {s};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1dv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glMultiTexCoord1dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s) {
-    issue<family::MultiTexCoord>(target, convert::cast_x(s), numeric::zero, numeric::zero, numeric::one);
+    const GLfixed v[] = {s};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1xvOES: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glMultiTexCoord1xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
-    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), numeric::zero, numeric::one);
+    const GLshort v[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2sv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glMultiTexCoord2sv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
@@ -465,9 +425,7 @@ void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2iv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glMultiTexCoord2iv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
@@ -481,37 +439,34 @@ void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
-    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), numeric::zero, numeric::one);
+    const GLdouble v[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2dv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glMultiTexCoord2dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t) {
-    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), numeric::zero, numeric::one);
+    const GLfixed v[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2xvOES: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glMultiTexCoord2xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
-    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), numeric::one);
+    const GLshort v[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3sv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glMultiTexCoord3sv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
@@ -519,9 +474,7 @@ void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
 }
 
 void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3iv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glMultiTexCoord3iv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
@@ -535,37 +488,34 @@ void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
-    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), numeric::one);
+    const GLdouble v[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3dv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glMultiTexCoord3dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r) {
-    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), numeric::one);
+    const GLfixed v[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3xvOES: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glMultiTexCoord3xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
-    issue<family::MultiTexCoord>(target, convert::cast_s(s), convert::cast_s(t), convert::cast_s(r), convert::cast_s(q));
+    const GLshort v[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4sv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glMultiTexCoord4sv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
@@ -573,9 +523,7 @@ void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLin
 }
 
 void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4iv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glMultiTexCoord4iv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
@@ -589,47 +537,43 @@ void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-    issue<family::MultiTexCoord>(target, convert::cast_d(s), convert::cast_d(t), convert::cast_d(r), convert::cast_d(q));
+    const GLdouble v[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4dv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glMultiTexCoord4dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
-    issue<family::MultiTexCoord>(target, convert::cast_x(s), convert::cast_x(t), convert::cast_x(r), convert::cast_x(q));
+    const GLfixed v[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4xvOES: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glMultiTexCoord4xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
-    issue<family::Normal>(convert::unit_b(nx), convert::unit_b(ny), convert::unit_b(nz));
+    const GLbyte v[] = {nx, ny, nz};
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3bv(const GLbyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3bv: null pointer"));
-    issue<family::Normal>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glNormal3bv: null pointer"));
 }
 
 void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) {
-    issue<family::Normal>(convert::unit_s(nx), convert::unit_s(ny), convert::unit_s(nz));
+    const GLshort v[] = {nx, ny, nz};
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3sv: null pointer"));
-    issue<family::Normal>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glNormal3sv: null pointer"));
 }
 
 void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
@@ -637,9 +581,7 @@ void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
 }
 
 void GLAPIENTRY glNormal3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3iv: null pointer"));
-    issue<family::Normal>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glNormal3iv: null pointer"));
 }
 
 void GLAPIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) {
@@ -653,47 +595,43 @@ void GLAPIENTRY glNormal3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) {
-    issue<family::Normal>(convert::cast_d(nx), convert::cast_d(ny), convert::cast_d(nz));
+    const GLdouble v[] = {nx, ny, nz};
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3dv: null pointer"));
-    issue<family::Normal>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glNormal3dv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz) {
-    issue<family::Normal>(convert::cast_x(nx), convert::cast_x(ny), convert::cast_x(nz));
+    const GLfixed v[] = {nx, ny, nz};
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3xvOES: null pointer"));
-    issue<family::Normal>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]));
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glNormal3xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) {
-    issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), numeric::one);
+    const GLbyte v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3bv(const GLbyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3bv: null pointer"));
-    issue<family::Color>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glColor3bv: null pointer"));
 }
 
 void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) {
-    issue<family::Color>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue), numeric::one);
+    const GLshort v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3sv: null pointer"));
-    issue<family::Color>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glColor3sv: null pointer"));
 }
 
 void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
@@ -701,9 +639,7 @@ void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
 }
 
 void GLAPIENTRY glColor3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3iv: null pointer"));
-    issue<family::Color>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glColor3iv: null pointer"));
 }
 
 void GLAPIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) {
@@ -717,77 +653,70 @@ void GLAPIENTRY glColor3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) {
-    issue<family::Color>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue), numeric::one);
+    const GLdouble v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3dv: null pointer"));
-    issue<family::Color>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glColor3dv: null pointer"));
 }
 
 void GLAPIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
-    issue<family::Color>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue), numeric::one);
+    const GLubyte v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3ubv(const GLubyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3ubv: null pointer"));
-    issue<family::Color>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glColor3ubv: null pointer"));
 }
 
 void GLAPIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) {
-    issue<family::Color>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue), numeric::one);
+    const GLushort v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3usv(const GLushort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3usv: null pointer"));
-    issue<family::Color>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glColor3usv: null pointer"));
 }
 
 void GLAPIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) {
-    issue<family::Color>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue), numeric::one);
+    const GLuint v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3uiv(const GLuint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3uiv: null pointer"));
-    issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glColor3uiv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glColor3xOES(GLfixed red, GLfixed green, GLfixed blue) {
-    issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), numeric::one);
+    const GLfixed v[] = {red, green, blue};
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3xvOES: null pointer"));
-    issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glColor3xvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) {
-    issue<family::Color>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue), convert::unit_b(alpha));
+    const GLbyte v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4bv(const GLbyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4bv: null pointer"));
-    issue<family::Color>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]), convert::unit_b(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 4), SPANGLE_TEXT("glColor4bv: null pointer"));
 }
 
 void GLAPIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) {
-    issue<family::Color>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue), convert::unit_s(alpha));
+    const GLshort v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4sv: null pointer"));
-    issue<family::Color>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]), convert::unit_s(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 4), SPANGLE_TEXT("glColor4sv: null pointer"));
 }
 
 void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
@@ -795,9 +724,7 @@ void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
 }
 
 void GLAPIENTRY glColor4iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4iv: null pointer"));
-    issue<family::Color>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]), convert::unit_i(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 4), SPANGLE_TEXT("glColor4iv: null pointer"));
 }
 
 void GLAPIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
@@ -811,55 +738,50 @@ void GLAPIENTRY glColor4fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) {
-    issue<family::Color>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue), convert::cast_d(alpha));
+    const GLdouble v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4dv: null pointer"));
-    issue<family::Color>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glColor4dv: null pointer"));
 }
 
 void GLAPIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) {
-    issue<family::Color>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue), convert::unit_ub(alpha));
+    const GLubyte v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4ubv(const GLubyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4ubv: null pointer"));
-    issue<family::Color>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]), convert::unit_ub(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 4), SPANGLE_TEXT("glColor4ubv: null pointer"));
 }
 
 void GLAPIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort alpha) {
-    issue<family::Color>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue), convert::unit_us(alpha));
+    const GLushort v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4usv(const GLushort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4usv: null pointer"));
-    issue<family::Color>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]), convert::unit_us(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 4), SPANGLE_TEXT("glColor4usv: null pointer"));
 }
 
 void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) {
-    issue<family::Color>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue), convert::unit_ui(alpha));
+    const GLuint v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4uiv(const GLuint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4uiv: null pointer"));
-    issue<family::Color>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]), convert::unit_ui(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 4), SPANGLE_TEXT("glColor4uiv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha) {
-    issue<family::Color>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+    const GLfixed v[] = {red, green, blue, alpha};
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4xvOES: null pointer"));
-    issue<family::Color>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glColor4xvOES: null pointer"));
 }
 
 #endif
@@ -867,23 +789,21 @@ void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_SECONDARY_COLOR
 
 void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) {
-    issue<family::SecondaryColor>(convert::unit_b(red), convert::unit_b(green), convert::unit_b(blue));
+    const GLbyte v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3bv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_b(v[0]), convert::unit_b(v[1]), convert::unit_b(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glSecondaryColor3bv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) {
-    issue<family::SecondaryColor>(convert::unit_s(red), convert::unit_s(green), convert::unit_s(blue));
+    const GLshort v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3sv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_s(v[0]), convert::unit_s(v[1]), convert::unit_s(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glSecondaryColor3sv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
@@ -891,9 +811,7 @@ void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3iv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_i(v[0]), convert::unit_i(v[1]), convert::unit_i(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glSecondaryColor3iv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
@@ -907,43 +825,39 @@ void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) {
-    issue<family::SecondaryColor>(convert::cast_d(red), convert::cast_d(green), convert::cast_d(blue));
+    const GLdouble v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3dv: null pointer"));
-    issue<family::SecondaryColor>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glSecondaryColor3dv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
-    issue<family::SecondaryColor>(convert::unit_ub(red), convert::unit_ub(green), convert::unit_ub(blue));
+    const GLubyte v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ub, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3ubv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_ub(v[0]), convert::unit_ub(v[1]), convert::unit_ub(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glSecondaryColor3ubv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) {
-    issue<family::SecondaryColor>(convert::unit_us(red), convert::unit_us(green), convert::unit_us(blue));
+    const GLushort v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_us, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3usv(const GLushort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3usv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_us(v[0]), convert::unit_us(v[1]), convert::unit_us(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glSecondaryColor3usv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) {
-    issue<family::SecondaryColor>(convert::unit_ui(red), convert::unit_ui(green), convert::unit_ui(blue));
+    const GLuint v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ui, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3uiv: null pointer"));
-    issue<family::SecondaryColor>(convert::unit_ui(v[0]), convert::unit_ui(v[1]), convert::unit_ui(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glSecondaryColor3uiv: null pointer"));
 }
 
 #endif
@@ -1057,13 +971,12 @@ void GLAPIENTRY glFogCoorddv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
-    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), numeric::zero, numeric::one);
+    const GLshort v[] = {x, y};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos2sv: null pointer"));
-    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero, numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRasterPos2sv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
@@ -1071,9 +984,7 @@ void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glRasterPos2iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos2iv: null pointer"));
-    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero, numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRasterPos2iv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
@@ -1087,13 +998,12 @@ void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
-    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), numeric::zero, numeric::one);
+    const GLdouble v[] = {x, y};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos2dv: null pointer"));
-    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero, numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRasterPos2dv: null pointer"));
 }
 
 #endif
@@ -1101,13 +1011,12 @@ void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos2xOES(GLfixed x, GLfixed y) {
-    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), numeric::zero, numeric::one);
+    const GLfixed v[] = {x, y};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos2xvOES: null pointer"));
-    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), numeric::zero, numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRasterPos2xvOES: null pointer"));
 }
 
 #endif
@@ -1115,13 +1024,12 @@ void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
-    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), numeric::one);
+    const GLshort v[] = {x, y, z};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos3sv: null pointer"));
-    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glRasterPos3sv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
@@ -1129,9 +1037,7 @@ void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glRasterPos3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos3iv: null pointer"));
-    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glRasterPos3iv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -1145,13 +1051,12 @@ void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), numeric::one);
+    const GLdouble v[] = {x, y, z};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos3dv: null pointer"));
-    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glRasterPos3dv: null pointer"));
 }
 
 #endif
@@ -1159,13 +1064,12 @@ void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos3xOES(GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), numeric::one);
+    const GLfixed v[] = {x, y, z};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos3xvOES: null pointer"));
-    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glRasterPos3xvOES: null pointer"));
 }
 
 #endif
@@ -1173,13 +1077,12 @@ void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    issue<family::RasterPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z), convert::cast_s(w));
+    const GLshort v[] = {x, y, z, w};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos4sv: null pointer"));
-    issue<family::RasterPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]), convert::cast_s(v[3]));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glRasterPos4sv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
@@ -1187,9 +1090,7 @@ void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
 }
 
 void GLAPIENTRY glRasterPos4iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos4iv: null pointer"));
-    issue<family::RasterPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]), convert::cast_i(v[3]));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glRasterPos4iv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
@@ -1203,13 +1104,12 @@ void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-    issue<family::RasterPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z), convert::cast_d(w));
+    const GLdouble v[] = {x, y, z, w};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos4dv: null pointer"));
-    issue<family::RasterPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]), convert::cast_d(v[3]));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glRasterPos4dv: null pointer"));
 }
 
 #endif
@@ -1217,13 +1117,12 @@ void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
-    issue<family::RasterPos>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z), convert::cast_x(w));
+    const GLfixed v[] = {x, y, z, w};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos4xvOES: null pointer"));
-    issue<family::RasterPos>(convert::cast_x(v[0]), convert::cast_x(v[1]), convert::cast_x(v[2]), convert::cast_x(v[3]));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glRasterPos4xvOES: null pointer"));
 }
 
 #endif
@@ -1231,13 +1130,12 @@ void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y) {
-    issue<family::WindowPos>(convert::cast_s(x), convert::cast_s(y), numeric::zero);
+    const GLshort v[] = {x, y};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos2sv: null pointer"));
-    issue<family::WindowPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), numeric::zero);
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glWindowPos2sv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
@@ -1245,9 +1143,7 @@ void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glWindowPos2iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos2iv: null pointer"));
-    issue<family::WindowPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), numeric::zero);
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glWindowPos2iv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
@@ -1261,23 +1157,21 @@ void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
-    issue<family::WindowPos>(convert::cast_d(x), convert::cast_d(y), numeric::zero);
+    const GLdouble v[] = {x, y};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos2dv: null pointer"));
-    issue<family::WindowPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), numeric::zero);
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glWindowPos2dv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
-    issue<family::WindowPos>(convert::cast_s(x), convert::cast_s(y), convert::cast_s(z));
+    const GLshort v[] = {x, y, z};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos3sv: null pointer"));
-    issue<family::WindowPos>(convert::cast_s(v[0]), convert::cast_s(v[1]), convert::cast_s(v[2]));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glWindowPos3sv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
@@ -1285,9 +1179,7 @@ void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glWindowPos3iv(const GLint* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos3iv: null pointer"));
-    issue<family::WindowPos>(convert::cast_i(v[0]), convert::cast_i(v[1]), convert::cast_i(v[2]));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glWindowPos3iv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -1301,13 +1193,12 @@ void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::WindowPos>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+    const GLdouble v[] = {x, y, z};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos3dv: null pointer"));
-    issue<family::WindowPos>(convert::cast_d(v[0]), convert::cast_d(v[1]), convert::cast_d(v[2]));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glWindowPos3dv: null pointer"));
 }
 
 #endif
