@@ -221,14 +221,15 @@ class Family:
         call = [n for _, n in leading]
         tries = [("enum", a) for a in self.args] + [("pname", None)]
         for code, suffix in self.types:
-            c, shape = C_TYPES[code], f"shape::{self.name}(pname)"
-            yield self.entry(f"gl{self.name}{suffix}", leading + [(c, "param")],
-                             call + [f"convert::scalar_{code}({shape}, param)"], tries + [("pvalue", None)])
+            c, form = C_TYPES[code], f"convert::Number::{CONVERT_AS.get(code, code)}"
+            place = ", ".join(call)
+            yield Entry(self, f"gl{self.name}{suffix}", leading + [(c, "param")],
+                        f"    issue_param<family::{self.name}, &shape::{self.name}>({place}, &param, {form});\n", tries + [("pvalue", None)])
             if not self.data.get("scalar_only"):
-                vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
-                yield self.entry(f"gl{self.name}{vector}", leading + [(f"const {c}*", "params")],
-                                 call + [f"convert::vector_{code}({shape}, params)"], tries + [("pvalues", None)],
-                                 "params")
+                name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
+                yield Entry(self, name, leading + [(f"const {c}*", "params")],
+                            f"    issue_params<family::{self.name}, &shape::{self.name}>({place}, params, {form}, SPANGLE_TEXT(\"{name}: null pointer\"));\n",
+                            tries + [("pvalues", None)])
 
     def entries_get_params(self):
         leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
@@ -236,9 +237,8 @@ class Family:
         tries = [(a.type, a) for a in self.args] + [("pname", None), ("out", None)]
         for code, suffix in self.types:
             name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
-            body = (f"    if (params == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n"
-                    f"    Params found;\n    fetch<family::{self.name}>(found, {', '.join(call)});\n"
-                    f"    convert::store_{code}(shape::{self.name}(pname), found, params);\n")
+            body = (f"    fetch_params<family::{self.name}, &shape::{self.name}>({', '.join(call)}, params, convert::Number::{CONVERT_AS.get(code, code)}, "
+                    f"SPANGLE_TEXT(\"{name}: null pointer\"));\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
 
     @property

@@ -53,12 +53,6 @@ Param param_real(Kind kind, Real v) {
     return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(numeric::to_i32_round(v)))
                                  : Param::from(v);
 }
-Param param_f(Kind kind, GLfloat v) {
-    return param_real(kind, cast_f(v));
-}
-Param param_d(Kind kind, GLdouble v) {
-    return param_real(kind, cast_d(v));
-}
 Param param_i(Kind kind, GLint v) {
     if (kind == Kind::integer)
         return Param::from_integer(static_cast<std::uint32_t>(v));
@@ -67,28 +61,6 @@ Param param_i(Kind kind, GLint v) {
 Param param_x(Kind kind, GLfixed v) {
     return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(v))
                                  : Param::from(cast_x(v));
-}
-
-/// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
-template <class T, class Convert> Params scalar(Shape shape, T value, Convert convert) {
-    Params out;
-    if (shape.count == 1) {
-        out.v[0] = convert(shape.kind, value);
-        out.count = 1;
-    }
-    return out;
-}
-
-template <class T, class Convert> Params vector(Shape shape, const T* values, Convert convert) {
-    Params out;
-    for (; out.count < shape.count; ++out.count)
-        out.v[out.count] = convert(shape.kind, values[out.count]);
-    return out;
-}
-
-template <class T, class Convert> void store(Shape shape, const Params& found, T* out, Convert convert) {
-    for (std::uint32_t i = 0; i < found.count; ++i)
-        out[i] = convert(shape.kind, found.v[i]);
 }
 
 } // namespace
@@ -150,42 +122,57 @@ Matrix16 matrix_x(const GLfixed* m) {
     return matrix(m, cast_x);
 }
 
-Params scalar_f(Shape shape, GLfloat value) {
-    return scalar(shape, value, param_f);
-}
-Params scalar_i(Shape shape, GLint value) {
-    return scalar(shape, value, param_i);
-}
-Params scalar_d(Shape shape, GLdouble value) {
-    return scalar(shape, value, param_d);
-}
-Params scalar_x(Shape shape, GLfixed value) {
-    return scalar(shape, value, param_x);
-}
-Params vector_f(Shape shape, const GLfloat* values) {
-    return vector(shape, values, param_f);
-}
-Params vector_i(Shape shape, const GLint* values) {
-    return vector(shape, values, param_i);
-}
-Params vector_d(Shape shape, const GLdouble* values) {
-    return vector(shape, values, param_d);
-}
-Params vector_x(Shape shape, const GLfixed* values) {
-    return vector(shape, values, param_x);
+namespace {
+
+Param param(Kind kind, const void* values, std::size_t i, Number type) {
+    switch (type) {
+    case Number::f:
+        return param_real(kind, cast_f(element<GLfloat>(values, i)));
+    case Number::i:
+        return param_i(kind, element<GLint>(values, i));
+    case Number::d:
+        return param_real(kind, cast_d(element<GLdouble>(values, i)));
+    default:
+        return param_x(kind, element<GLfixed>(values, i));
+    }
 }
 
-void store_f(Shape shape, const Params& found, GLfloat* out) {
-    store(shape, found, out, to_float);
+template <class T> void store_element(void* array, std::size_t index, T value) {
+    std::memcpy(static_cast<unsigned char*>(array) + index * sizeof(T), &value, sizeof value);
 }
-void store_i(Shape shape, const Params& found, GLint* out) {
-    store(shape, found, out, to_int);
+
+void store_value(void* array, std::size_t index, Number type, Kind kind, Param value) {
+    switch (type) {
+    case Number::f:
+        return store_element(array, index, to_float(kind, value));
+    case Number::i:
+        return store_element(array, index, to_int(kind, value));
+    case Number::d:
+        return store_element(array, index, to_double(kind, value));
+    default:
+        return store_element(array, index, to_fixed(kind, value));
+    }
 }
-void store_d(Shape shape, const Params& found, GLdouble* out) {
-    store(shape, found, out, to_double);
+
+} // namespace
+
+/// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
+Params scalar(Shape shape, const void* value, Number type) {
+    if (shape.count == 1)
+        return vector(shape, value, type);
+    return {};
 }
-void store_x(Shape shape, const Params& found, GLfixed* out) {
-    store(shape, found, out, to_fixed);
+
+Params vector(Shape shape, const void* values, Number type) {
+    Params out;
+    for (; out.count < shape.count; ++out.count)
+        out.v[out.count] = param(shape.kind, values, out.count, type);
+    return out;
+}
+
+void store(Shape shape, const Params& found, void* out, Number type) {
+    for (std::uint32_t i = 0; i < found.count; ++i)
+        store_value(out, i, type, shape.kind, found.v[i]);
 }
 
 GLfloat to_float(Kind kind, Param value) {
@@ -221,15 +208,6 @@ GLboolean to_boolean(Kind kind, Param value) {
     return kind == Kind::integer ? value.word != 0 : numeric::to_bool(value.real());
 }
 
-namespace {
-
-template <class T> void store_element(const Values& array, std::size_t index, T value) {
-    std::memcpy(static_cast<unsigned char*>(const_cast<void*>(array.at)) + index * sizeof(T), &value,
-                sizeof value);
-}
-
-} // namespace
-
 Real array_value(const Values& array, std::size_t index) {
     switch (array.type) {
     case GL_FLOAT:
@@ -244,16 +222,12 @@ Real array_value(const Values& array, std::size_t index) {
 }
 
 void store_array_value(const Values& array, std::size_t index, Kind kind, Param value) {
-    switch (array.type) {
-    case GL_FLOAT:
-        return store_element(array, index, to_float(kind, value));
-    case GL_DOUBLE:
-        return store_element(array, index, to_double(kind, value));
-    case GL_FIXED:
-        return store_element(array, index, to_fixed(kind, value));
-    default:
-        return store_element(array, index, to_int(kind, value));
-    }
+    store_value(const_cast<void*>(array.at), index,
+                array.type == GL_FLOAT    ? Number::f
+                : array.type == GL_DOUBLE ? Number::d
+                : array.type == GL_FIXED  ? Number::x
+                                          : Number::i,
+                kind, value);
 }
 
 } // namespace spangle::gl::convert

@@ -62,20 +62,11 @@ Matrix16 matrix_d(const GLdouble* m);
 Matrix16 matrix_x(const GLfixed* m);
 
 // Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
-Params scalar_f(Shape shape, GLfloat value);
-Params scalar_i(Shape shape, GLint value);
-Params scalar_d(Shape shape, GLdouble value);
-Params scalar_x(Shape shape, GLfixed value);
-Params vector_f(Shape shape, const GLfloat* values);
-Params vector_i(Shape shape, const GLint* values);
-Params vector_d(Shape shape, const GLdouble* values);
-Params vector_x(Shape shape, const GLfixed* values);
-
-// And back, for their queries. Nothing is written when `found.count` is 0.
-void store_f(Shape shape, const Params& found, GLfloat* out);
-void store_i(Shape shape, const Params& found, GLint* out);
-void store_d(Shape shape, const Params& found, GLdouble* out);
-void store_x(Shape shape, const Params& found, GLfixed* out);
+enum class Number : std::uint8_t { f, i, d, x }; ///< of client memory
+Params scalar(Shape shape, const void* value, Number type);
+Params vector(Shape shape, const void* values, Number type);
+/// And back, for their queries. Nothing is written when `found.count` is 0.
+void store(Shape shape, const Params& found, void* out, Number type);
 
 // One value of a given kind, as the queries return it (GL 1.3, 6.1.2).
 GLfloat to_float(Kind kind, Param value);

@@ -113,7 +113,7 @@ def shapes_header(chapters, _tokens):
 def wrappers(data, families):
     out = [f"// Entry points: {data['title']}.\n", NOTICE,
            "#include \"gl/api/components.hpp\"\n#include \"gl/api/convert.hpp\"\n#include \"gl/api/generated/commands.hpp\"\n"
-           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n\n"
+           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n#include \"gl/api/params.hpp\"\n\n"
            "using namespace spangle::gl;\nnamespace numeric = spangle::numeric;\n\nextern \"C\" {\n"]
     needs = ()
     for f in families:

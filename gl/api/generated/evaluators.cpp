@@ -5,6 +5,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/api/params.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;

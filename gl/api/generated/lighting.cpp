@@ -5,6 +5,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/api/params.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -14,23 +15,19 @@ extern "C" {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
-    issue<family::Light>(light, pname, convert::scalar_f(shape::Light(pname), param));
+    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightfv: null pointer"));
-    issue<family::Light>(light, pname, convert::vector_f(shape::Light(pname), params));
+    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glLightfv: null pointer"));
 }
 
 void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
-    issue<family::Light>(light, pname, convert::scalar_i(shape::Light(pname), param));
+    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightiv: null pointer"));
-    issue<family::Light>(light, pname, convert::vector_i(shape::Light(pname), params));
+    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glLightiv: null pointer"));
 }
 
 #endif
@@ -38,13 +35,11 @@ void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
-    issue<family::Light>(light, pname, convert::scalar_x(shape::Light(pname), param));
+    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightxvOES: null pointer"));
-    issue<family::Light>(light, pname, convert::vector_x(shape::Light(pname), params));
+    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glLightxvOES: null pointer"));
 }
 
 #endif
@@ -52,19 +47,11 @@ void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) 
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightfv: null pointer"));
-    Params found;
-    fetch<family::GetLight>(found, light, pname);
-    convert::store_f(shape::GetLight(pname), found, params);
+    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glGetLightfv: null pointer"));
 }
 
 void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightiv: null pointer"));
-    Params found;
-    fetch<family::GetLight>(found, light, pname);
-    convert::store_i(shape::GetLight(pname), found, params);
+    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glGetLightiv: null pointer"));
 }
 
 #endif
@@ -72,11 +59,7 @@ void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetLightxvOES: null pointer"));
-    Params found;
-    fetch<family::GetLight>(found, light, pname);
-    convert::store_x(shape::GetLight(pname), found, params);
+    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glGetLightxvOES: null pointer"));
 }
 
 #endif
@@ -84,23 +67,19 @@ void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
-    issue<family::LightModel>(pname, convert::scalar_f(shape::LightModel(pname), param));
+    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModelfv: null pointer"));
-    issue<family::LightModel>(pname, convert::vector_f(shape::LightModel(pname), params));
+    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::f, SPANGLE_TEXT("glLightModelfv: null pointer"));
 }
 
 void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
-    issue<family::LightModel>(pname, convert::scalar_i(shape::LightModel(pname), param));
+    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModeliv: null pointer"));
-    issue<family::LightModel>(pname, convert::vector_i(shape::LightModel(pname), params));
+    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::i, SPANGLE_TEXT("glLightModeliv: null pointer"));
 }
 
 #endif
@@ -108,13 +87,11 @@ void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
-    issue<family::LightModel>(pname, convert::scalar_x(shape::LightModel(pname), param));
+    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLightModelxvOES: null pointer"));
-    issue<family::LightModel>(pname, convert::vector_x(shape::LightModel(pname), params));
+    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::x, SPANGLE_TEXT("glLightModelxvOES: null pointer"));
 }
 
 #endif
@@ -122,23 +99,19 @@ void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
-    issue<family::Material>(face, pname, convert::scalar_f(shape::Material(pname), param));
+    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialfv: null pointer"));
-    issue<family::Material>(face, pname, convert::vector_f(shape::Material(pname), params));
+    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glMaterialfv: null pointer"));
 }
 
 void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
-    issue<family::Material>(face, pname, convert::scalar_i(shape::Material(pname), param));
+    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialiv: null pointer"));
-    issue<family::Material>(face, pname, convert::vector_i(shape::Material(pname), params));
+    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glMaterialiv: null pointer"));
 }
 
 #endif
@@ -146,13 +119,11 @@ void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
-    issue<family::Material>(face, pname, convert::scalar_x(shape::Material(pname), param));
+    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMaterialxvOES: null pointer"));
-    issue<family::Material>(face, pname, convert::vector_x(shape::Material(pname), params));
+    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glMaterialxvOES: null pointer"));
 }
 
 #endif
@@ -160,19 +131,11 @@ void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialfv: null pointer"));
-    Params found;
-    fetch<family::GetMaterial>(found, face, pname);
-    convert::store_f(shape::GetMaterial(pname), found, params);
+    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glGetMaterialfv: null pointer"));
 }
 
 void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialiv: null pointer"));
-    Params found;
-    fetch<family::GetMaterial>(found, face, pname);
-    convert::store_i(shape::GetMaterial(pname), found, params);
+    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glGetMaterialiv: null pointer"));
 }
 
 #endif
@@ -180,11 +143,7 @@ void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
-    Params found;
-    fetch<family::GetMaterial>(found, face, pname);
-    convert::store_x(shape::GetMaterial(pname), found, params);
+    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
 }
 
 #endif
@@ -232,23 +191,19 @@ void GLAPIENTRY glPointSizexOES(GLfixed size) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS
 
 void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param) {
-    issue<family::PointParameter>(pname, convert::scalar_f(shape::PointParameter(pname), param));
+    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glPointParameterfv: null pointer"));
-    issue<family::PointParameter>(pname, convert::vector_f(shape::PointParameter(pname), params));
+    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::f, SPANGLE_TEXT("glPointParameterfv: null pointer"));
 }
 
 void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
-    issue<family::PointParameter>(pname, convert::scalar_i(shape::PointParameter(pname), param));
+    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glPointParameteriv: null pointer"));
-    issue<family::PointParameter>(pname, convert::vector_i(shape::PointParameter(pname), params));
+    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::i, SPANGLE_TEXT("glPointParameteriv: null pointer"));
 }
 
 #endif
@@ -256,13 +211,11 @@ void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param) {
-    issue<family::PointParameter>(pname, convert::scalar_x(shape::PointParameter(pname), param));
+    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
-    issue<family::PointParameter>(pname, convert::vector_x(shape::PointParameter(pname), params));
+    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::x, SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/api/params.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -248,21 +249,21 @@ void GLAPIENTRY glClearStencil(GLint s) {
 }
 
 void GLAPIENTRY glPixelStoref(GLenum pname, GLfloat param) {
-    issue<family::PixelStore>(pname, convert::scalar_f(shape::PixelStore(pname), param));
+    issue_param<family::PixelStore, &shape::PixelStore>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
-    issue<family::PixelStore>(pname, convert::scalar_i(shape::PixelStore(pname), param));
+    issue_param<family::PixelStore, &shape::PixelStore>(pname, &param, convert::Number::i);
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
 
 void GLAPIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
-    issue<family::PixelTransfer>(pname, convert::scalar_f(shape::PixelTransfer(pname), param));
+    issue_param<family::PixelTransfer, &shape::PixelTransfer>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
-    issue<family::PixelTransfer>(pname, convert::scalar_i(shape::PixelTransfer(pname), param));
+    issue_param<family::PixelTransfer, &shape::PixelTransfer>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values) {
@@ -322,23 +323,19 @@ void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GL
 #if SPANGLE_FEATURE_FOG
 
 void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
-    issue<family::Fog>(pname, convert::scalar_f(shape::Fog(pname), param));
+    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogfv: null pointer"));
-    issue<family::Fog>(pname, convert::vector_f(shape::Fog(pname), params));
+    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::f, SPANGLE_TEXT("glFogfv: null pointer"));
 }
 
 void GLAPIENTRY glFogi(GLenum pname, GLint param) {
-    issue<family::Fog>(pname, convert::scalar_i(shape::Fog(pname), param));
+    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogiv: null pointer"));
-    issue<family::Fog>(pname, convert::vector_i(shape::Fog(pname), params));
+    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::i, SPANGLE_TEXT("glFogiv: null pointer"));
 }
 
 #endif
@@ -346,13 +343,11 @@ void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_FOG && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
-    issue<family::Fog>(pname, convert::scalar_x(shape::Fog(pname), param));
+    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogxvOES: null pointer"));
-    issue<family::Fog>(pname, convert::vector_x(shape::Fog(pname), params));
+    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::x, SPANGLE_TEXT("glFogxvOES: null pointer"));
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/api/params.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -176,153 +177,105 @@ GLboolean GLAPIENTRY glIsTexture(GLuint texture) {
 }
 
 void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
-    issue<family::TexParameter>(target, pname, convert::scalar_f(shape::TexParameter(pname), param));
+    issue_param<family::TexParameter, &shape::TexParameter>(target, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameterfv: null pointer"));
-    issue<family::TexParameter>(target, pname, convert::vector_f(shape::TexParameter(pname), params));
+    issue_params<family::TexParameter, &shape::TexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexParameterfv: null pointer"));
 }
 
 void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
-    issue<family::TexParameter>(target, pname, convert::scalar_i(shape::TexParameter(pname), param));
+    issue_param<family::TexParameter, &shape::TexParameter>(target, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameteriv: null pointer"));
-    issue<family::TexParameter>(target, pname, convert::vector_i(shape::TexParameter(pname), params));
+    issue_params<family::TexParameter, &shape::TexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexParameteriv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
-    issue<family::TexParameter>(target, pname, convert::scalar_x(shape::TexParameter(pname), param));
+    issue_param<family::TexParameter, &shape::TexParameter>(target, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexParameterxvOES: null pointer"));
-    issue<family::TexParameter>(target, pname, convert::vector_x(shape::TexParameter(pname), params));
+    issue_params<family::TexParameter, &shape::TexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexParameterxvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameterfv: null pointer"));
-    Params found;
-    fetch<family::GetTexParameter>(found, target, pname);
-    convert::store_f(shape::GetTexParameter(pname), found, params);
+    fetch_params<family::GetTexParameter, &shape::GetTexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexParameterfv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameteriv: null pointer"));
-    Params found;
-    fetch<family::GetTexParameter>(found, target, pname);
-    convert::store_i(shape::GetTexParameter(pname), found, params);
+    fetch_params<family::GetTexParameter, &shape::GetTexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexParameteriv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
-    Params found;
-    fetch<family::GetTexParameter>(found, target, pname);
-    convert::store_x(shape::GetTexParameter(pname), found, params);
+    fetch_params<family::GetTexParameter, &shape::GetTexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
-    issue<family::TexEnv>(target, pname, convert::scalar_f(shape::TexEnv(pname), param));
+    issue_param<family::TexEnv, &shape::TexEnv>(target, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnvfv: null pointer"));
-    issue<family::TexEnv>(target, pname, convert::vector_f(shape::TexEnv(pname), params));
+    issue_params<family::TexEnv, &shape::TexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexEnvfv: null pointer"));
 }
 
 void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
-    issue<family::TexEnv>(target, pname, convert::scalar_i(shape::TexEnv(pname), param));
+    issue_param<family::TexEnv, &shape::TexEnv>(target, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnviv: null pointer"));
-    issue<family::TexEnv>(target, pname, convert::vector_i(shape::TexEnv(pname), params));
+    issue_params<family::TexEnv, &shape::TexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexEnviv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
-    issue<family::TexEnv>(target, pname, convert::scalar_x(shape::TexEnv(pname), param));
+    issue_param<family::TexEnv, &shape::TexEnv>(target, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexEnvxvOES: null pointer"));
-    issue<family::TexEnv>(target, pname, convert::vector_x(shape::TexEnv(pname), params));
+    issue_params<family::TexEnv, &shape::TexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexEnvxvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnvfv: null pointer"));
-    Params found;
-    fetch<family::GetTexEnv>(found, target, pname);
-    convert::store_f(shape::GetTexEnv(pname), found, params);
+    fetch_params<family::GetTexEnv, &shape::GetTexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexEnvfv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnviv: null pointer"));
-    Params found;
-    fetch<family::GetTexEnv>(found, target, pname);
-    convert::store_i(shape::GetTexEnv(pname), found, params);
+    fetch_params<family::GetTexEnv, &shape::GetTexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexEnviv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
-    Params found;
-    fetch<family::GetTexEnv>(found, target, pname);
-    convert::store_x(shape::GetTexEnv(pname), found, params);
+    fetch_params<family::GetTexEnv, &shape::GetTexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterfv: null pointer"));
-    Params found;
-    fetch<family::GetTexLevelParameter>(found, target, level, pname);
-    convert::store_f(shape::GetTexLevelParameter(pname), found, params);
+    fetch_params<family::GetTexLevelParameter, &shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexLevelParameterfv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameteriv: null pointer"));
-    Params found;
-    fetch<family::GetTexLevelParameter>(found, target, level, pname);
-    convert::store_i(shape::GetTexLevelParameter(pname), found, params);
+    fetch_params<family::GetTexLevelParameter, &shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexLevelParameteriv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
-    Params found;
-    fetch<family::GetTexLevelParameter>(found, target, level, pname);
-    convert::store_x(shape::GetTexLevelParameter(pname), found, params);
+    fetch_params<family::GetTexLevelParameter, &shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
 }
 
 #endif

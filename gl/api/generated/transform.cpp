@@ -5,6 +5,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/api/params.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -236,33 +237,27 @@ void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
-    issue<family::TexGen>(coord, pname, convert::scalar_f(shape::TexGen(pname), param));
+    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexGenfv: null pointer"));
-    issue<family::TexGen>(coord, pname, convert::vector_f(shape::TexGen(pname), params));
+    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glTexGenfv: null pointer"));
 }
 
 void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
-    issue<family::TexGen>(coord, pname, convert::scalar_i(shape::TexGen(pname), param));
+    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexGeniv: null pointer"));
-    issue<family::TexGen>(coord, pname, convert::vector_i(shape::TexGen(pname), params));
+    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glTexGeniv: null pointer"));
 }
 
 void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
-    issue<family::TexGen>(coord, pname, convert::scalar_d(shape::TexGen(pname), param));
+    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::d);
 }
 
 void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexGendv: null pointer"));
-    issue<family::TexGen>(coord, pname, convert::vector_d(shape::TexGen(pname), params));
+    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glTexGendv: null pointer"));
 }
 
 #endif
@@ -270,13 +265,11 @@ void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
-    issue<family::TexGen>(coord, pname, convert::scalar_x(shape::TexGen(pname), param));
+    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexGenxvOES: null pointer"));
-    issue<family::TexGen>(coord, pname, convert::vector_x(shape::TexGen(pname), params));
+    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glTexGenxvOES: null pointer"));
 }
 
 #endif
@@ -284,27 +277,15 @@ void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params)
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexGenfv: null pointer"));
-    Params found;
-    fetch<family::GetTexGen>(found, coord, pname);
-    convert::store_f(shape::GetTexGen(pname), found, params);
+    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexGenfv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexGeniv: null pointer"));
-    Params found;
-    fetch<family::GetTexGen>(found, coord, pname);
-    convert::store_i(shape::GetTexGen(pname), found, params);
+    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexGeniv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexGendv: null pointer"));
-    Params found;
-    fetch<family::GetTexGen>(found, coord, pname);
-    convert::store_d(shape::GetTexGen(pname), found, params);
+    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glGetTexGendv: null pointer"));
 }
 
 #endif
@@ -312,11 +293,7 @@ void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params) {
-    if (params == nullptr)
-        return refuse_null(SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
-    Params found;
-    fetch<family::GetTexGen>(found, coord, pname);
-    convert::store_x(shape::GetTexGen(pname), found, params);
+    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
 }
 
 #endif
