@@ -19,10 +19,12 @@ struct Gated : list::Player {
 #endif
 };
 
-template <class... A> struct Command : Gated {
-    void (*run)(Context&, A...) = nullptr;
+template <class... A> struct Command : Gated { void (*run)(Context&, A...) = nullptr; };
+
+/// One that lists take by a function of its own, not word by word.
+template <class... A> struct EncodedCommand : Command<A...> {
 #if SPANGLE_FEATURE_LISTS
-    void (*encode)(Context&, A...) = nullptr; ///< null: word by word
+    void (*encode)(Context&, A...) = nullptr;
 #endif
 };
 
@@ -51,28 +53,29 @@ template <class... A> const Word* play_words(Context& context, const Word* words
     return words;
 }
 
-/// Client data needs an encoder by hand.
-template <class... A>
-inline constexpr bool are_words = ((!std::is_pointer_v<A> && !std::is_same_v<A, const Values&>)&&...);
+/// A record of these arguments.
+void write(Context& context, const Player& player, const Word* words, std::uint32_t count);
 
-template <class... A>
-void write_words(Context& context, const Command<A...>& command, std::type_identity_t<A>... args) {
-    Word* to = record(context, &command, (Codec<A>::words(args) + ... + 0u));
-    if (to != nullptr)
-        ((Codec<A>::store(to, args), to += Codec<A>::words(args)), ...);
-}
+/// The arguments as words of a record.
+template <class... A> struct Words {
+    Word at[(Codec<A>::most + ... + 0u) + 1]; // of a command without arguments, too
+    std::uint32_t count = 0;
+    explicit Words(A... args) { ((Codec<A>::store(at + count, args), count += Codec<A>::words(args)), ...); }
+};
 
 } // namespace list
 
-template <class F, class... A> constexpr Command<A...> command_of(void (*)(Context&, A...)) {
-    Command<A...> command;
+template <class F, class... A> constexpr auto command_of(void (*)(Context&, A...)) {
+    constexpr bool encoded = F::encode != nullptr;
+    std::conditional_t<encoded, EncodedCommand<A...>, Command<A...>> command;
     command.stops = stops<F>;
 #if SPANGLE_MESSAGES
     command.refusal = F::refusal;
 #endif
     command.run = F::run;
 #if SPANGLE_FEATURE_LISTS
-    command.encode = F::encode;
+    if constexpr (encoded)
+        command.encode = F::encode;
     if constexpr (F::listing == Listing::words || F::listing == Listing::attribute)
         command.play = &list::play_words<A...>;
 #endif
@@ -83,8 +86,13 @@ template <class F> inline constexpr auto command = command_of<F>(F::run);
 
 namespace list {
 
+template <class... A>
+void record_words(Context& context, const Command<A...>& command, std::type_identity_t<A>... args) {
+    const Words<A...> words(args...);
+    write(context, command, words.at, words.count);
+}
 template <class F, class... A> inline void record_words(Context& context, const A&... args) {
-    write_words(context, command<F>, args...);
+    record_words(context, command<F>, args...);
 }
 
 } // namespace list

@@ -26,6 +26,17 @@ bool allowed(Context& context, const Gated& command) {
     return false;
 }
 
+#if SPANGLE_FEATURE_LISTS
+bool admit_words(Context& context, const Gated& command, const list::Word* words, std::uint32_t count) {
+    if ((context.gate & gate_compiling) != 0) { // words are of commands that lists take
+        list::write(context, command, words, count);
+        if (!context.list.execute)
+            return false;
+    }
+    return allowed(context, command);
+}
+#endif
+
 Context* outside_begin_end(const char* refusal) {
     Context* const context = current_context();
     if (context == nullptr || !context->inside_begin_end())

@@ -18,19 +18,24 @@ Context* outside_begin_end(const char* refusal);
 
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
 /// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
-/// 9). Arguments come by value, so that they stay in registers on the way that does not come here.
+/// 9).
+bool admit_words(Context& context, const Gated& command, const list::Word* words, std::uint32_t count);
+
+// Arguments come by value, so that they stay in registers on the way that does not come here.
 template <class... A>
 [[gnu::noinline, gnu::cold]] bool admit(const Command<A...>& command, Context& context, A... args) {
 #if SPANGLE_FEATURE_LISTS
-    if ((context.gate & command.stops & gate_compiling) != 0) {
-        if constexpr (list::are_words<A...>) {
-            if (command.encode == nullptr)
-                list::write_words(context, command, args...);
-            else
-                command.encode(context, args...);
-        } else {
-            command.encode(context, args...);
-        }
+    const list::Words<A...> words(args...);
+    return admit_words(context, command, words.at, words.count);
+#else
+    return allowed(context, command);
+#endif
+}
+template <class... A>
+[[gnu::noinline, gnu::cold]] bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
+#if SPANGLE_FEATURE_LISTS
+    if ((context.gate & gate_compiling) != 0) {
+        command.encode(context, args...);
         if (!context.list.execute)
             return false;
     }
@@ -39,8 +44,8 @@ template <class... A>
 }
 
 /// Arguments lie where the family's function takes them.
-template <class... A>
-[[gnu::noinline]] void issue_command(const Command<A...>& command, std::type_identity_t<A>... args) {
+template <template <class...> class Kind, class... A>
+[[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
         return;

@@ -27,18 +27,21 @@ Word* record(Context& context, const Player* player, std::uint32_t words);
 
 /// One word per argument; a matrix and parameters stand last and take more.
 template <class T> struct Codec {
+    static constexpr std::uint32_t most = 1;
     static std::uint32_t words(T) { return 1; }
     static void store(Word* to, T value) { *to = static_cast<Word>(value); }
     static T load(const Word* from) { return static_cast<T>(*from); }
     static std::uint32_t stored(const Word*) { return 1; }
 };
 template <> struct Codec<Real> {
+    static constexpr std::uint32_t most = 1;
     static std::uint32_t words(Real) { return 1; }
     static void store(Word* to, Real value) { *to = value.bits; }
     static Real load(const Word* from) { return {*from}; }
     static std::uint32_t stored(const Word*) { return 1; }
 };
 template <> struct Codec<const Matrix16&> {
+    static constexpr std::uint32_t most = 16;
     static std::uint32_t words(const Matrix16&) { return 16; }
     static void store(Word* to, const Matrix16& matrix) {
         for (const Real element : matrix.m)
@@ -53,6 +56,7 @@ template <> struct Codec<const Matrix16&> {
     static std::uint32_t stored(const Word*) { return 16; }
 };
 template <> struct Codec<const Params&> {
+    static constexpr std::uint32_t most = 1 + sizeof(Params::v) / sizeof(Param);
     static std::uint32_t words(const Params& params) { return 1 + params.count; }
     static void store(Word* to, const Params& params) {
         *to++ = params.count;

@@ -154,6 +154,11 @@ Word* record(Context& context, const Player* player, std::uint32_t words) {
     return append(context, player, words);
 }
 
+void write(Context& context, const Player& player, const Word* words, std::uint32_t count) {
+    if (Word* to = record(context, &player, count); to != nullptr)
+        std::memcpy(to, words, count * sizeof(Word));
+}
+
 bool allowed_outside(Context& context, const char* refusal) {
     if (!context.inside_begin_end())
         return true;
