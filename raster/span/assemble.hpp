@@ -130,23 +130,23 @@ template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const 
     }
 }
 
-template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain) {
+template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain, bool dither) {
     if constexpr (has_tier(Tier::fast) && is_balanced<N> && is_565(Format))
-        chain.template add<BlendCoarse<N, Format>>();
+        chain.template choose<BlendCoarse<N, Format, true>, BlendCoarse<N, Format, false>>(dither);
 }
 
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
     using Words = std::conditional_t<is_565(Format), N, One>; // lanes store 16 bits each
     if (key.coarse)
-        add_coarse<Words, Format>(chain);
+        add_coarse<Words, Format>(chain, key.dither);
     else if (key.blend)
         chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
             !key.blend_general && key.blending == blend_over);
     if (key.masked || key.logic)
         chain.template add<StoreMerged<One, Format>>();
     else
-        chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither);
+        chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither && !key.coarse);
 }
 
 /// The one of these formats that the key names.

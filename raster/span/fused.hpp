@@ -131,6 +131,8 @@ template <class Case> SPANGLE_INLINE void enter_fused(Span<Fixed>& span, const R
         span.length = row.right - row.left;
     }
     span.y = row.y;
+    if constexpr (Case::key.dither)
+        span.counted_from = row.first & 3;
     point_at(span.color, span.depth, *span.target, row.first, row.y,
              format_info(Case::key.format).bytes_per_pixel, 1);
 }
@@ -147,9 +149,12 @@ SPANGLE_INLINE RowPlace place_of(const Surface& target, const Row& row, std::int
 
 /// The place that fragments are counted from; pixel 0 of the span becomes the first that is drawn.
 template <class Case> SPANGLE_INLINE RowPlace enter_counted(Span<Fixed>& span, const Row& row) {
+    const std::int32_t counted_from = Case::numbered ? row.first : row.last;
     span.x = row.first;
     span.y = row.y;
-    return place_of<Case>(*span.target, row, Case::numbered ? row.first : row.last);
+    if constexpr (Case::key.dither)
+        span.counted_from = counted_from & 3;
+    return place_of<Case>(*span.target, row, counted_from);
 }
 
 /// The fragments of a row one by one, counted up to 0: the last index needs no register.
@@ -176,10 +181,13 @@ SPANGLE_INLINE void fused_texels(List& list, const RowPlace& end, std::int32_t n
         fused_loop<false, N>(list, end, -n, 0);
 }
 
-template <class Case> SPANGLE_INLINE void fused_narrow_row(const Span<Fixed>& span, const Row& row) {
+template <class Case> SPANGLE_INLINE void fused_narrow_row(Span<Fixed>& span, const Row& row) {
     using N = typename Case::template System<1>;
-    typename Case::template List<1> list(span, row.first - span.x);
-    if constexpr (takes_rows<decltype(list)>)
+    using List = typename Case::template List<1>;
+    if constexpr (takes_rows<List> && Case::key.dither)
+        span.counted_from = row.last & 3;
+    List list(span, row.first - span.x);
+    if constexpr (takes_rows<List>)
         fused_texels<N>(list, place_of<Case>(*span.target, row, row.last), row.last - row.first);
     else
         fused_narrow<N>(list, span, row.first - span.x, row.last - row.first);

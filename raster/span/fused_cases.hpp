@@ -120,7 +120,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         std::conditional_t<packed, std::conditional_t<L == 1, PackedCoarse, CoarseBytes<L>>, Balanced<L>>;
     /// Blended and dithered by one stage, as packed ones are.
     template <class N>
-    static constexpr bool bytes_dithered = packed&& K.dither&& std::is_same_v<N, ExactBytes<8>>;
+    static constexpr bool bytes_dithered = packed&& K.dither && (std::is_same_v<N, ExactBytes<8>> ||
+                                                                 std::is_same_v<N, CoarseBytes<8>>);
     template <class N>
     using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
     enum class Walk { rows, paths, tiles };
@@ -210,7 +211,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         }
         static auto blend() {
             if constexpr (K.coarse && is_balanced<N>)
-                return std::type_identity<BlendCoarse<N, K.format>>{};
+                return std::type_identity<BlendCoarse<N, K.format, K.dither>>{};
             else if constexpr (K.blend && !is_packed<N> && !bytes_dithered<N>)
                 return std::type_identity<BlendAlpha<N, K.format>>{};
             else
@@ -231,7 +232,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<FoggedStore<K.format, K.dither>>{};
             else if constexpr (stores_light<L>)
                 return std::type_identity<FoggedLightStore<K.format, words_565, K.dither>>{};
-            else if constexpr (K.dither)
+            else if constexpr (K.dither && !K.coarse)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else
                 return std::type_identity<Store<N, K.format>>{};

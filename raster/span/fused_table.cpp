@@ -140,6 +140,9 @@ constexpr FusedSpan table[] = {
     entry<affine.texture(t8888, rgba, nearest, replace).coarse()>(),
     entry<affine.texture(t8888, rgba, nearest, modulate).alpha().coarse()>(),
     entry<affine.alpha().coarse()>(),
+    entry<affine.texture(t8888, rgba, nearest, replace).coarse().dither()>(),
+    entry<affine.texture(t8888, rgba, nearest, modulate).alpha().coarse().dither()>(),
+    entry<affine.alpha().coarse().dither()>(),
     // Lit textures, with and without fog (S9).
     entry<affine.texture(t888, rgb, nearest, modulate).depth(less)>(),
     entry<affine.texture(t565, rgb, nearest, modulate).depth(less)>(),

@@ -171,9 +171,8 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         const bool exact = !has_balanced || drawn(state.tier) == Tier::exact || drawn_narrow(key.format);
         key.number = has_exact && exact ? Number::exact : Number::balanced;
         key.dither = state.dither && is_565(key.format);
-        // Nothing below a step is left to dither.
-        key.coarse = !exact && drawn(state.tier) == Tier::fast && is_565(key.format) && !key.dither &&
-                     key.blend && !key.blend_general && key.blending == blend_over;
+        key.coarse = !exact && drawn(state.tier) == Tier::fast && is_565(key.format) && key.blend &&
+                     !key.blend_general && key.blending == blend_over;
     }
     return key;
 }

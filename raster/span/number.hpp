@@ -205,6 +205,11 @@ struct Coarse {
     template <class T> SPANGLE_INLINE static T over(T s, T a, T k) {
         return ((k << 5) + (s - k) * a + 16) >> 5;
     }
+    /// What is blended of 8 bits s where dithering is on: s less floor(s / 2^Bits) is the colour in
+    /// 2^(Bits - 8) steps, which thresholds are rounded down to; a pattern's mean is within 3/16 of a step.
+    template <unsigned Bits, class T> SPANGLE_INLINE static T dithered(T s, T threshold32) {
+        return (s - (s >> Bits) + (threshold32 >> (Bits - 3))) >> (8 - Bits);
+    }
 };
 
 /// Full weight of a texel, counted in 2^-16; what 16 bits hold where lanes are 16 bits wide.

@@ -34,16 +34,21 @@ struct Packed {
         const Rounded x(s, under);
         return (x.rb & 0xF800) | ((x.g >> 5) & 0x07E0) | x.rb >> 27;
     }
-    /// Balanced<1>::over and dithered, the top bits of products of words, from which the 128 are taken again.
-    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, std::uint32_t threshold32) {
-        constexpr std::uint32_t five = Balanced<1>::step_scale(5), six = Balanced<1>::step_scale(6);
+    /// Of products of words, from which the 128 of Rounded are taken again.
+    struct Threshold {
+        std::uint32_t five, six;
+        constexpr Threshold(std::uint32_t threshold32 = 0)
+            : five((threshold32 << 22) - 128 * by_five), six((threshold32 << 21) - 128 * by_six) {}
+    };
+    /// Balanced<1>::over and dithered, the top bits of products.
+    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
         const Rounded x(s, under);
-        const std::uint32_t t5 = (threshold32 << 22) - 128 * five, t6 = (threshold32 << 21) - 128 * six;
-        return ((x.rb & 0xFFFF) * five + t5) >> 27 << 11 | (x.g * six + t6) >> 26 << 5 |
-               ((x.rb >> 16) * five + t5) >> 27;
+        return ((x.rb & 0xFFFF) * by_five + t.five) >> 27 << 11 | (x.g * by_six + t.six) >> 26 << 5 |
+               ((x.rb >> 16) * by_five + t.five) >> 27;
     }
 
   private:
+    static constexpr std::uint32_t by_five = Balanced<1>::step_scale(5), by_six = Balanced<1>::step_scale(6);
     /// Balanced<1>::over and 128.
     struct Rounded {
         std::uint32_t rb, g;
@@ -76,12 +81,17 @@ struct PackedExact : Packed {
                             b = rounded<5>(s.b() * a + (under & 31) * w5);
         return (r & 0xF800) | ((g >> 5) & 0x07E0) | b >> 11;
     }
+    struct Threshold {
+        std::uint32_t more;
+        constexpr Threshold(std::uint32_t threshold32 = 0) : more((threshold32 * 65025 >> 5) + 511) {}
+    };
     /// Dithered: v is a whole number of 65025ths of a step, so that floor(v + t) is one of the whole numbers
     /// of them. Thresholds are odd 32nds: nothing is nearer to a step than 2^-21, more than Exact is off by.
-    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, std::uint32_t threshold32) {
-        const std::uint32_t more = (threshold32 * 65025 >> 5) + 511;
+    SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
         // Of m s a + 255 (255 - a) k, which is below 2^22 with the threshold.
-        const auto steps = [more](std::uint32_t v) { return (v + more + 511 * ((v + more) >> 16)) >> 16; };
+        const auto steps = [more = t.more](std::uint32_t v) {
+            return (v + more + 511 * ((v + more) >> 16)) >> 16;
+        };
         const std::uint32_t rest = 255 * (255 - s.a()), by5 = 31 * s.a(), by6 = 63 * s.a();
         const std::uint32_t r = steps(s.r() * by5 + (under >> 11) * rest),
                             g = steps(s.g() * by6 + ((under >> 5) & 63) * rest),
@@ -110,15 +120,25 @@ struct PackedExact : Packed {
 struct PackedCoarse : Packed {
     SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }    // 0 of 32
     SPANGLE_INLINE static bool solid(const Color& s) { return s.word >= 252u << 24; } // all of them
-    /// One test for both, by what the weight is made of.
-    SPANGLE_INLINE static bool whole(const Color& s) { return (s.word + (4u << 24)) >> 27 == 0; }
+    /// Of 32; 0 of both, too.
+    SPANGLE_INLINE static std::uint32_t weight(const Color& s) { return (s.word + (4u << 24)) >> 27; }
+    SPANGLE_INLINE static bool whole(const Color& s) { return weight(s) == 0; }
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under) {
-        return over_both(s, under | under << 16);
+        return over_both(s, weight(s), under | under << 16);
+    }
+    struct Threshold {
+        std::uint32_t bytes;
+        constexpr Threshold(std::uint32_t threshold32 = 0)
+            : bytes((threshold32 >> 2) * 0x00010001 + (threshold32 >> 3 << 8)) {}
+    };
+    /// Coarse::dithered: what stays above the bits of its steps is what is blended, or stored. No byte
+    /// reaches the next.
+    SPANGLE_INLINE static Color dithered(const Color& s, const Threshold& t) {
+        return {s.word - (s.word >> 5 & 0x00070007) - (s.word >> 6 & 0x00000300) + t.bytes};
     }
     /// What is stored, twice. Of a colour that is not solid. Every sum is below 2^10 or, of six bits, 2^11:
     /// none reaches the next.
-    SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t both) {
-        const std::uint32_t a = (s.word + (4u << 24)) >> 27; // as whole() has it
+    SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t a, std::uint32_t both) {
         // Taken out before they are put in: five instructions of ARM.
         const std::uint32_t r = numeric::factor32(s.word >> 3 & 31), g = numeric::factor32(s.word >> 10 & 63);
         const std::uint32_t source = (s.word >> 19 & 31) | r << 11 | g << 21;
@@ -151,8 +171,12 @@ template <int Count> struct Bytes {
 /// The bits of PackedCoarse.
 template <int Count> struct CoarseBytes : Bytes<Count> {
     using T = typename Bytes<Count>::T;
+    using Threshold = T;
     template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
         return Coarse::over<T>(s >> (8 - Bits), Coarse::alpha<T>(a), k) << (8 - Bits);
+    }
+    template <unsigned Bits> SPANGLE_INLINE static T dithered(T s, T a, T k, const Threshold& t) {
+        return Coarse::over<T>(Coarse::dithered<Bits, T>(s, t), Coarse::alpha<T>(a), k);
     }
 };
 

@@ -204,7 +204,8 @@ template <class N> class Fragment {
         const FragmentState& state = fixed_.state->fragment;
         if constexpr (is_balanced<N> && is_565(Format))
             if (make_key(state, *fixed_.target, fixed_.kind).coarse) {
-                if (run<BlendCoarse<N, Format>, BlendAlpha<Reference, Format>>())
+                if (state.dither ? run<BlendCoarse<N, Format, true>, BlendAlpha<Reference, Format>>()
+                                 : run<BlendCoarse<N, Format, false>, BlendAlpha<Reference, Format>>())
                     colors(ShadowStage::blend);
                 return;
             }

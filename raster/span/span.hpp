@@ -84,8 +84,9 @@ template <class P> struct Span {
     std::int32_t x, y;               ///< window position of pixel 0
     std::int32_t anchor_x, anchor_y; ///< window position that the planes start from
     Kind kind;
-    bool gray;               ///< red stands for green and blue, too (Variant::gray)
-    std::uint32_t flat_word; ///< Kind::flat: the colour as stored in a 16-bit surface
+    bool gray;                 ///< red stands for green and blue, too (Variant::gray)
+    std::uint8_t counted_from; ///< where fused lists dither: column of the fragment they count from, mod 4
+    std::uint32_t flat_word;   ///< Kind::flat: the colour as stored in a 16-bit surface
 
     Basis basis;
     Affine z;

@@ -67,22 +67,63 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
 };
 
 /// The same of the fast tier, into 565: what is stored afterwards is exact, and no bits below are left.
-template <class N, PixelFormat Format> struct BlendCoarse : StageBase {
+/// Dithering is that of what is blended.
+template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBase {
     static_assert(is_balanced<N> && is_565(Format));
     static constexpr unsigned in = field_color, out = field_color;
     using L = typename N::L;
     using T = typename N::T;
-    template <class S> SPANGLE_INLINE BlendCoarse(const S&, std::int32_t) {}
+    using Row = std::conditional_t<Dither, detail::DitherRow<L>, detail::NoThreshold>;
+    [[no_unique_address]] Row dither;
+    template <class S> SPANGLE_INLINE BlendCoarse(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
         const T a = Coarse::alpha<T>(N::to8(s.a)), word = Words565<L, Format>::load(p.color_plane + 2 * p.i);
-        const auto over = [&](T c, int down, T k) { return Coarse::over<T>(N::to8(c) >> down, a, k); };
-        s.r = N::from5(over(s.r, 3, word >> 11));
-        s.g = N::from6(over(s.g, 2, (word >> 5) & 63));
-        s.b = N::from5(over(s.b, 3, word & 31));
+        s.r = N::from5(Coarse::over<T>(steps<5>(s.r), a, word >> 11));
+        s.g = N::from6(Coarse::over<T>(steps<6>(s.g), a, (word >> 5) & 63));
+        s.b = N::from5(Coarse::over<T>(steps<5>(s.b), a, word & 31));
         return true;
     }
+    SPANGLE_INLINE void step() { dither.step(); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { dither = Row(s.x + x, s.y); }
+
+  private:
+    template <unsigned Bits> SPANGLE_INLINE T steps(T c) const {
+        if constexpr (Dither)
+            return Coarse::dithered<Bits, T>(N::to8(c), dither.threshold());
+        else
+            return N::to8(c) >> (8 - Bits);
+    }
 };
+
+namespace detail {
+
+/// N::Threshold by y & 3, and x from any of a period's columns on.
+template <class N> struct Thresholds {
+    typename N::Threshold at[4][7];
+    constexpr Thresholds() : at{} {
+        for (std::int32_t y = 0; y < 4; ++y)
+            for (std::int32_t x = 0; x < 7; ++x)
+                at[y][x] = dither_threshold(dither_row(y), x);
+    }
+};
+template <class N> inline constexpr Thresholds<N> thresholds_of;
+
+/// A row of them, by the index of fragments: nothing to walk.
+template <class N> class ThresholdRow {
+  public:
+    SPANGLE_INLINE explicit ThresholdRow(const Span<Fixed>& s)
+        : row_(numeric::factor32(thresholds_of<N>.at[s.y & 3] + s.counted_from)) {}
+    SPANGLE_INLINE const typename N::Threshold& at(std::int32_t i) const { return row_[i & 3]; }
+
+  private:
+    const typename N::Threshold* row_;
+};
+struct NoThresholds {
+    SPANGLE_INLINE explicit NoThresholds(const Span<Fixed>&) {}
+};
+
+} // namespace detail
 
 /// BlendAlpha and Store, or StoreDithered, of the packed systems.
 template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBase {
@@ -90,53 +131,61 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;
     using Words = Words565<Lanes<1>, Format>;
-    using Row = std::conditional_t<Dither, detail::DitherRow<Lanes<1>>, detail::NoThreshold>;
+    using Row = std::conditional_t<Dither, detail::ThresholdRow<N>, detail::NoThresholds>;
     [[no_unique_address]] Row dither;
-    SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
+    SPANGLE_INLINE BlendPacked(const Span<Fixed>& s, std::int32_t) : dither(s) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        if constexpr (!Dither && std::is_same_v<N, PackedCoarse>)
+        if constexpr (std::is_same_v<N, PackedCoarse>)
             return blend_coarse(p);
+        else
+            return blend(p);
+    }
+    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t) { dither = Row(s); }
+
+  private:
+    SPANGLE_INLINE bool blend(const Px<N>& p) const {
         if (N::clear(p.color))
             return false;
         std::uint8_t* const at = p.color_plane + 2 * p.i;
+        // What follows a branch is not begun before it.
+        auto s = p.color;
+        asm("" : "+r"(s.word));
         if constexpr (Dither) {
-            Words::store(at, N::over(p.color, Words::load(at), dither.threshold()));
+            Words::store(at, N::over(s, Words::load(at), dither.at(p.i)));
+        } else if (N::solid(s)) {
+            auto copy = s;
+            asm("" : "+r"(copy.word));
+            Words::store(at, N::opaque(copy));
         } else {
-            // What follows a branch is not begun before it.
-            auto s = p.color;
-            asm("" : "+r"(s.word));
-            if (N::solid(s)) {
-                auto copy = s;
-                asm("" : "+r"(copy.word));
-                Words::store(at, N::opaque(copy));
-            } else {
-                Words::store(at, N::over(s, Words::load(at)));
-            }
+            Words::store(at, N::over(s, Words::load(at)));
         }
         return true;
     }
-    SPANGLE_INLINE void step() { dither.step(); }
-    SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) { dither = Row(s.x + x, s.y); }
-
-  private:
+    /// What is blended.
+    SPANGLE_INLINE typename N::Color source(const Px<N>& p) const {
+        if constexpr (Dither)
+            return N::dithered(p.color, dither.at(p.i));
+        else
+            return p.color;
+    }
     /// One test for clear and solid texels; loops end with the others.
-    SPANGLE_INLINE static bool blend_coarse(const Px<N>& p) {
+    SPANGLE_INLINE bool blend_coarse(const Px<N>& p) const {
         const typename N::Color s = p.color;
         if (N::whole(s)) [[unlikely]] {
             if (N::clear(s))
                 return false;
             numeric::begin_here();
-            Words::store(p.color_plane + 2 * p.i, N::opaque(s));
+            Words::store(p.color_plane + 2 * p.i, N::opaque(source(p)));
         } else {
             numeric::begin_here();
             std::uint8_t* const at = p.color_plane + 2 * p.i;
-            Words::store(at, N::over_both(s, Words::load_both(at)));
+            Words::store(at, N::over_both(source(p), N::weight(s), Words::load_both(at)));
         }
         return true;
     }
 };
 
-/// BlendAlpha and StoreDithered of ExactBytes.
+/// BlendAlpha and StoreDithered of Bytes.
 template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr unsigned in = field_color;
     static constexpr bool kill = true, effect = true;

@@ -168,6 +168,71 @@ TEST(Coarse, ErrorOfStoredBits) {
     EXPECT_EQ(coarse<6>(), 2);
 }
 
+/// The same dithered, against floor(steps + t) of real numbers.
+template <unsigned Bits> int coarse_dithered() {
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    int worst = 0;
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k <= most; ++k) {
+                const double steps = (s * a * most / 255. + (255. - a) * k) / 255;
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    const auto got = static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, a, k, t));
+                    worst = std::max(worst, std::abs(got - static_cast<int>(steps + t / 32.)));
+                    if (a == 0) {
+                        EXPECT_EQ(got, static_cast<int>(k));
+                    }
+                }
+            }
+    return worst;
+}
+
+TEST(Coarse, ErrorOfDitheredBits) {
+    EXPECT_EQ(coarse_dithered<5>(), 1);
+    EXPECT_EQ(coarse_dithered<6>(), 2);
+}
+
+/// Solid colours: the mean of a pattern is the colour within 3/16 of a step, both ends exact.
+template <unsigned Bits> void solid_dithered() {
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    for (std::uint32_t s = 0; s < 256; ++s) {
+        int sum = 0;
+        for (std::uint32_t t = 1; t < 32; t += 2)
+            sum += static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, 255, most - s / 8, t));
+        EXPECT_NEAR(sum / 16., s * most / 255., 3 / 16.) << s;
+        if (s == 0 || s == 255) {
+            EXPECT_EQ(sum, static_cast<int>(s / 255 * most * 16));
+        }
+    }
+}
+
+TEST(Coarse, PatternsOfSolidColors) {
+    solid_dithered<5>();
+    solid_dithered<6>();
+}
+
+TEST(Coarse, DitheredPackedHasTheSameBits) {
+    for (std::uint32_t s = 0; s < 256; ++s)
+        for (std::uint32_t a = 0; a < 256; ++a)
+            for (std::uint32_t k = 0; k < 64; ++k)
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    const std::uint32_t g = (s * 5 + a + t) & 255, b = 255 - s, r5 = k & 31, b5 = 31 - r5;
+                    const auto over = [&]<unsigned Bits>(std::uint32_t c, std::uint32_t under) {
+                        return CoarseBytes<1>::dithered<Bits>(c, a, under, t);
+                    };
+                    const std::uint32_t want = over.operator()<5>(s, r5) << 11 |
+                                               over.operator()<6>(g, k) << 5 | over.operator()<5>(b, b5);
+                    const std::uint32_t under = r5 << 11 | k << 5 | b5;
+                    const auto c = PackedCoarse::from_word(s | g << 8 | b << 16 | a << 24),
+                               d = PackedCoarse::dithered(c, t);
+                    ASSERT_EQ(PackedCoarse::clear(c)   ? under
+                              : PackedCoarse::solid(c) ? PackedCoarse::opaque(d)
+                                                       : PackedCoarse::over(d, under),
+                              want)
+                        << s << " " << a << " " << k << " " << t;
+                }
+}
+
 /// Neighbours in the word are the extremes: a sum that reached the next would show.
 TEST(Coarse, PackedHasTheSameBits) {
     for (std::uint32_t s = 0; s < 256; ++s)
