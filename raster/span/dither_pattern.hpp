@@ -42,20 +42,44 @@ struct DitheredWord {
 
 namespace detail {
 
-/// The components of a DitheredWord, four columns at a time.
-template <bool SwapsBytes> struct DitheredColumns {
-    std::uint32_t whole, r, g, b; ///< the word twice, and fractions of its components four times
-    SPANGLE_INLINE explicit DitheredColumns(std::uint32_t components)
-        : whole(DitheredWord{components}.word() * 0x10001), r((components >> 21 & 31) * 0x01010101),
-          g((components >> 10 & 31) * 0x01010101), b((components & 31) * 0x01010101) {}
-    /// Of column x, 0 or 1, of these thresholds, and of x + 2.
-    SPANGLE_INLINE std::uint32_t at(std::uint32_t thresholds, int x) const {
-        constexpr std::uint32_t more = 0x00200020; // where a fraction and its threshold are one step
-        const std::uint32_t words = whole + ((r + thresholds) >> 8 * x & more) * 64 +
-                                    ((g + thresholds) >> 8 * x & more) +
-                                    ((b + thresholds) >> 8 * x & more) / 32;
+/// k of thresholds (2 k + 1) / 32, once for each component of a word, two words at a time as they follow in
+/// memory.
+struct PatternThresholds {
+    std::uint32_t at[8];
+    /// Of a place in rows of four: its row & 3 and column & 3.
+    template <class Row, class Column> constexpr PatternThresholds(Row row, Column column) : at{} {
+        const auto one = [&](int i) {
+            return (dither_threshold(dither_row(row(i)), column(i)) >> 1) * (1u << 11 | 1u << 5 | 1u);
+        };
+        for (int i = 0; i < 8; ++i)
+            at[i] = in_turn(one(2 * i), one(2 * i + 1));
+    }
+};
+inline constexpr PatternThresholds row_thresholds([](int i) { return i >> 2; }, [](int i) { return i; });
+/// Of cells, by pixels per row & 3.
+inline constexpr PatternThresholds cell_thresholds[4] = {
+    {[](int i) { return i; }, [](int i) { return i >> 2; }},
+    {[](int i) { return i; }, [](int i) { return (i >> 2) - i; }},
+    {[](int i) { return i; }, [](int i) { return (i >> 2) - 2 * i; }},
+    {[](int i) { return i; }, [](int i) { return (i >> 2) - 3 * i; }}};
+
+/// The components of a DitheredWord as words of two fragments. A fraction of f 32nds and a threshold are a
+/// step where floor((f + 1) / 2) + k >= 16: five bits for each sum, whose highest lies 4 above the least of
+/// its component.
+template <bool SwapsBytes> class DitheredPair {
+  public:
+    SPANGLE_INLINE explicit DitheredPair(std::uint32_t components)
+        : whole_(DitheredWord{components}.word() * 0x10001),
+          fraction_((half(components >> 21) << 11 | half(components >> 10) << 5 | half(components)) *
+                    0x10001) {}
+    SPANGLE_INLINE std::uint32_t at(std::uint32_t thresholds) const {
+        const std::uint32_t words = whole_ + (((fraction_ + thresholds) & 0x82108210) >> 4);
         return SwapsBytes ? std::rotl(__builtin_bswap32(words), 16) : words;
     }
+
+  private:
+    std::uint32_t whole_, fraction_;
+    SPANGLE_INLINE static std::uint32_t half(std::uint32_t component) { return ((component & 31) + 1) >> 1; }
 };
 
 } // namespace detail
@@ -64,11 +88,10 @@ template <bool SwapsBytes> struct DitheredColumns {
 template <bool SwapsBytes> class DitherRows {
   public:
     SPANGLE_INLINE explicit DitherRows(std::uint32_t components) {
-        const detail::DitheredColumns<SwapsBytes> columns(components);
-        for (std::int32_t y = 0; y < 4; ++y) {
-            const std::uint32_t even = columns.at(dither_row(y), 0), odd = columns.at(dither_row(y), 1);
-            pairs_[y][0] = pairs_[y][2] = detail::in_turn(even & 0xFFFF, odd & 0xFFFF);
-            pairs_[y][1] = pairs_[y][3] = detail::in_turn(even >> 16, odd >> 16);
+        const detail::DitheredPair<SwapsBytes> pair(components);
+        for (int y = 0; y < 4; ++y) {
+            pairs_[y][0] = pairs_[y][2] = pair.at(detail::row_thresholds.at[2 * y]);
+            pairs_[y][1] = pairs_[y][3] = pair.at(detail::row_thresholds.at[2 * y + 1]);
         }
     }
     SPANGLE_INLINE const detail::Half* row(std::int32_t y) const {
@@ -88,18 +111,15 @@ struct NoPattern {
 template <bool SwapsBytes> class DitherCells {
   public:
     [[gnu::noinline]] void make(std::uint32_t components, std::int32_t pixels_per_row) {
-        const detail::DitheredColumns<SwapsBytes> columns(components);
-        int shear = 0;
-        for (std::int32_t y = 0; y < 4; ++y, shear -= 8 * pixels_per_row) {
-            const std::uint32_t t = std::rotr(dither_row(y), shear & 31);
-            const std::uint32_t even = columns.at(t, 0), odd = columns.at(t, 1);
-            word[y] = static_cast<std::uint16_t>(even);
-            word[4 + y] = static_cast<std::uint16_t>(odd);
-            word[8 + y] = static_cast<std::uint16_t>(even >> 16);
-            word[12 + y] = static_cast<std::uint16_t>(odd >> 16);
-        }
+        const detail::DitheredPair<SwapsBytes> pair(components);
+        const std::uint32_t* const thresholds = detail::cell_thresholds[pixels_per_row & 3].at;
+        for (int i = 0; i < 8; ++i)
+            pairs_[i] = pair.at(thresholds[i]);
     }
-    std::uint16_t word[16];
+    SPANGLE_INLINE const detail::Half* words() const { return reinterpret_cast<const detail::Half*>(pairs_); }
+
+  private:
+    std::uint32_t pairs_[8];
 };
 
 } // namespace spangle::raster

@@ -18,7 +18,7 @@ SPANGLE_INLINE bool between_pairs(const std::uint8_t* at) {
 }
 
 /// Two words as they follow each other in memory.
-SPANGLE_INLINE std::uint32_t in_turn(std::uint32_t first, std::uint32_t second) {
+SPANGLE_INLINE constexpr std::uint32_t in_turn(std::uint32_t first, std::uint32_t second) {
     return std::endian::native == std::endian::little ? first | second << 16 : second | first << 16;
 }
 

@@ -389,6 +389,8 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         p.place = at;
         list(p);
         list.step();
+        if constexpr (Dithered)
+            at = numeric::factor32(at); // no step before the word was found: one register less
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;
@@ -421,9 +423,6 @@ template <class Case>
     Px<N> p(span);
     p.live = true;
     p.selects = !numeric::cheap_branches; // a test goes either way, at random
-    DitherCells<Case::swaps> cells;
-    std::uint32_t cells_of = ~0u; // which is no colour
-    p.cells = numeric::factor32(cells.word);
     const std::uint32_t before = PathPixels::before(target);
     if constexpr (Case::patterned) {
         const auto back = static_cast<std::ptrdiff_t>(before) * 2;
@@ -440,10 +439,6 @@ template <class Case>
         for (int c = 0; c < 3; ++c)
             span.color_value[c] = {paths.color[c], paths.color_step[c], 0};
         typename Case::PathStages stages(span, 0);
-        if (Case::patterned && span.flat_word != cells_of) {
-            cells_of = span.flat_word;
-            cells.make(cells_of, target.color_stride / 2);
-        }
         walk_path<Case::patterned>(stages, p, paths, i, before);
     };
     if constexpr (Case::listed) {
@@ -451,10 +446,21 @@ template <class Case>
         for (int i = 0; i < count; i += 4)
             if (!list.add(i)) [[unlikely]] {
                 list.draw();
-                for (int k = i; k < i + 4 && k < count; ++k)
+                for (int k = i; k < i + 4 && k < count; ++k) {
+                    p.cells = list.cells(k);
                     walk(k);
+                }
             }
         list.draw();
+    } else if constexpr (Case::patterned) {
+        DitherCells<Case::swaps> cells;
+        p.cells = numeric::factor32(cells.words());
+        const int together = paths.one_color ? count : 1;
+        for (int first = 0; first < count; first += together) {
+            cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
+            for (int i = first; i < first + together; ++i)
+                walk(i);
+        }
     } else {
         for (int i = 0; i < count; ++i)
             walk(i);

@@ -41,6 +41,11 @@ template <class Case> class PathList {
         return true;
     }
 
+    /// Of path i, where dithered.
+    const detail::Half* cells([[maybe_unused]] int i) const {
+        return cells_[dithers && !paths_.one_color ? i : 0].words();
+    }
+
     /// Those that were added, and forgets them.
     SPANGLE_INLINE void draw() {
         const auto back = static_cast<std::ptrdiff_t>(before_) * 2;
@@ -52,7 +57,7 @@ template <class Case> class PathList {
             const auto* const half = reinterpret_cast<const std::uint8_t*>(f + 1);
             std::uint32_t color_word = One::load(half + (little ? 0 : 2));
             if constexpr (dithers)
-                color_word = cells_[color_word / 16].word[color_word & 15];
+                color_word = cells_[color_word / 16].words()[color_word & 15];
             bool live = true;
             if constexpr (Case::tested) {
                 const std::uint32_t incoming = One::load(half + (little ? 2 : 0)),

@@ -53,8 +53,8 @@ template <class N> struct Px {
     /// One lane, too, stores what was there where it is not alive; a constant of the loop, whose stages all
     /// can.
     bool selects = false;
-    std::uint32_t place;        ///< along paths (PathPixels)
-    const std::uint16_t* cells; ///< and the words of their colour (DitherCells)
+    std::uint32_t place;       ///< along paths (PathPixels)
+    const detail::Half* cells; ///< and the words of their colour (DitherCells)
     typename N::Color color;
     typename N::Coord coord[max_texture_units];
     std::int32_t lod[max_texture_units][N::lanes]; ///< lambda, s23.8

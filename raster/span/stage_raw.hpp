@@ -122,6 +122,8 @@ struct PathPattern : StageBase {
     using N = Raw565<1>;
     template <class S> SPANGLE_INLINE PathPattern(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        if constexpr (numeric::cheap_branches)
+            numeric::begin_here();
         p.color.word = p.cells[PathPixels::cell(p.place)];
         return true;
     }

@@ -251,7 +251,7 @@ TEST(Paths, OneColorIsDitheredAsItsTierDithersColors) {
                                      PathPixels::pixel(static_cast<std::uint32_t>(y * row + x));
             DitherCells<true> cells;
             cells.make(components, row);
-            ASSERT_EQ(cells.word[PathPixels::cell(at)], swapped);
+            ASSERT_EQ(std::uint32_t{cells.words()[PathPixels::cell(at)]}, swapped);
         };
         same(Exact{});
         same(Balanced<1>{});
