@@ -16,6 +16,8 @@ void refuse_feature(const char* text);
 /// The current context where Begin and End allow a command; else null, and INVALID_OPERATION if there is one.
 Context* outside_begin_end(const char* refusal);
 
+#if SPANGLE_FEATURE_LISTS
+
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
 /// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
 /// 9).
@@ -24,24 +26,26 @@ bool admit_words(Context& context, const Gated& command, const list::Word* words
 // Arguments come by value, so that they stay in registers on the way that does not come here.
 template <class... A>
 [[gnu::noinline, gnu::cold]] bool admit(const Command<A...>& command, Context& context, A... args) {
-#if SPANGLE_FEATURE_LISTS
     const list::Words<A...> words(args...);
     return admit_words(context, command, words.at, words.count);
-#else
-    return allowed(context, command);
-#endif
 }
 template <class... A>
 [[gnu::noinline, gnu::cold]] bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
-#if SPANGLE_FEATURE_LISTS
     if ((context.gate & gate_compiling) != 0) {
         command.encode(context, args...);
         if (!context.list.execute)
             return false;
     }
-#endif
     return allowed(context, command);
 }
+
+#else
+
+template <class... A> inline bool admit(const Gated& command, Context& context, const A&...) {
+    return allowed(context, command);
+}
+
+#endif
 
 /// Arguments lie where the family's function takes them.
 template <template <class...> class Kind, class... A>
