@@ -136,7 +136,7 @@ void FixedLighting::derive(const Context& context) {
         return;
     two_side_ = state.two_side;
     local_viewer_ = state.local_viewer;
-    separate_ = state.color_control == GL_SEPARATE_SPECULAR_COLOR;
+    separate_ = raster::has_color_sum && state.color_control == GL_SEPARATE_SPECULAR_COLOR;
     normalize_ = context.transform.normalize;
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(context.transform);
     normal_matrix_ = numeric::to_block_matrix(normal);
@@ -240,7 +240,9 @@ SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out,
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
         out.color[c] = plain_color(sum[c]);
+#if SPANGLE_SECONDARY_COLORS
         out.secondary[c] = 0;
+#endif
     }
     out.color[3] = fold.alpha;
 }
@@ -372,7 +374,9 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
         return set_index(fold, primary, specular, out);
     for (int c = 0; c < 3; ++c) {
         out.color[c] = to_color(separate_ ? primary[c] : primary[c] + specular[c]);
+#if SPANGLE_SECONDARY_COLORS
         out.secondary[c] = separate_ ? to_color(specular[c]) : 0;
+#endif
     }
     out.color[3] = fold.alpha;
 }

@@ -564,13 +564,14 @@ struct FixedMath {
 
     /// The distance of fog: |z_e| stands for the distance to the eye (GL 1.3, 3.10 allows it).
     static void set_fog(Depth eye_z, Window& out) {
-        out.fog_mantissa = eye_z.m < 0 ? -eye_z.m : eye_z.m;
-        out.fog_exponent = eye_z.e;
+        set_fog_coordinate({eye_z.m < 0 ? -eye_z.m : eye_z.m, eye_z.e}, out);
     }
     /// A fog coordinate (GL 1.4, 3.10), which has a sign.
-    static void set_fog_coordinate(Depth coordinate, Window& out) {
+    static void set_fog_coordinate([[maybe_unused]] Depth coordinate, [[maybe_unused]] Window& out) {
+#if SPANGLE_FEATURE_FOG
         out.fog_mantissa = coordinate.m;
         out.fog_exponent = coordinate.e;
+#endif
     }
     static Depth fog_coordinate(const Window& v) {
         return {v.fog_mantissa, v.fog_exponent};

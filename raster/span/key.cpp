@@ -144,7 +144,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     }
     for (int i = 0; i < max_texture_units; ++i)
         key.unit[i] = unit_key(state.unit[i]);
-    key.color_sum = has_color_sum && state.color_sum;
+    key.color_sum = (has_color_sum || !has_chain) && state.color_sum; // without chain, of no span
     key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
     if (state.alpha_test)
         key.alpha = state.alpha_func;

@@ -121,16 +121,23 @@ void draws() {
     baked::draw(part);
     check(glGetError() == GL_NO_ERROR && drawn() > 300, "the model is drawn");
 
-    said.clear();
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const auto draw_without_span = [&] {
+        said.clear();
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        baked::draw(part);
+        if (raster::has_chain)
+            check(glGetError() == GL_NO_ERROR && drawn() > 300, "what has no span runs in the chain");
+        else
+            check(refused(GL_INVALID_OPERATION, "SPANGLE_FUSED") && drawn() == 0,
+                  "what has no span is refused");
+    };
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+    draw_without_span();
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SINGLE_COLOR);
     glDisable(GL_TEXTURE_2D);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    baked::draw(part);
-    if (raster::has_chain)
-        check(glGetError() == GL_NO_ERROR && drawn() > 300, "what has no span runs in the chain");
-    else
-        check(refused(GL_INVALID_OPERATION, "SPANGLE_FUSED") && drawn() == 0, "what has no span is refused");
+    draw_without_span();
 }
 
 void primitives() {

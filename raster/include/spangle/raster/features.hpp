@@ -1,6 +1,8 @@
 // The optional systems of the rasterizer (design 5). CMake defines them; a build by hand has everything.
 #pragma once
 
+#include <spangle/raster/limits.hpp>
+
 #ifndef SPANGLE_FEATURE_FOG
 #define SPANGLE_FEATURE_FOG 1
 #endif
@@ -48,8 +50,10 @@
 namespace spangle::raster {
 
 inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
-/// Secondary colours are those of lights, or of vertices.
-#define SPANGLE_SECONDARY_COLORS (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR)
+/// Secondary colours are those of lights, or of vertices. Only the chain adds them: without it that is an
+/// error.
+#define SPANGLE_SECONDARY_COLORS                                                                             \
+    (SPANGLE_CHAIN && (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR))
 inline constexpr bool has_color_sum = SPANGLE_SECONDARY_COLORS;
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;

@@ -20,7 +20,11 @@ struct FixedVertex {
     std::uint32_t w_mantissa; ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
     std::int16_t w_exponent;
     std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
+#if SPANGLE_FEATURE_FOG
     std::int32_t fog_mantissa;
+#else
+    static constexpr std::int32_t fog_mantissa = 0;
+#endif
     std::uint32_t color[4]; ///< RGBA, colour units, 0 .. color_one; [0] may be an index, 20 fraction bits
 #if SPANGLE_SECONDARY_COLORS
     std::uint32_t secondary[3]; ///< RGB, colour units
