@@ -10,18 +10,30 @@ namespace spangle::gl {
 
 namespace {
 
-template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
+/// The row called `pname`, with its values; null after an error.
+const StateRow* find_values(Context& context, GLenum pname, const void* out, Param (&values)[most_values]) {
     const StateRow* const row = find_state(pname);
-    if (row == nullptr || row->source == Source::pointer)
-        return error(context, GL_INVALID_ENUM);
-    if (row->left_out)
-        return error(context, GL_INVALID_OPERATION, row->missing);
-    if (out == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGet: null pointer"));
-    Param value[most_values];
-    load_state(context, *row, value);
-    for (int i = 0; i < row->count; ++i)
-        out[i] = convert(row->kind, value[i]);
+    if (row == nullptr || row->source == Source::pointer) {
+        error(context, GL_INVALID_ENUM);
+        return nullptr;
+    }
+    if (row->left_out) {
+        error(context, GL_INVALID_OPERATION, row->missing);
+        return nullptr;
+    }
+    if (out == nullptr) {
+        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGet: null pointer"));
+        return nullptr;
+    }
+    load_state(context, *row, values);
+    return row;
+}
+
+template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
+    Param values[most_values];
+    if (const StateRow* const row = find_values(context, pname, out, values); row != nullptr)
+        for (int i = 0; i < row->count; ++i)
+            out[i] = convert(row->kind, values[i]);
 }
 
 } // namespace
