@@ -174,7 +174,8 @@ class Family:
                 vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
                 value = Arg("real value", {})
                 # Floats, and integers one by one, are what programs with a loop of vertices call: no detour.
-                scalars, vectors = len(pad) > 1 and code not in "fi", len(pad) > 1 and code != "f"
+                often = self.listing == "attribute"
+                scalars, vectors = len(pad) > 1 and not (often and code in "fi"), len(pad) > 1 and not (often and code == "f")
                 kind = "convert::components(convert::Element::" + convert(code, "").split("::")[1].removesuffix("()") + f", {size})"
                 yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one, first_tries + [("real", value)] * size,
                                  body=self.components_of(first, names[:size], c, kind) if scalars else None)

@@ -75,6 +75,8 @@ template <class T> T element(const void* array, std::size_t index) {
 
 Real component(Element type, const void* v, std::size_t i) {
     switch (type) {
+    case Element::cast_f:
+        return cast_f(element<GLfloat>(v, i));
     case Element::cast_s:
         return cast_i(element<GLshort>(v, i));
     case Element::cast_i:

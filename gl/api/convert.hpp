@@ -36,6 +36,7 @@ Real unit_ui(GLuint v);
 
 /// The types above, as a number.
 enum class Element : std::uint8_t {
+    cast_f,
     cast_s,
     cast_i,
     cast_d,

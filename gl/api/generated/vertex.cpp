@@ -373,7 +373,8 @@ void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
-    issue<family::MultiTexCoord>(target, convert::cast_i(s), numeric::zero, numeric::zero, numeric::one);
+    const GLint v[] = {s};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
@@ -381,13 +382,12 @@ void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
-    issue<family::MultiTexCoord>(target, convert::cast_f(s), numeric::zero, numeric::zero, numeric::one);
+    const GLfloat v[] = {s};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord1fv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 1), SPANGLE_TEXT("glMultiTexCoord1fv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
@@ -422,7 +422,8 @@ void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
-    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), numeric::zero, numeric::one);
+    const GLint v[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
@@ -430,13 +431,12 @@ void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
-    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), numeric::zero, numeric::one);
+    const GLfloat v[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord2fv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glMultiTexCoord2fv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
@@ -471,7 +471,8 @@ void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
-    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), numeric::one);
+    const GLint v[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
@@ -479,13 +480,12 @@ void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
-    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), numeric::one);
+    const GLfloat v[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord3fv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glMultiTexCoord3fv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
@@ -520,7 +520,8 @@ void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
-    issue<family::MultiTexCoord>(target, convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), convert::cast_i(q));
+    const GLint v[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
@@ -528,13 +529,12 @@ void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-    issue<family::MultiTexCoord>(target, convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), convert::cast_f(q));
+    const GLfloat v[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultiTexCoord4fv: null pointer"));
-    issue<family::MultiTexCoord>(target, convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glMultiTexCoord4fv: null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
@@ -808,7 +808,8 @@ void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
-    issue<family::SecondaryColor>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue));
+    const GLint v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_i, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
@@ -816,13 +817,12 @@ void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
-    issue<family::SecondaryColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue));
+    const GLfloat v[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glSecondaryColor3fv: null pointer"));
-    issue<family::SecondaryColor>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glSecondaryColor3fv: null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) {
@@ -981,7 +981,8 @@ void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
-    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), numeric::zero, numeric::one);
+    const GLint v[] = {x, y};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2iv(const GLint* v) {
@@ -989,13 +990,12 @@ void GLAPIENTRY glRasterPos2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
-    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), numeric::zero, numeric::one);
+    const GLfloat v[] = {x, y};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos2fv: null pointer"));
-    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRasterPos2fv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
@@ -1034,7 +1034,8 @@ void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
-    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), numeric::one);
+    const GLint v[] = {x, y, z};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3iv(const GLint* v) {
@@ -1042,13 +1043,12 @@ void GLAPIENTRY glRasterPos3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), numeric::one);
+    const GLfloat v[] = {x, y, z};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos3fv: null pointer"));
-    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glRasterPos3fv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
@@ -1087,7 +1087,8 @@ void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
-    issue<family::RasterPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), convert::cast_i(w));
+    const GLint v[] = {x, y, z, w};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4iv(const GLint* v) {
@@ -1095,13 +1096,12 @@ void GLAPIENTRY glRasterPos4iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-    issue<family::RasterPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), convert::cast_f(w));
+    const GLfloat v[] = {x, y, z, w};
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRasterPos4fv: null pointer"));
-    issue<family::RasterPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glRasterPos4fv: null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
@@ -1140,7 +1140,8 @@ void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
-    issue<family::WindowPos>(convert::cast_i(x), convert::cast_i(y), numeric::zero);
+    const GLint v[] = {x, y};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2iv(const GLint* v) {
@@ -1148,13 +1149,12 @@ void GLAPIENTRY glWindowPos2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
-    issue<family::WindowPos>(convert::cast_f(x), convert::cast_f(y), numeric::zero);
+    const GLfloat v[] = {x, y};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos2fv: null pointer"));
-    issue<family::WindowPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero);
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glWindowPos2fv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
@@ -1176,7 +1176,8 @@ void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
-    issue<family::WindowPos>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z));
+    const GLint v[] = {x, y, z};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3iv(const GLint* v) {
@@ -1184,13 +1185,12 @@ void GLAPIENTRY glWindowPos3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::WindowPos>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+    const GLfloat v[] = {x, y, z};
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glWindowPos3fv: null pointer"));
-    issue<family::WindowPos>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glWindowPos3fv: null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
