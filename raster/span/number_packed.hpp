@@ -42,9 +42,12 @@ struct Packed {
     };
     /// Balanced<1>::over and dithered, the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
+        // Factors, not the sums of shifts that compilers make of them.
+        std::uint32_t five = numeric::kept_in_register(by_five), // a constant would be known
+            six = numeric::kept_in_register(by_six);
         const Rounded x(s, under);
-        return ((x.rb & 0xFFFF) * by_five + t.five) >> 27 << 11 | (x.g * by_six + t.six) >> 26 << 5 |
-               ((x.rb >> 16) * by_five + t.five) >> 27;
+        return ((x.rb & 0xFFFF) * five + t.five) >> 27 << 11 | (x.g * six + t.six) >> 26 << 5 |
+               ((x.rb >> 16) * five + t.five) >> 27;
     }
 
   private:
