@@ -179,8 +179,12 @@ template <int Count> struct Balanced {
     /// For `mix`: min(max(v, 0), 1), v signed with 24 fraction bits.
     SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
-        if constexpr (Count == 1) // the whole product: 1 and the last threshold stay below 2^32
-            return (v * step_scale(Bits) + (threshold32 << (27 - Bits))) >> (32 - Bits);
+        if constexpr (Count == 1) { // the whole product: 1 and the last threshold stay below 2^32
+            std::uint32_t factor = step_scale(Bits);
+            if constexpr (!numeric::long_products) // Thumb: not the sum of shifts that it makes of a constant
+                factor = numeric::kept_in_register(factor);
+            return (v * factor + (threshold32 << (27 - Bits))) >> (32 - Bits);
+        }
         return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
     template <unsigned Bits> SPANGLE_INLINE static T steps32(T v) { return steps<Bits>(v) >> (11 - Bits); }
