@@ -129,7 +129,7 @@ void Setup<Fixed>::steep_colors(std::uint32_t bias) {
 /// Colours that differ in `bits`.
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
     const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
-    if (span_.kind == Kind::full)
+    if (has_full && span_.kind == Kind::full)
         projective_colors();
     else if (variant.steps)
         stepped_colors(bits, variant.color_bias);
@@ -191,7 +191,7 @@ void Setup<Fixed>::constant_colors(const Vertex& painted) {
     constexpr int up = 24 - color_fraction_bits;
     for (int i = 0; i < 4; ++i)
         span_.color_value[i] = {(painted.color[i] << up) + bias, 0, 0};
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; has_color_sum && i < 3; ++i)
         span_.secondary[i] = {(painted.secondary[i] << up) + bias, 0, 0};
 }
 
@@ -231,14 +231,14 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
     Kind kind = Kind::affine;
     if (bits == 0)
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
-    else if (state_.fragment.perspective && needs_division<Rgb>(bits))
+    else if (has_full && state_.fragment.perspective && needs_division<Rgb>(bits))
         kind = Kind::full;
     span_.kind = kind;
     if (kind == Kind::flat)
         span_.flat_word = flat_word(state_, painted.color);
     else if (bits == 0)
         constant_colors(painted);
-    else if (kind == Kind::full)
+    else if (has_full && kind == Kind::full)
         Rgb&& has_fused_spans&& state_.guesses ? guessed_colors(bits) : divided_colors();
     else if constexpr (Rgb)
         varying_colors<Rgb>(bits);

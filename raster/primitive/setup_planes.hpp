@@ -33,11 +33,11 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add)
         const int some = !Rgb && state_.textured_or_fogged && span_.gray ? 1 : 3;
 #pragma GCC unroll 3
         for (int i = 0; i < some; ++i)
-            add(primary(), i, span_.color_value[i], span_.color_q[i]);
+            add(primary(), i, span_.color_value[i], span_.color_q[has_full ? i : 0]);
     }
     if (!Rgb && needs.alpha)
-        add(primary(), 3, span_.color_value[3], span_.color_q[3]);
-    if (!Rgb && needs.secondary)
+        add(primary(), 3, span_.color_value[3], span_.color_q[has_full ? 3 : 0]);
+    if (has_color_sum && !Rgb && needs.secondary)
         for (int i = 0; i < 3; ++i)
             add(secondary(), i, span_.secondary[i], span_.secondary_q[i]);
 }

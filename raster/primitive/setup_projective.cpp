@@ -41,7 +41,7 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
         std::int32_t v[3];
         for (int k = 0; k < 3; ++k)
             v[k] = over_w(from.v[k]->color[i], from.q[k]);
-        projective(from.by, span.color_q[i], v);
+        projective(from.by, span.color_q[has_full ? i : 0], v);
     }
 }
 

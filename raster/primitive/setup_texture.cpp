@@ -255,7 +255,7 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
 SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool same_w, std::uint32_t color_bits,
                                               const std::int32_t fog[3]) {
     const Needs& needs = state_.needs;
-    if (!same_w && color_bits != 0 && !colors_affine(color_bits))
+    if (has_full && !same_w && color_bits != 0 && !colors_affine(color_bits))
         return Kind::full;
     for (int i = 0; i < max_texture_units; ++i)
         if (has_textures && needs.unit[i] && !unit_affine(i, units[i], same_w))

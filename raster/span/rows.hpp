@@ -47,7 +47,7 @@ struct PlaneRow {
     const Span<Fixed>::Affine (&s)[max_texture_units] = planes.s;
     const Span<Fixed>::Affine (&t)[max_texture_units] = planes.t;
     const Span<Fixed>::Projective& q = planes.q;
-    const Span<Fixed>::Projective (&color_q)[4] = planes.color_q;
+    const Span<Fixed>::Projective (&color_q)[Span<Fixed>::colors_over_w] = planes.color_q;
     const Span<Fixed>::Projective& fog_q = planes.fog_q;
     const Span<Fixed>::Unit (&unit)[max_texture_units] = planes.unit;
     const DrawState* state = planes.state;

@@ -67,11 +67,16 @@ enum class Kind : std::uint8_t {
     full,     ///< everything projective
 };
 inline constexpr int kind_count = 4;
+/// Colours of the fast tier are affine: without the chain none is of Kind::full.
+inline constexpr bool has_full = has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast);
 
 /// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
 /// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte
 /// (design 2).
 template <class P> struct Span {
+    /// Planes that no span of this build looks at have one place together.
+    static constexpr bool all = !std::is_same_v<P, Fixed>;
+    static constexpr int secondaries = all || has_color_sum ? 3 : 1, colors_over_w = all || has_full ? 4 : 1;
     using Affine = Interpolant<typename P::Affine>;
     using Projective = Interpolant<typename P::Projective>;
 
@@ -90,15 +95,15 @@ template <class P> struct Span {
 
     Basis basis;
     Affine z;
-    Affine color_value[4]; ///< RGBA
-    Affine secondary[3];   ///< RGB
+    Affine color_value[4];         ///< RGBA
+    Affine secondary[secondaries]; ///< RGB
     Affine fog;
     bool fog_inside; ///< no fragment's is below 0 or as much as 1 (where there are lanes)
     Affine s[max_texture_units], t[max_texture_units];
 
-    Projective q;          ///< 1/w, > 0, largest vertex in [2^29, 2^30)
-    Projective color_q[4]; ///< colour * 1/w
-    Projective secondary_q[3];
+    Projective q;                      ///< 1/w, > 0, largest vertex in [2^29, 2^30)
+    Projective color_q[colors_over_w]; ///< colour * 1/w
+    Projective secondary_q[secondaries];
     Projective fog_q;
     struct Unit {
         Projective s, t; ///< s/w and t/w; of affine coordinates only dx, for the level of detail

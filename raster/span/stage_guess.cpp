@@ -13,7 +13,7 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y) {
     };
     const Inverse inverse(unguarded(at(span.q)));
     const auto component = [&](int i) {
-        return detail::projective_color(unguarded(at(span.color_q[i])), inverse);
+        return detail::projective_color(unguarded(at(span.color_q[has_full ? i : 0])), inverse);
     };
     const Exact::Color c = {component(0), component(1), component(2), color_one};
     return span.state->fragment.dither ? dithered565<Exact>(c, dither_threshold(dither_row(y), x))
