@@ -71,12 +71,12 @@ template <class T> SPANGLE_INLINE T depth_code(T z, int bits) {
     return (z << 2) - (z >> (bits - 2));
 }
 
-/// A colour in steps of its component of 5, 6 or 5 bits, 8 or 4 of its 255ths each: k steps stay k steps, to
-/// the last of its fraction bits.
+/// A colour in steps of its component of 5, 6 or 5 bits, 8 or 4 of its 255ths each, at most the last of its
+/// fraction bits too small: thresholds are 2^-5 of a step at least, so that k steps stay k.
 SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
     // 31 8 / 255 and 63 4 / 255 of 2^32
     constexpr std::uint32_t five = 0xF8F8F8F9, six = 0xFCFCFCFD;
-    return (numeric::mul_high_u32(c << 4, component == 1 ? six : five) + 8) >> 4;
+    return numeric::mul_high_u32(c, component == 1 ? six : five);
 }
 
 /// A colour as stored in a 16-bit surface.

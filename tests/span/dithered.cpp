@@ -20,15 +20,16 @@ int step_bits(int component) {
     return color_fraction_bits + (component == 1 ? 2 : 3);
 }
 
-/// A 255th of 20 fraction bits and one more have rounding to nearest, and a bit of the factor's.
-TEST(Dithered, ColorsInStepsAreRounded) {
+/// The last bit is dropped, and the factor adds a sixteenth of it at most.
+TEST(Dithered, ColorsInStepsAreTheirFloor) {
     std::mt19937 random(4);
     for (const int component : components)
         for (int i = 0; i < 1000000; ++i) {
             const std::uint32_t c = i == 0 ? color_one : random() % (color_one + 1);
             const double exact = static_cast<double>(c) / color_one * levels(component);
             const double steps = std::ldexp(color_in_steps(c, component), -step_bits(component));
-            ASSERT_LE(std::fabs(steps - exact), std::ldexp(0.5626, -step_bits(component))) << c;
+            ASSERT_LE(steps - exact, std::ldexp(0.0625, -step_bits(component))) << c;
+            ASSERT_LE(exact - steps, std::ldexp(1, -step_bits(component))) << c;
         }
 }
 
