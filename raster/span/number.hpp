@@ -252,6 +252,16 @@ template <int Count> struct Raw565 {
     SPANGLE_INLINE static Color word(const Tops& v) {
         return {(v.r >> below & 0xF800) | ((v.g >> (below + 5)) & 0x07E0) | (v.b >> (below + 11))};
     }
+    /// The same without masks where there is one lane: two shifts a component.
+    SPANGLE_INLINE static Color joined(const Tops& v) {
+        if constexpr (Count > 1) {
+            return word(v);
+        } else {
+            const std::uint32_t red = numeric::factor32(v.r >> 27),
+                                both = numeric::factor32(red << 6 | v.g >> 26);
+            return {both << 5 | v.b >> 27};
+        }
+    }
     /// Rounded to 8 bits (half a 255th was added in set-up), then the top bits.
     SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
                                             const typename L::U32& b) {

@@ -17,6 +17,8 @@ template <int Count, bool Dither> struct GouraudTops : Gouraud<Raw565<Count>, fa
     template <class S>
     SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), dither(s.x + x, s.y) {}
     SPANGLE_INLINE typename N::Tops tops() const {
+        if constexpr (Dither && Count == 1) // sums before a test of depth, and its code, take registers
+            numeric::begin_here();
         const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
         if constexpr (Dither)
             return N::dithered(v, dither.threshold());
@@ -42,7 +44,7 @@ template <int Count> struct GouraudDithered : GouraudTops<Count, true> {
     template <class S>
     SPANGLE_INLINE GouraudDithered(const S& s, std::int32_t x) : GouraudTops<Count, true>(s, x) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color = N::word(this->tops());
+        p.color = N::joined(this->tops());
         return true;
     }
 };

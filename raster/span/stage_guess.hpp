@@ -32,7 +32,7 @@ template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dit
         } else {
             p.open = limit_.reached(v);
         }
-        p.color = N::word(v);
+        p.color = Dither ? N::joined(v) : N::word(v);
         return true;
     }
 
