@@ -139,24 +139,26 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
 
 /// Only red, green and blue are dithered. Their differences take no more bits than they did.
 void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
-    const auto each = [&](auto add) __attribute__((always_inline)) {
-#pragma GCC unroll 3
-        for (int i = 0; i < 3; ++i) {
-            const std::uint32_t s0 = color_in_steps(v(0).color[i], i), s1 = color_in_steps(v(1).color[i], i),
-                                s2 = color_in_steps(v(2).color[i], i);
-            add(span_.color_value[i], (s0 << color_up) + bias, static_cast<std::int32_t>(s1 - s0),
-                static_cast<std::int32_t>(s2 - s0));
-        }
+    const auto add = [&](int i, auto plane) __attribute__((always_inline)) {
+        const std::uint32_t s0 = color_in_steps(v(0).color[i], i), s1 = color_in_steps(v(1).color[i], i),
+                            s2 = color_in_steps(v(2).color[i], i);
+        plane(span_.color_value[i], (s0 << color_up) + bias, static_cast<std::int32_t>(s1 - s0),
+              static_cast<std::int32_t>(s2 - s0));
     };
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
-    if (liftable(bits, lift)) [[likely]]
-        return each([&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
-            add_lifted(at, first, d1, d2, lift, by);
+    if (liftable(bits, lift)) [[likely]] {
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i)
+            add(i, [&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
+                add_lifted(at, first, d1, d2, lift, by);
+            });
+        return;
+    }
+    for (int i = 0; i < 3; ++i)
+        add(i, [&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
+            add_steep(at, first, d1, d2, color_up);
         });
-    each([&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
-        add_steep(at, first, d1, d2, color_up);
-    });
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {

@@ -62,9 +62,10 @@ TEST(Dithered, SumsAreStepsAndThresholds) {
                                    std::ldexp(1, -bits) +
                                t / 32.0)));
             };
-            ASSERT_EQ(One::word(One::dithered(One::tops(r, g, b), t)).word,
-                      step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27))
-                << r << ' ' << g << ' ' << b << ' ' << t;
+            const One::Tops sums = One::dithered(One::tops(r, g, b), t);
+            const std::uint32_t steps = step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27);
+            ASSERT_EQ(One::word(sums).word, steps) << r << ' ' << g << ' ' << b << ' ' << t;
+            ASSERT_EQ(One::joined(sums).word, steps) << r << ' ' << g << ' ' << b << ' ' << t;
         }
 }
 
