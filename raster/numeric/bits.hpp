@@ -107,6 +107,39 @@ template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
     return v;
 }
 
+/// a + b mod 2^32, of words that may be in registers which nothing but moves and sums reach: the eight others
+/// of Thumb are few, and compilers would have both in them.
+SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t b) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("add %0, %1" : "+r"(a) : "r"(b) : "cc"); // NOLINT(hicpp-no-assembler)
+        return a;
+    }
+#endif
+    return a + b;
+}
+/// (u >> u_down << u_up) + (v >> v_down) of such u and v, all shifts below 32.
+SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down, int u_up, std::uint32_t v,
+                                                    int v_down) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r, low;
+        asm(".syntax unified\n\t" // NOLINT(hicpp-no-assembler)
+            "mov %0, %2\n\t"
+            "lsrs %0, %0, %4\n\t"
+            "lsls %0, %0, %5\n\t"
+            "mov %1, %3\n\t"
+            "lsrs %1, %1, %6\n\t"
+            "adds %0, %0, %1"
+            : "=&l"(r), "=&l"(low)
+            : "r"(u), "r"(v), "l"(u_down), "l"(u_up), "l"(v_down)
+            : "cc");
+        return r;
+    }
+#endif
+    return (u >> u_down << u_up) + (v >> v_down);
+}
+
 /// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.
 SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
 #if defined(__thumb2__)
@@ -209,6 +242,21 @@ SPANGLE_INLINE constexpr std::int64_t words_after(std::int64_t v, int n) {
         return v >> n;
     const std::int64_t high = static_cast<std::int32_t>(v >> 32) >> n;
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(high) << 32 | low_word_after(v, n));
+}
+namespace detail {
+
+SPANGLE_INLINE constexpr std::uint32_t high_word_by_words(std::uint64_t v, int n) {
+    const auto high = static_cast<std::uint32_t>(v >> 32), low = static_cast<std::uint32_t>(v);
+    return n < 32 ? high << n | low >> 1 >> (31 - n) : low << (n - 32);
+}
+
+} // namespace detail
+
+/// The high word of v 2^n, 0 <= n < 64.
+SPANGLE_INLINE constexpr std::uint32_t high_word_before(std::uint64_t v, int n) {
+    if constexpr (wide_words)
+        return static_cast<std::uint32_t>(v << n >> 32);
+    return detail::high_word_by_words(v, n);
 }
 /// floor(v / 2^Down), but at least 0 and at most 2^Bits - 1.
 template <int Down, int Bits> SPANGLE_INLINE constexpr std::uint32_t saturated_after(std::int32_t v) {
@@ -316,9 +364,9 @@ SPANGLE_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, std::uint
 
 namespace detail {
 
-constexpr std::uint64_t times_by_words(std::uint64_t v, std::int32_t n) {
+[[gnu::noinline, gnu::const]] constexpr std::uint64_t times_by_words(std::uint64_t v, std::int32_t n) {
     const std::uint32_t high = static_cast<std::uint32_t>(v >> 32) * static_cast<std::uint32_t>(n);
-    return static_cast<std::uint64_t>(mul_s32_u32(n, static_cast<std::uint32_t>(v))) +
+    return HalvesOf<std::int32_t, std::uint32_t>(n, static_cast<std::uint32_t>(v)).product() +
            (std::uint64_t{high} << 32);
 }
 

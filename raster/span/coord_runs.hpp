@@ -21,6 +21,14 @@ struct HomogeneousRow {
     SPANGLE_INLINE std::int32_t s(std::int32_t x) const { return at(x, s0, ds); }
     SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
     SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
+    /// Pixel x is the one it begins at.
+    SPANGLE_INLINE void begin_at(std::int32_t x) {
+        if (x == 0) // rows that nothing clips
+            return;
+        s0 += numeric::times(ds, x);
+        t0 += numeric::times(dt, x);
+        q0 += numeric::times(dq, x);
+    }
 
   private:
     SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
@@ -33,6 +41,9 @@ struct HomogeneousRow {
 SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
+    if constexpr (!numeric::wide_words)
+        if (down > 0 && down < 32) [[likely]]
+            return numeric::words_after(product, down);
     if (down >= 0)
         return product >> (down < 63 ? down : 63);
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << (-down < 63 ? -down : 63));
@@ -57,19 +68,19 @@ SPANGLE_INLINE std::uint32_t to_coord(std::int64_t repeats, bool wraps, std::int
     return static_cast<std::uint32_t>(numeric::saturate_i32(v));
 }
 
-/// d / n, off by 2^-30 of itself and 1; mod 2^32. 0 for n = 0.
-inline std::uint32_t slope(std::int64_t d, std::int32_t n) {
+/// d / n, n that of `length`, off by 2^-30 of itself and 1; mod 2^32. 0 for n <= 0.
+inline std::uint32_t slope(std::int64_t d, std::int32_t n, const Inverse& length) {
     if (n <= 0 || d == 0)
         return 0;
-    const int zeros = numeric::clz32(static_cast<std::uint32_t>(n));
-    const std::uint32_t inverse =
-        numeric::reciprocal(static_cast<std::uint32_t>(n) << zeros); // 2^(62 - zeros) / n
+    const int zeros = length.zeros;
+    const std::uint32_t inverse = length.mantissa; // 2^(62 - zeros) / n
     const std::uint64_t magnitude = numeric::abs_u64(d);
-    const int excess = 32 - numeric::clz64(magnitude), down = excess > 0 ? excess : 0;
+    const int down = magnitude >> 32 == 0 ? 0 : 32 - numeric::clz64(magnitude);
     const std::uint64_t product = numeric::mul_u32(static_cast<std::uint32_t>(magnitude >> down), inverse);
     const int to_right = 62 - zeros - down; // n < 2^31, down <= 32
-    const auto quotient =
-        static_cast<std::uint32_t>(to_right >= 0 ? product >> to_right : product << -to_right);
+    const auto quotient = to_right >= 32 ? static_cast<std::uint32_t>(product >> 32) >> (to_right - 32)
+                                         : static_cast<std::uint32_t>(to_right >= 0 ? product >> to_right
+                                                                                    : product << -to_right);
     return d < 0 ? 0 - quotient : quotient;
 }
 
@@ -80,17 +91,21 @@ struct RunBound {
     std::int32_t repeats; ///< of |N| in repeats
     RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
-        const std::int64_t by = unguarded(row.dq);
+        const std::int32_t by = unguarded(row.dq);
         // What the gradients lost below their last bit is at most Q + |S| in N.
-        const auto numerator = [&](std::uint64_t dv, std::int64_t v) {
-            return log2_fraction8(numeric::abs_u64(unguarded(dv) * std::int64_t{q0} - v * by) +
-                                  (std::uint64_t{1} << 31));
+        const auto numerator = [&](std::uint64_t dv, std::int32_t v) {
+            return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
+                   (std::uint64_t{1} << 31);
         };
-        const std::int32_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
-        const std::int32_t in_s = ns + (span.state->log2_width[unit] << 8),
-                           in_t = nt + (span.state->log2_height[unit] << 8);
-        n = in_s > in_t ? in_s : in_t;
-        repeats = ns > nt ? ns : nt;
+        const std::uint64_t ns = numerator(row.ds, s0), nt = numerator(row.dt, t0);
+        const std::int32_t width = span.state->log2_width[unit] << 8,
+                           height = span.state->log2_height[unit] << 8;
+        repeats = log2_fraction8(ns > nt ? ns : nt); // it does not fall
+        n = repeats + (ns > nt ? width : height);
+        if (width != height) {
+            const std::int32_t other = ns > nt ? log2_fraction8(nt) + height : log2_fraction8(ns) + width;
+            n = n > other ? n : other;
+        }
         dq = log2_fraction8(numeric::abs_u64(by) + 1);
     }
 };
@@ -140,18 +155,24 @@ class CoordRuns {
                 return next_;
             first_run(x);
         }
-        const std::int32_t length = std::int32_t{1} << log2_, from = x & -length, limit = span_->length - 1;
-        next_ = from + length;
-        const auto& wraps = span_->state->wraps[unit_];
-        if (next_ <= limit && wraps.s && wraps.t) [[likely]] {
-            const Sample end(row_, next_, span_->unit[unit_].exponent);
-            s = static_cast<std::uint32_t>(last_.s);
-            t = static_cast<std::uint32_t>(last_.t);
-            ds = static_cast<std::uint32_t>(difference(end.s, last_.s) >> log2_);
-            dt = static_cast<std::uint32_t>(difference(end.t, last_.t) >> log2_);
-            last_ = end;
+        const std::int32_t from = next_;
+        next_ += std::int32_t{1} << log2_;
+        if (next_ <= last_whole_) [[likely]] {
+            row_.q0 += run_.q;
+            const Inverse inverse(row_.q(0));
+            // One after the other: few registers.
+            const auto along = [&](std::uint64_t & row, std::uint64_t run, std::int64_t & last,
+                                   std::uint32_t & v, std::uint32_t & dv) __attribute__((always_inline)) {
+                row += run;
+                const std::int64_t end = detail::to_repeats(unguarded(row), inverse, exponent_);
+                v = static_cast<std::uint32_t>(last);
+                dv = per_pixel(difference(end, last));
+                last = end;
+            };
+            along(row_.s0, run_.s, last_.s, s, ds);
+            along(row_.t0, run_.t, last_.t, t, dt);
         } else {
-            other_run(from, next_ < limit ? next_ : limit);
+            other_run(from);
         }
         if (x != from) {
             s += static_cast<std::uint32_t>(x - from) * ds;
@@ -192,12 +213,21 @@ class CoordRuns {
     /// The start of the first one.
     [[gnu::noinline]] void first_run(std::int32_t x) {
         log2_ = choose_log2();
-        last_ = Sample(row_, x & -(std::int32_t{1} << log2_), span_->unit[unit_].exponent);
+        next_ = x & -(std::int32_t{1} << log2_);
+        row_.begin_at(next_);
+        run_ = {row_.ds << log2_, row_.dt << log2_, row_.dq << log2_};
+        exponent_ = span_->unit[unit_].exponent;
+        last_ = Sample(row_, exponent_);
+        const auto& wraps = span_->state->wraps[unit_];
+        last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
     /// Cut short by the end of the row, or of coordinates that do not wrap.
-    [[gnu::noinline]] void other_run(std::int32_t from, std::int32_t to) {
+    [[gnu::noinline]] void other_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
-        const Sample end(row_, to, unit.exponent);
+        const std::int32_t limit = span_->length - 1, to = next_ < limit ? next_ : limit;
+        row_.begin_at(to - from);
+        const Sample end(row_, exponent_);
+        const Inverse length = to == next_ ? Inverse{} : Inverse(to - from);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
                                std::uint32_t& v, std::uint32_t& dv) {
             v = detail::to_coord(v0, wraps, base);
@@ -205,11 +235,12 @@ class CoordRuns {
                 wraps ? difference(v1, v0)
                       : std::int64_t{static_cast<std::int32_t>(detail::to_coord(v1, false, base))} -
                             static_cast<std::int32_t>(v);
-            dv = to == next_ ? static_cast<std::uint32_t>(d >> log2_) : detail::slope(d, to - from);
+            dv = to == next_ ? per_pixel(d) : detail::slope(d, to - from, length);
         };
         along(last_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
         along(last_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
-        last_ = end;
+        last_.s = end.s; // compilers call memcpy() for both
+        last_.t = end.t;
     }
 
     static constexpr std::int32_t short_row = 16;
@@ -218,8 +249,8 @@ class CoordRuns {
     struct Sample {
         std::int64_t s, t; ///< repeats, 32 fraction bits
         Sample() = default;
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, int exponent)
-            : Sample(row, x, Inverse(row.q(x)), exponent) {}
+        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, int exponent)
+            : Sample(row, 0, Inverse(row.q(0)), exponent) {}
         SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
                               int exponent) {
             s = detail::to_repeats(row.s(x), inverse, exponent);
@@ -227,6 +258,13 @@ class CoordRuns {
         }
     };
 
+    /// The difference of a run's ends over its length.
+    SPANGLE_INLINE std::uint32_t per_pixel(std::int64_t d) const {
+        if constexpr (numeric::wide_words)
+            return static_cast<std::uint32_t>(d >> log2_);
+        return static_cast<std::uint32_t>(d) >> log2_ | static_cast<std::uint32_t>(d >> 32)
+                                                            << 1 << (31 - log2_);
+    }
     SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
         return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
     }
@@ -253,8 +291,12 @@ class CoordRuns {
     }
 
     const Span<Fixed>* span_;
-    detail::HomogeneousRow row_;
-    int unit_;
+    detail::HomogeneousRow row_; ///< begins where the last sample is taken
+    struct {
+        std::uint64_t s, t, q;
+    } run_; ///< from run to run
+    int unit_, exponent_;
+    std::int32_t last_whole_; ///< where runs may end that are not cut short; 0 if coordinates do not wrap
     Sample last_;
 };
 

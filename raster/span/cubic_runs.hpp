@@ -114,8 +114,9 @@ class CubicRuns {
         s = static_cast<std::uint32_t>(start.s);
         t = static_cast<std::uint32_t>(start.t);
         if (whole) {
-            ds = {detail::slope(last_.s - start.s, length), 0, 0};
-            dt = {detail::slope(last_.t - start.t, length), 0, 0};
+            const Inverse steps(length);
+            ds = {detail::slope(last_.s - start.s, length, steps), 0, 0};
+            dt = {detail::slope(last_.t - start.t, length, steps), 0, 0};
             next_ = span_->length;
         } else {
             const std::int32_t dq = last_.q - start.q, e0 = start.ratio(dq), e1 = last_.ratio(dq);

@@ -35,6 +35,8 @@ inline constexpr int clamped_coord_bits = 28;
 template <class T> struct Interpolant {
     T value, dx, dy;
     constexpr T at(std::int32_t columns, std::int32_t rows) const {
+        if constexpr (sizeof(T) == 8 && !numeric::long_products)
+            return value + numeric::times(dx, columns) + numeric::times(dy, rows);
         T start = value + static_cast<T>(columns) * dx;
         if constexpr (sizeof(T) == 4)
             start = numeric::factor32(start); // two multiply-accumulates, no sum of products

@@ -64,8 +64,8 @@ template <bool Cubic> struct CoordWalk {
         const auto slope = static_cast<std::int32_t>(ahead(1) - at);
         if (straight() && slope == 0) // sprites: no product
             return true;
-        return straight() && numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31 &&
-               at >> shift == ahead(n) >> shift;
+        return straight() && at >> shift == ahead(n) >> shift && // mostly not: no long product
+               numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31;
     }
 };
 

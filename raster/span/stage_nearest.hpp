@@ -57,6 +57,8 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
             p, [&](std::uint32_t k) __attribute__((always_inline)) {
                 if constexpr (by_product)
                     return this->texel(this->texels, t.texel() * width_.v + s.texel_of(width_.v));
+                else if constexpr (Base::aside)
+                    return this->texel(this->texels, t.place(s));
                 else
                     return this->texel(this->row_of(t.texel(k)), s.texel(k));
             });

@@ -9,7 +9,7 @@ namespace spangle::raster {
 
 /// Position along one axis, in 2^-FractionBits texels, by one shift of a word that wraps as the texture does.
 /// Lanes find theirs in scalars, which is where addresses are.
-template <bool Cubic, int FractionBits> class TexelAxis {
+template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
   public:
     using Step = decltype(CoordWalk<Cubic>::by);
     TexelAxis() = default;
@@ -23,6 +23,11 @@ template <bool Cubic, int FractionBits> class TexelAxis {
         }
     }
     SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const { return v_.ahead(lane) >> shift_; }
+    /// Where lane 0 has its texel in the image, of which this is the row.
+    SPANGLE_INLINE std::uint32_t place(const TexelAxis& column) const {
+        static_assert(FractionBits == 0);
+        return numeric::joined_aside(v_.at, shift_, column.log2_, column.v_.at, column.shift_);
+    }
     /// The same from the size, a factor32(); lane 0, no fraction.
     SPANGLE_INLINE std::uint32_t texel_of(std::uint32_t size) const {
         static_assert(FractionBits == 0 && numeric::long_products);
@@ -42,7 +47,12 @@ template <bool Cubic, int FractionBits> class TexelAxis {
         else
             return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
     }
-    SPANGLE_INLINE void step(std::uint32_t pixels) { v_.step(pixels); }
+    SPANGLE_INLINE void step(std::uint32_t pixels) {
+        if constexpr (Aside && !Cubic)
+            v_.at = numeric::sum_aside(v_.at, pixels * v_.by);
+        else
+            v_.step(pixels);
+    }
     SPANGLE_INLINE void step_straight(std::uint32_t pixels) { v_.step_straight(pixels); }
     SPANGLE_INLINE bool straight() const { return v_.straight(); }
     /// n steps stay where they are.
@@ -93,7 +103,10 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
 
   protected:
-    using Axis = TexelAxis<is_cubic<Runs>, F::fraction_bits>;
+    /// Where shifts reach few registers, and little else is done with a texel than to fetch it: coordinates
+    /// leave those to addresses.
+    static constexpr bool aside = !numeric::long_products && is_raw<N> && N::lanes == 1;
+    using Axis = TexelAxis<is_cubic<Runs>, F::fraction_bits, aside>;
     Axis s, t;
 
     /// n pixels lie in one row.

@@ -81,6 +81,10 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;
         ASSERT_EQ(detail::times_by_words(wide, a), wide * static_cast<std::uint64_t>(std::int64_t{a}))
             << wide << ' ' << a;
+        for (int n = 0; n < 64; n += 1 + static_cast<int>(u & 7))
+            ASSERT_EQ(detail::high_word_by_words(wide, n), static_cast<std::uint32_t>(wide << n >> 32))
+                << wide << ' ' << n;
+        ASSERT_EQ(joined_aside(u, 26, 6, v, 20), (u >> 26 << 6) + (v >> 20)) << u << ' ' << v;
     };
     std::vector<std::uint32_t> words;
     for (const std::uint32_t edge : {0u, 0x8000u, 0x10000u, 0x7FFF'0000u, 0x8000'0000u, 0xFFFF'0000u})

@@ -122,6 +122,33 @@ TEST(Runs, LinesKeepAQuarterOfATexel) {
     }
 }
 
+/// One logarithm serves both axes of a square texture: it does not fall.
+TEST(Runs, LogarithmsDoNotFall) {
+    std::int32_t before = log2_fraction8((std::uint64_t{1} << 40) - 1);
+    for (std::uint64_t x = 0; x <= 1 << 16; ++x) {
+        const std::int32_t log2 = log2_fraction8((std::uint64_t{1} << 40) + (x << 24));
+        ASSERT_LE(before, log2) << x;
+        before = log2;
+    }
+}
+
+TEST(Runs, AreBoundByTheAxisThatChangesMore) {
+    for (const auto& [width, height] : {std::pair{6, 6}, {6, 9}, {9, 4}})
+        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+            RandomRow row(seed, width, true);
+            row.state.log2_height[0] = static_cast<std::uint8_t>(height);
+            const detail::HomogeneousRow at(row.span, 0);
+            const detail::RunBound bound(row.span, 0, at);
+            const auto log = [&](std::uint64_t dv, std::int32_t v) {
+                const double n = double(unguarded(dv)) * at.q(0) - double(v) * unguarded(at.dq);
+                return 256 * std::log2(std::fabs(n) + 0x1p31);
+            };
+            const double s = log(at.ds, at.s(0)), t = log(at.dt, at.t(0));
+            ASSERT_NEAR(bound.repeats, std::fmax(s, t), 2) << seed;
+            ASSERT_NEAR(bound.n, std::fmax(s + 256 * width, t + 256 * height), 2) << seed;
+        }
+}
+
 /// The fast tier has runs of 16, or longer ones that are proven.
 TEST(Runs, LongLinesOfTheFastTierKeepHalfATexel) {
     int longer = 0;
