@@ -17,6 +17,13 @@
 #else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
 #endif
+/// For those that a run of several pixels shares: smaller builds have one copy, whatever else is built for
+/// speed.
+#if SPANGLE_KERNELS_INLINE
+#define SPANGLE_RUN_INLINE SPANGLE_INLINE
+#else
+#define SPANGLE_RUN_INLINE [[gnu::noinline]] inline
+#endif
 
 namespace spangle::numeric {
 

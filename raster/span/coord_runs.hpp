@@ -31,7 +31,7 @@ struct HomogeneousRow {
     }
 
   private:
-    SPANGLE_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
+    SPANGLE_RUN_INLINE static std::int32_t at(std::int32_t x, std::uint64_t v, std::uint64_t dv) {
         return unguarded(v + numeric::times(dv, x));
     }
 };
@@ -251,8 +251,8 @@ class CoordRuns {
         Sample() = default;
         SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, int exponent)
             : Sample(row, 0, Inverse(row.q(0)), exponent) {}
-        SPANGLE_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
-                              int exponent) {
+        SPANGLE_RUN_INLINE Sample(const detail::HomogeneousRow& row, std::int32_t x, const Inverse& inverse,
+                                  int exponent) {
             s = detail::to_repeats(row.s(x), inverse, exponent);
             t = detail::to_repeats(row.t(x), inverse, exponent);
         }
