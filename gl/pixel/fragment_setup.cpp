@@ -10,6 +10,7 @@
 #include "gl/vertex/engine.hpp"
 #include "raster/band/record.hpp"
 #include "raster/numeric/real.hpp"
+#include "raster/span/fused_keys.hpp"
 
 namespace spangle::gl {
 
@@ -106,8 +107,10 @@ void fill_tests(const Context& context, raster::FragmentState& out) {
     const FragmentOpsState& ops = context.fragment_ops;
     const DepthFormat format = context.drawable.surface.depth_format;
     // Without a stencil or depth buffer the test always passes and nothing is written (GL 1.3, 4.1.5, 4.1.6).
-    out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
-    out.stencil = stencil_of(ops.stencil[0]);
+    if (raster::has_format(DepthFormat::z24s8)) {
+        out.stencil_test = ops.stencil_test && format == DepthFormat::z24s8;
+        out.stencil = stencil_of(ops.stencil[0]);
+    }
     out.depth_test = ops.depth_test && format != DepthFormat::none;
     out.depth_write = ops.depth_mask;
     out.depth_func = compare_of(ops.depth_func);
@@ -182,8 +185,11 @@ void fill_colors(const Context& context, raster::FragmentState& out) {
     out.color_sum = sums_colors(context.lighting);
     out.alpha_test = ops.alpha_test;
     out.alpha_func = compare_of(ops.alpha_func);
-    out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
+    if (raster::spans_test_alpha)
+        out.alpha_ref = static_cast<std::uint8_t>(numeric::to_unit(ops.alpha_ref, 8));
     out.blend = ops.blend;
+    if (!raster::spans_blend)
+        return;
     out.blend_rgb = blending_of(ops.blend_rgb);
     out.blend_alpha = blending_of(ops.blend_alpha);
     for (int c = 0; c < 4; ++c)

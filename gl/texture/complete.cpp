@@ -4,6 +4,7 @@
 
 #include "gl/texture/compressed_format.hpp"
 #include "gl/texture/internal_format.hpp"
+#include "raster/span/fused_keys.hpp"
 
 namespace spangle::gl {
 
@@ -34,7 +35,8 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     const LevelShape& base = texture.image(face, first)->shape;
     if (base.empty())
         return 0;
-    if (!has_mipmaps(texture.parameters.min_filter))
+    // Mipmaps, if only some spans sample them, are looked at by none of these.
+    if (!raster::spans_sample_any || !has_mipmaps(texture.parameters.min_filter))
         return 1;
     if (first > texture.parameters.max_level)
         return 0;
@@ -76,6 +78,8 @@ raster::TextureLevel view_of(const LevelImage& image) {
 }
 
 raster::Wrap wrap_of(GLenum mode) {
+    if (!raster::spans_sample_any)
+        return mode == GL_REPEAT ? raster::Wrap::repeat : raster::Wrap::clamp;
     switch (mode) {
     case GL_CLAMP:
         return raster::Wrap::clamp;
@@ -95,10 +99,11 @@ void set_filters(const TextureObject& texture, raster::Texture& view) {
     const GLenum min = texture.parameters.min_filter;
     const bool linear = min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_LINEAR;
     view.min = linear ? raster::Filter::linear : raster::Filter::nearest;
-    view.mip = !has_mipmaps(min) ? raster::MipFilter::none
-               : min == GL_NEAREST_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_NEAREST
-                   ? raster::MipFilter::nearest
-                   : raster::MipFilter::linear;
+    view.mip =
+        !has_mipmaps(min) ? raster::MipFilter::none
+        : !raster::spans_sample_any || min == GL_NEAREST_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_NEAREST
+            ? raster::MipFilter::nearest
+            : raster::MipFilter::linear;
 }
 
 raster::TextureShape shape_of(TextureKind kind) {
@@ -192,6 +197,8 @@ void build(const TextureObject& texture) {
     view.wrap_r = wrap_of(parameters.wrap[2]);
     set_filters(texture, view);
     view.border_texels = base.shape.border;
+    if (!raster::spans_sample_any)
+        return;
     view.min_lod = numeric::to_fixed(parameters.min_lod, 8);
     view.max_lod = numeric::to_fixed(parameters.max_lod, 8);
     set_border_color(parameters, view);

@@ -2,6 +2,7 @@
 
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/texture/complete.hpp"
+#include "raster/span/fused_keys.hpp"
 
 namespace spangle::gl {
 
@@ -120,8 +121,11 @@ void fill_textures(const Context& context, raster::FragmentState& out) {
         raster::TextureUnit& unit = out.unit[i];
         const TexEnvState& env = context.texture.unit[i].env;
         unit.env = env_of(env.mode);
-        for (int c = 0; c < 4; ++c)
-            unit.env_color[c] = color_units(env.color[c]);
+        if (raster::spans_with_env_color)
+            for (int c = 0; c < 4; ++c)
+                unit.env_color[c] = color_units(env.color[c]);
+        if (!raster::spans_sample_any)
+            continue;
         unit.lod_bias = lod_bias(textures[i]->parameters.lod_bias, env.lod_bias);
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
         if (env.mode == GL_COMBINE)

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "raster/span/fused_keys.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/primitive_state.hpp"
 #include "raster/span/span.hpp"
@@ -71,10 +72,15 @@ struct Variant {
 
 /// Attributes set-up interpolates: nothing that no stage reads.
 struct Needs {
-    bool z = false, rgb = false, alpha = false, secondary = false, fog = false;
+    Flag<spans_with_depth> z = false;
+    Flag<spans_with_color> rgb = false;
+    Flag<spans_with_alpha> alpha = false;
+    Flag<spans_with_sum> secondary = false;
+    bool fog = false;
     bool unit[max_texture_units] = {};
-    bool r[max_texture_units] = {};   ///< of a unit that is on: the third coordinate, too
-    bool lod[max_texture_units] = {}; ///< of such a unit: slopes of its coordinates
+    bool r[max_texture_units] = {}; ///< of a unit that is on: the third coordinate, too
+    Flag<Among{spans_sample_any, false}> lod[max_texture_units] =
+        {}; ///< of such a unit: slopes of its coordinates
     bool any_unit() const {
         bool any = false;
         for (const bool on : unit)
@@ -85,7 +91,7 @@ struct Needs {
 
 constexpr Needs needs_of(const Key& key) {
     Needs needs;
-    needs.z = key.depth != Compare::always || key.depth_write;
+    needs.z = needs_depth(key);
     needs.rgb = key.color;
     needs.alpha = key.color_alpha;
     needs.secondary = key.color_sum;
@@ -110,13 +116,13 @@ struct DrawState {
     FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
     FogConstants fog;
     Needs needs;
-    bool textured_or_fogged = false; ///< some attribute is not a colour or a depth
-    bool smooth_rgb = false;         ///< smooth shading of red, green and blue, nothing else but depth
-    bool shapes = false;             ///< some variant has them,
-    bool tiles = false;              ///< tiles among them
-    bool pixels = false;  ///< colours come with the fragments: four components each in colour units,
-    bool words = false;   ///< or the 16 bits R5 G6 B5 that are stored, in host order
-    bool guesses = false; ///< colours of Kind::full may be guessed (Span::guess)
+    Flag<spans_with_coordinates> textured_or_fogged = false; ///< some attribute is not a colour or a depth
+    bool smooth_rgb = false; ///< smooth shading of red, green and blue, nothing else but depth
+    bool shapes = false;     ///< some variant has them,
+    bool tiles = false;      ///< tiles among them
+    bool pixels = false;     ///< colours come with the fragments: four components each in colour units,
+    bool words = false;      ///< or the 16 bits R5 G6 B5 that are stored, in host order
+    bool guesses = false;    ///< colours of Kind::full may be guessed (Span::guess)
     Tier tier = Tier::exact;
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};
@@ -124,11 +130,11 @@ struct DrawState {
     std::uint8_t color_bytes = 0; ///< of a pixel; 0: a narrow format, whose stages find it by its column
     std::uint8_t depth_bytes = 0; ///< 0: depth is not used
     struct Wraps {
-        bool s = true, t = true;
+        Flag<Among{true, !spans_sample_any}> s = true, t = true;
     } wraps[max_texture_units]; ///< REPEAT; decides the form of texture coordinates (number.hpp, TexCoords)
     /// MIRRORED_REPEAT: set-up counts in two repeats, so that the word wraps as the texture does.
     struct Halves {
-        std::uint8_t s = 0, t = 0;
+        Flag<Among{spans_sample_any, false}> s = false, t = false;
     } halves[max_texture_units];
     /// Of what a coordinate wraps around: two images where it is halved; rounded up.
     std::uint8_t log2_width[max_texture_units] = {}, log2_height[max_texture_units] = {};

@@ -3,64 +3,11 @@
 #include "raster/span/fused_table.hpp"
 
 #include "raster/span/fused_cases.hpp"
+#include "raster/span/fused_keys.hpp"
 
 namespace spangle::raster {
 
 namespace {
-
-/// Words of the table: what a key says beyond its defaults.
-struct Say {
-    Key key;
-    constexpr Say(Number number, Kind kind) {
-        key.number = number;
-        key.kind = kind;
-    }
-    constexpr Say depth(Compare func) const {
-        Say s = *this;
-        s.key.depth = func;
-        s.key.depth_write = true;
-        s.key.depth_format = DepthFormat::z16;
-        return s;
-    }
-    constexpr Say texture(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) const {
-        Say s = *this;
-        s.key.unit[0] = {true, false, texels, base, filter, env};
-        s.key.color = env != TexEnv::replace;
-        return s;
-    }
-    constexpr Say alpha() const {
-        Say s = *this;
-        s.key.color_alpha = true;
-        return s;
-    }
-    constexpr Say blend() const {
-        Say s = *this;
-        s.key.blend = true;
-        s.key.blending = blend_over;
-        return s;
-    }
-    constexpr Say fog() const {
-        Say s = *this;
-        s.key.fog = true;
-        s.key.fog_mode = FogMode::linear;
-        return s;
-    }
-    constexpr Say cubic() const {
-        Say s = *this;
-        s.key.cubic = true;
-        return s;
-    }
-    constexpr Say coarse() const {
-        Say s = blend();
-        s.key.coarse = true;
-        return s;
-    }
-    constexpr Say dither() const {
-        Say s = *this;
-        s.key.dither = true;
-        return s;
-    }
-};
 
 template <Say S> constexpr FusedSpan entry() {
     using Case = FusedCase<S.key>;
@@ -72,20 +19,7 @@ template <Say S> constexpr FusedSpan entry() {
 #endif
 }
 
-constexpr auto less = Compare::less, lequal = Compare::lequal;
-constexpr auto rgb = BaseFormat::rgb, rgba = BaseFormat::rgba;
-constexpr auto nearest = Filter::nearest, linear = Filter::linear;
-constexpr auto replace = TexEnv::replace, modulate = TexEnv::modulate;
-constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = TexelFormat::rgba8888;
-
-constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
-constexpr Say straight(Number::raw565, Kind::affine),
-    bent(Number::raw565, Kind::textured); // texels as they are
-constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
-    full(Number::balanced, Kind::full);
-constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
-    fine_full(Number::exact, Kind::full); // the exact tier
-constexpr Say fine_bent = bent.cubic();
+using namespace table_words;
 
 constexpr FusedSpan table[] = {
 #ifdef SPANGLE_FUSED

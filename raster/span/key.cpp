@@ -1,5 +1,6 @@
 // From GL's state to the canonical key.
 #include "raster/span/draw_state.hpp"
+#include "raster/span/fused_keys.hpp"
 #include "raster/span/texel.hpp"
 #include "raster/span/texture_combine.hpp"
 #include <spangle/raster/features.hpp>
@@ -55,10 +56,13 @@ bool source_alpha(BlendFactor f) {
 }
 
 bool has_alpha(PixelFormat format) {
-    return format_info(format).alpha_bits != 0;
+    return format_info(drawn(format)).alpha_bits != 0;
 }
 
 void blend_key(Key& key, const FragmentState& state) {
+    key.blend = state.blend;
+    if (!spans_blend)
+        return;
     const Blending& rgb = state.blend_rgb;
     const bool same = !has_alpha(key.format) || rgb == state.blend_alpha;
     key.blend = state.blend && !state.logic && !(same && rgb == Blending{});
@@ -79,7 +83,7 @@ bool alpha_is_read(const Key& key, const FragmentState& state) {
 
 /// The colour is 16 bits from its source to the surface.
 bool raw(const Key& key, const FragmentState& state) {
-    if (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le))
+    if (!spans_are_raw || (!has_format(PixelFormat::rgb565_be) && !has_format(PixelFormat::rgb565_le)))
         return false;
     if (!is_565(key.format) || key.fog || key.color_sum || key.alpha != Compare::always || key.blend ||
         key.masked || key.logic || key.stencil || key.samples)

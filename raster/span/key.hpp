@@ -68,6 +68,11 @@ struct Key {
     }
 };
 
+/// Depths are looked at, or written.
+constexpr bool needs_depth(const Key& key) {
+    return key.depth != Compare::always || key.depth_write;
+}
+
 /// Something but texture coordinates varies over 1/w: every fragment divides. In the exact tier coordinates,
 /// too, are divided then.
 constexpr bool divides(Kind kind, bool fog) {

@@ -1,0 +1,142 @@
+// The words in which a table of fused spans is written, and what none of a build's spans looks at, or all of
+// them do: where there is no chain, too, the compiler knows it.
+#pragma once
+
+#include <type_traits>
+
+#include "raster/span/key.hpp"
+
+namespace spangle::raster {
+
+/// What a key says beyond its defaults.
+struct Say {
+    Key key;
+    constexpr Say(Number number, Kind kind) {
+        key.number = number;
+        key.kind = kind;
+    }
+    constexpr Say depth(Compare func) const {
+        Say s = *this;
+        s.key.depth = func;
+        s.key.depth_write = true;
+        s.key.depth_format = DepthFormat::z16;
+        return s;
+    }
+    constexpr Say texture(TexelFormat texels, BaseFormat base, Filter filter, TexEnv env) const {
+        Say s = *this;
+        s.key.unit[0] = {true, false, texels, base, filter, env};
+        s.key.color = env != TexEnv::replace;
+        return s;
+    }
+    constexpr Say alpha() const {
+        Say s = *this;
+        s.key.color_alpha = true;
+        return s;
+    }
+    constexpr Say blend() const {
+        Say s = *this;
+        s.key.blend = true;
+        s.key.blending = blend_over;
+        return s;
+    }
+    constexpr Say fog() const {
+        Say s = *this;
+        s.key.fog = true;
+        s.key.fog_mode = FogMode::linear;
+        return s;
+    }
+    constexpr Say cubic() const {
+        Say s = *this;
+        s.key.cubic = true;
+        return s;
+    }
+    constexpr Say coarse() const {
+        Say s = blend();
+        s.key.coarse = true;
+        return s;
+    }
+    constexpr Say dither() const {
+        Say s = *this;
+        s.key.dither = true;
+        return s;
+    }
+};
+
+namespace table_words {
+
+constexpr auto less = Compare::less, lequal = Compare::lequal;
+constexpr auto rgb = BaseFormat::rgb, rgba = BaseFormat::rgba;
+constexpr auto nearest = Filter::nearest, linear = Filter::linear;
+constexpr auto replace = TexEnv::replace, modulate = TexEnv::modulate;
+constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = TexelFormat::rgba8888;
+
+constexpr Say flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
+constexpr Say straight(Number::raw565, Kind::affine),
+    bent(Number::raw565, Kind::textured); // texels as they are
+constexpr Say affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
+    full(Number::balanced, Kind::full);
+constexpr Say fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),
+    fine_full(Number::exact, Kind::full); // the exact tier
+constexpr Say fine_bent = bent.cubic();
+
+} // namespace table_words
+
+namespace detail {
+
+#if !SPANGLE_CHAIN && defined(SPANGLE_FUSED)
+inline constexpr bool lists_keys = true;
+using namespace table_words;
+template <Say S> constexpr Key entry() {
+    return S.key;
+}
+inline constexpr Key fused_keys[] = {
+#include SPANGLE_FUSED
+};
+#else
+inline constexpr bool lists_keys = false;
+inline constexpr Key fused_keys[1] = {};
+#endif
+
+} // namespace detail
+
+/// Which of a build's spans have a property: maybe some and maybe all of them.
+struct Among {
+    bool some = true, all = false;
+};
+template <class Property> constexpr Among among_spans(Property has) {
+    if (!detail::lists_keys)
+        return {};
+    Among among{false, true};
+    for (const Key& key : detail::fused_keys) {
+        among.some = among.some || has(key);
+        among.all = among.all && has(key);
+    }
+    return among;
+}
+
+inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return needs_depth(k); }),
+                       spans_with_color = among_spans([](const Key&k) { return k.color; }),
+                       spans_with_alpha = among_spans([](const Key&k) { return k.color_alpha; }),
+                       spans_with_sum = among_spans([](const Key&k) { return k.color_sum; }),
+                       spans_with_coordinates =
+                           among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
+inline constexpr bool spans_are_raw =
+                          among_spans([](const Key&k) { return k.number == Number::raw565; }).some,
+                      spans_test_alpha =
+                          among_spans([](const Key&k) { return k.alpha != Compare::always; }).some,
+                      spans_blend = among_spans([](const Key&k) { return k.blend; }).some,
+                      spans_with_env_color = among_spans([](const Key&k) {
+                                                 return k.unit[0].env == TexEnv::blend || k.unit[0].general;
+                                             }).some,
+                      spans_dither = among_spans([](const Key&k) { return k.dither; }).some,
+                      spans_sample_any =
+                          among_spans([](const Key&k) { return k.unit[0].general || k.combine; }).some;
+
+/// A truth about a draw: a bool, unless the spans leave no choice. States that differ are not drawn.
+template <bool Value> struct Known {
+    constexpr Known(bool = Value) {}
+    constexpr operator bool() const { return Value; }
+};
+template <Among A> using Flag = std::conditional_t<A.some && !A.all, bool, Known<A.all>>;
+
+} // namespace spangle::raster
