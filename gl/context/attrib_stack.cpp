@@ -97,7 +97,8 @@ void pop(Context& context, AttribStack& stack) {
     context.arena->free(entry);
     context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
-    if (context.lighting.color_material) // a tracked material is the current colour, whichever was popped
+    if (has_color_material &&
+        context.lighting.color_material) // a tracked material is the current colour, whichever was popped
         color_material_enabled(context);
 #endif
 }

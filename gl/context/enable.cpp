@@ -33,7 +33,7 @@ void set(Context& context, GLenum cap, bool on) {
     flag = on;
     context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
-    if (on && cap == GL_COLOR_MATERIAL)
+    if (has_color_material && on && cap == GL_COLOR_MATERIAL)
         color_material_enabled(context);
 #endif
 }

@@ -8,6 +8,9 @@
 #ifndef SPANGLE_LIGHTS
 #define SPANGLE_LIGHTS 8
 #endif
+#ifndef SPANGLE_LIGHT_KINDS
+#define SPANGLE_LIGHT_KINDS 15
+#endif
 #ifndef SPANGLE_MODELVIEW_STACK
 #define SPANGLE_MODELVIEW_STACK 32
 #endif
@@ -51,6 +54,12 @@ inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
                               name_stack_entries = SPANGLE_NAME_STACK,
                               max_list_nesting = SPANGLE_LIST_NESTING;
 inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
+/// What lighting does beside ambient and diffuse light from one direction for all vertices.
+inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,
+                      has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0, ///< or a viewer, or spots
+    has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
+#define SPANGLE_TWO_SIDES (SPANGLE_FEATURE_LIGHTING && (SPANGLE_LIGHT_KINDS & 4) != 0)
+static_assert(SPANGLE_LIGHT_KINDS < 16);
 inline constexpr int max_clip_planes = 6;
 
 inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;

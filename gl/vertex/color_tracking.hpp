@@ -12,7 +12,7 @@ void color_changed(Context& context);
 /// The same for every change.
 inline void follow_color([[maybe_unused]] Context& context) {
 #if SPANGLE_FEATURE_LIGHTING
-    if (context.lighting.color_material)
+    if (has_color_material && context.lighting.color_material)
         color_changed(context);
 #endif
 }

@@ -162,19 +162,24 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
     for (int c = 0; c < 3; ++c) {
         out.ambient[c] = intensity(light.ambient[c]);
         out.diffuse[c] = intensity(light.diffuse[c]);
-        out.specular[c] = intensity(light.specular[c]);
     }
     const numeric::Block4 p =
         numeric::to_block(light.position[0], light.position[1], light.position[2], light.position[3]);
-    out.directional = p.m[3] == 0;
+    if (has_specular)
+        for (int c = 0; c < 3; ++c)
+            out.specular[c] = intensity(light.specular[c]);
+    out.directional = !has_local_lights || p.m[3] == 0;
     out.spot = !(light.spot_cutoff == Real{0x43340000});
     if (out.directional) {
         out.to_light = numeric::normalize(numeric::xyz(p));
         out.facing = in_object_space(normal, out.to_light, normal_matrix_.column);
-        out.half = half_vector(out.to_light, toward_viewer);
+        if (has_specular)
+            out.half = half_vector(out.to_light, toward_viewer);
     } else {
         out.position = numeric::mul(numeric::xyz(p), numeric::reciprocal(numeric::component(p, 3)));
     }
+    if (!has_local_lights)
+        return;
     const Real(&d)[3] = light.spot_direction;
     out.spot_axis = numeric::normalize(numeric::to_block(d[0], d[1], d[2]));
     out.spot_cosine =
@@ -188,7 +193,7 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
 }
 
 void FixedLighting::fold(const Context& context) {
-    for (int side = 0; side < (two_side_ ? 2 : 1); ++side) {
+    for (int side = 0; side < (two_sided() ? 2 : 1); ++side) {
         const Material& material = context.lighting.material[side];
         fold_side(indexed() ? weighing(material) : material, fold_[side]);
         for (int i = 0; i < 3; ++i)
@@ -199,7 +204,8 @@ void FixedLighting::fold(const Context& context) {
 
 void FixedLighting::fold_side(const Material& material, Fold& out) const {
     out.alpha = FixedMath::color_units(material.diffuse[3]);
-    out.shininess = numeric::power_exponent(material.shininess);
+    if (has_specular)
+        out.shininess = numeric::power_exponent(material.shininess);
     out.has_specular = false;
     std::uint32_t brightest = 0;
     for (int c = 0; c < 3; ++c) {
@@ -214,6 +220,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
                 base += own;
             out.diffuse[i][c] = times(diffuse, s.diffuse[c]);
             brightest |= numeric::abs_u32(out.diffuse[i][c]);
+            if (!has_specular)
+                continue;
             out.specular[i][c] = times(specular, s.specular[c]);
             out.has_specular = out.has_specular || out.specular[i][c] != 0;
         }
@@ -308,7 +316,7 @@ void FixedLighting::add_directional(const Source& source, const Fold& fold, int 
         return;
     for (int c = 0; c < 3; ++c)
         primary[c] += weighted(fold.diffuse[i][c], facing);
-    if (!fold.has_specular || is_zero(fold.specular[i]))
+    if (!has_specular || !fold.has_specular || is_zero(fold.specular[i]))
         return;
     const std::uint32_t shiny = shine(cosine(n.m, n.fraction_bits, source.half), fold.shininess);
     for (int c = 0; c < 3; ++c)
@@ -348,7 +356,7 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
     const std::uint32_t lit = scaled(facing, strength);
     for (int c = 0; c < 3; ++c)
         primary[c] += weighted(fold.diffuse[i][c], lit);
-    if (!fold.has_specular || is_zero(fold.specular[i]))
+    if (!has_specular || !fold.has_specular || is_zero(fold.specular[i]))
         return;
     const numeric::Unit3 half =
         half_vector(to_light, local_viewer_ ? numeric::normalize(numeric::negate(eye)) : toward_viewer);
@@ -365,7 +373,7 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
     for (int i = 0; i < count_; ++i) {
-        if (source_[i].simple() && !local_viewer_)
+        if (!has_local_lights || (source_[i].simple() && !local_viewer_))
             add_directional(source_[i], fold, i, n, primary, specular);
         else
             add_general(source_[i], fold, i, eye, n, primary, specular);

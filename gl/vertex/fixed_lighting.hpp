@@ -22,10 +22,10 @@ class FixedLighting {
     /// A material or a tracked colour changed between Begin and End.
     void materials_changed() { folded_ = false; }
 
-    bool needs_eye() const { return on_ && needs_eye_; }
-    bool two_sided() const { return on_ && two_side_; }
+    bool needs_eye() const { return has_local_lights && on_ && needs_eye_; }
+    bool two_sided() const { return SPANGLE_TWO_SIDES && on_ && two_side_; }
     /// The material follows the current colour: every vertex is lit when it is given.
-    bool tracks_color() const { return tracks_color_; }
+    bool tracks_color() const { return has_color_material && tracks_color_; }
 
     static Input input(const Real (&n)[3]) { return {{n[0], n[1], n[2]}}; }
 
@@ -54,8 +54,9 @@ class FixedLighting {
 
     struct Source {
         bool directional = true, spot = false, attenuated = false;
-        bool simple() const { return directional && !spot; } ///< reaches every vertex alike
-        numeric::Unit3 to_light;                             ///< directional: unit vector to the light
+        /// Reaches every vertex alike.
+        bool simple() const { return !has_local_lights || (directional && !spot); }
+        numeric::Unit3 to_light;   ///< directional: unit vector to the light
         numeric::BlockRow3 facing; ///< directional: to_light times the normal matrix, for normals as given
         numeric::Unit3 half;       ///< directional, viewer at infinity: unit half vector
         numeric::Block3 position;  ///< positional, eye space
@@ -90,7 +91,7 @@ class FixedLighting {
     unsigned index_bits_ = 0;  ///< of an index framebuffer; 0: colours
     int count_ = 0;            ///< enabled lights
     Source source_[max_lights];
-    Fold fold_[2];
+    Fold fold_[SPANGLE_TWO_SIDES ? 2 : 1];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 

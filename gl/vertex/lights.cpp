@@ -44,6 +44,12 @@ void materials_change(Context& context) {
     context.changed(dirty_vertex);
 }
 
+/// What this build's lights do not do (SPANGLE_LIGHT_KINDS).
+void refuse(Context& context) {
+    error(context, GL_INVALID_OPERATION,
+          SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS)"));
+}
+
 /// Sets a property of the materials in `sides`; the one list of pnames that both Material and ColorMaterial
 /// name.
 void set_property(Material& m, GLenum pname, const Real (&v)[4]) {
@@ -72,7 +78,8 @@ void set_property(Material& m, GLenum pname, const Real (&v)[4]) {
 
 /// A property tracked by ColorMaterial cannot be set by Material (GL 1.3, corollary 11).
 bool tracked(const LightingState& state, unsigned side, GLenum pname) {
-    if (!state.color_material || (sides_of(state.color_material_face) & (1u << side)) == 0)
+    if (!has_color_material || !state.color_material ||
+        (sides_of(state.color_material_face) & (1u << side)) == 0)
         return false;
     const GLenum mode = state.color_material_parameter;
     return mode == pname || (mode == GL_AMBIENT_AND_DIFFUSE && (pname == GL_AMBIENT || pname == GL_DIFFUSE));
@@ -127,6 +134,8 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
         copy(l.specular, params);
         break;
     case GL_POSITION:
+        if (!has_local_lights && !numeric::is_zero(v[3]))
+            return refuse(context);
         to_eye(context, v, l.position, 4);
         break;
     case GL_SPOT_DIRECTION:
@@ -140,6 +149,8 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
     case GL_SPOT_CUTOFF:
         if (!in_range(v[0], ninety) && !(v[0] == hundred_eighty))
             return error(context, GL_INVALID_VALUE);
+        if (!has_local_lights && !(v[0] == hundred_eighty))
+            return refuse(context);
         l.spot_cutoff = v[0];
         break;
     case GL_CONSTANT_ATTENUATION:
@@ -193,9 +204,13 @@ void LightModel(Context& context, GLenum pname, const Params& params) {
         copy(state.model_ambient, params);
         break;
     case GL_LIGHT_MODEL_LOCAL_VIEWER:
+        if (!has_local_lights && params.v[0].integer() != 0)
+            return refuse(context);
         state.local_viewer = params.v[0].integer() != 0;
         break;
     case GL_LIGHT_MODEL_TWO_SIDE:
+        if (!SPANGLE_TWO_SIDES && params.v[0].integer() != 0)
+            return refuse(context);
         state.two_side = params.v[0].integer() != 0;
         break;
     case GL_LIGHT_MODEL_COLOR_CONTROL: {
@@ -218,9 +233,12 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
         return error(context, GL_INVALID_ENUM);
     if (pname == GL_SHININESS && !in_range(params.v[0].real(), hundred_twenty_eight))
         return error(context, GL_INVALID_VALUE);
-    materials_change(context);
     Real v[4];
     copy(v, params);
+    const bool black = numeric::is_zero(v[0]) && numeric::is_zero(v[1]) && numeric::is_zero(v[2]);
+    if (!has_specular && pname == GL_SPECULAR && !black)
+        return refuse(context);
+    materials_change(context);
     for (unsigned side = 0; side < 2; ++side) {
         if ((sides & (1u << side)) == 0)
             continue;
@@ -272,7 +290,7 @@ void ColorMaterial(Context& context, GLenum face, GLenum mode) {
         return error(context, GL_INVALID_ENUM);
     context.lighting.color_material_face = face;
     context.lighting.color_material_parameter = mode;
-    if (context.lighting.color_material)
+    if (has_color_material && context.lighting.color_material)
         track(context);
     context.changed(dirty_vertex);
 }

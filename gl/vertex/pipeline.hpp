@@ -131,14 +131,14 @@ template <class M, class L> class Pipeline {
 #if SPANGLE_FEATURE_FOG
         typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
+#if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
         typename M::Eye eye{};
 #endif
-        [[no_unique_address]] typename L::Input light{};
 #if SPANGLE_FEATURE_FEEDBACK
         typename M::Eye texture{}; ///< while primitives are fed back
 #endif
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
+        typename L::Input light{}; ///< for the back; the colour of the front is there
         typename M::Colors back{}; ///< while back_known
 #endif
     };
@@ -214,7 +214,7 @@ template <class M, class L> class Pipeline {
     Real unlit_color_[4] = {}; ///< of which this was converted
     bool has_unlit_color_ = false;
     Vertex slot_[slot_count];
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
     typename M::Colors back_[slot_count]; ///< of slot_, while back_known
 #endif
 #if SPANGLE_VERTEX_CACHE != 1

@@ -8,7 +8,7 @@
 namespace spangle::gl {
 
 template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
-    return planes_.any() || (lit_ && lighting_.needs_eye()) || modal_points();
+    return planes_.any() || (SPANGLE_TWO_SIDES && lit_ && lighting_.needs_eye()) || modal_points();
 }
 
 /// The vertex with all that clipping mixes; colours come first.
@@ -21,16 +21,16 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     if (fog_)
         out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
+#if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::to_eye(transforms_, v.position);
 #endif
-    out.light = L::input(v.normal);
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
         out.texture = texture_[&v - slot_];
 #endif
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
+    out.light = L::input(v.normal);
     if ((v.flags & back_known) != 0)
         out.back = back_[&v - slot_];
 #endif
@@ -50,18 +50,18 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
             M::set_fog(out.eye_z, out.window);
     }
 #endif
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
+#if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::mix(a.eye, b.eye, t);
 #endif
-    L::mix(a.light, b.light, t, out.light);
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
         out.texture = M::mix(a.texture, b.texture, t);
 #endif
     out.clip = M::mix(a.clip, b.clip, t);
     out.flags = flags_of(out.clip) | is_cut;
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
+    L::mix(a.light, b.light, t, out.light);
     if ((a.flags & b.flags & back_known) != 0) {
         M::mix_color(a.back, b.back, t, out.back);
         out.flags |= back_known;

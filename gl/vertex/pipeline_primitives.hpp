@@ -249,7 +249,7 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
         return;
     if (SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides_)
         state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
-    if (SPANGLE_FEATURE_LIGHTING && ccw != front_is_ccw_ && two_sided_)
+    if (SPANGLE_TWO_SIDES && ccw != front_is_ccw_ && two_sided_)
         return draw_back(corners, n, provoking, part);
     for (int i = 0; i < n && !flat_; ++i)
         color(*corners[i]);

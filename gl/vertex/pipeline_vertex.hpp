@@ -158,7 +158,7 @@ template <class M, class L> unsigned Pipeline<M, L>::flags_of(const typename M::
 
 /// Side 0 is the front, 1 the back.
 template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side, Window& out) {
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
     if ((v.flags & is_cut) != 0) {
         const Cut& cut = static_cast<const Cut&>(v);
         return lighting_.light(*context_, cut.light, cut.eye, side, out);
@@ -201,7 +201,7 @@ template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
 
 template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
     static constexpr typename M::Eye unseen{};
-    if ((v.flags & is_cut) != 0 || lighting_.needs_eye())
+    if ((SPANGLE_TWO_SIDES && (v.flags & is_cut) != 0) || lighting_.needs_eye())
         light(v, 0, v.window);
     else
         lighting_.light(*context_, v.normal, unseen, 0, v.window);
@@ -210,7 +210,7 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
 
 /// The colour of the other side, too, while the material is that of now. The vertex is one of slot_.
 template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
     if (!two_sided_ || (v.flags & (back_known | is_cut)) != 0)
         return;
     Window lit;
@@ -221,7 +221,7 @@ template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unuse
 }
 
 template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v, Window& out) {
-#if SPANGLE_FEATURE_LIGHTING
+#if SPANGLE_TWO_SIDES
     if ((v.flags & back_known) != 0)
         return M::copy_color((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).back : back_[&v - slot_],
                              out);

@@ -140,6 +140,77 @@ void draws() {
     draw_without_span();
 }
 
+/// A state of fragments or textures that no span of a build without the chain has: an error, nothing drawn.
+template <class Set, class Reset> void needs_chain(const char* what, Set set, Reset reset) {
+    if (raster::has_chain)
+        return;
+    said.clear();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    set();
+    baked::draw(baked::rocket::parts[0]);
+    check(refused(GL_INVALID_OPERATION, "SPANGLE_FUSED") && drawn() == 0, what);
+    reset();
+    baked::draw(baked::rocket::parts[0]);
+    check(glGetError() == GL_NO_ERROR && drawn() > 300, "the model is drawn again");
+}
+
+void states() {
+    const auto capability = [](const char* what, GLenum cap) {
+        needs_chain(
+            what, [cap] { glEnable(cap); }, [cap] { glDisable(cap); });
+    };
+    const auto parameter = [](const char* what, GLenum name, GLint set, GLint reset) {
+        needs_chain(
+            what, [=] { glTexParameteri(GL_TEXTURE_2D, name, set); },
+            [=] { glTexParameteri(GL_TEXTURE_2D, name, reset); });
+    };
+    glDisable(GL_BLEND);
+    glEnable(GL_TEXTURE_2D);
+    glAlphaFunc(GL_LESS, 0.5f);
+    glLogicOp(GL_XOR);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    capability("blending", GL_BLEND);
+    capability("the test of alpha", GL_ALPHA_TEST);
+    capability("logical operations", GL_COLOR_LOGIC_OP);
+    capability("dithering", GL_DITHER);
+    parameter("clamped coordinates", GL_TEXTURE_WRAP_S, GL_CLAMP, GL_REPEAT);
+    parameter("mirrored ones", GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT, GL_REPEAT);
+    parameter("filtered textures", GL_TEXTURE_MAG_FILTER, GL_LINEAR, GL_NEAREST);
+    parameter("mipmaps", GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST);
+    const auto environment = [](GLint mode) { glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode); };
+    needs_chain(
+        "an environment", [=] { environment(GL_BLEND); }, [=] { environment(GL_MODULATE); });
+}
+
+/// What lights and materials do not do in this build.
+void lights() {
+    const auto expect = [](bool there, const char* what) {
+        check(there ? glGetError() == GL_NO_ERROR : refused(GL_INVALID_OPERATION, "SPANGLE_LIGHT_KINDS"),
+              what);
+        said.clear();
+    };
+    said.clear();
+    static constexpr GLfloat near[4] = {0, 0, 1, 1}, far[4] = {0, 0, 1, 0}, black[4] = {0, 0, 0, 1};
+    glLightfv(GL_LIGHT0, GL_POSITION, near);
+    expect(gl::has_local_lights, "lights with a position");
+    glLightfv(GL_LIGHT0, GL_POSITION, far);
+    expect(true, "far lights");
+    glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 45);
+    expect(gl::has_local_lights, "spots");
+    glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 180);
+    expect(true, "no spots");
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+    expect(gl::has_local_lights, "a local viewer");
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    expect(SPANGLE_TWO_SIDES, "two sides");
+    glMaterialfv(GL_FRONT, GL_SPECULAR, near);
+    expect(gl::has_specular, "materials that shine");
+    glMaterialfv(GL_FRONT, GL_SPECULAR, black);
+    expect(true, "materials that do not");
+    glEnable(GL_COLOR_MATERIAL);
+    expect(gl::has_color_material, "materials that follow colours");
+}
+
 void primitives() {
     static constexpr GLfloat corner[2] = {};
     glVertexPointer(2, GL_FLOAT, 0, corner);
@@ -170,7 +241,9 @@ int main() {
     open(display);
     textures();
     draws();
+    states();
     primitives();
+    lights();
     // A hint for a tier that is not there is one for the config's.
     glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
     check(glGetError() == GL_NO_ERROR, "hints are taken");
