@@ -107,7 +107,10 @@ namespace detail {
 /// Nearest Real to +-c / (2^bits - 1), 0 <= c <= 2^bits - 1, bits one of 8, 16, 32: the quotient is c
 /// repeated for ever, so one word of it with a sticky bit rounds correctly, and all ones round to 1.
 constexpr Real unit_fraction(bool negative, std::uint32_t c, int bits) {
-    const std::uint64_t repeated = c * (~std::uint64_t{0} / ((std::uint64_t{1} << bits) - 1));
+    const std::uint64_t ones = bits == 8    ? 0x0101010101010101 // (2^64 - 1) / (2^bits - 1)
+                               : bits == 16 ? 0x0001000100010001
+                                            : 0x0000000100000001,
+                        repeated = c * ones;
     return pack_real(negative && c != 0, c == 0 ? 0 : repeated | 1, -64);
 }
 

@@ -6,6 +6,7 @@
 
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/q60.hpp"
+#include "raster/numeric/reciprocal.hpp"
 
 namespace spangle::numeric {
 
@@ -18,10 +19,13 @@ namespace detail {
 
 /// 1 - z/(n(n+1)) (1 - z/((n+2)(n+3)) (...)): sin(x)/x for n = 2, cos(x) for n = 1, with z = x^2. Nine terms
 /// leave (pi/4)^20 / 20! < 2^-67.
-constexpr std::int64_t alternating_series(std::int64_t z, std::int64_t n) {
+constexpr std::int64_t alternating_series(std::int64_t z, std::uint32_t n) {
     std::int64_t sum = q60_one;
-    for (std::int64_t k = n + 16; k >= n; k -= 2)
-        sum = q60_one - mul_q60(mul_q60(z, q60_one / (k * (k + 1))), sum);
+    for (std::uint32_t k = n + 18; k != n;) {
+        k -= 2;
+        const auto inverse = static_cast<std::int64_t>(divide(q60_one, k * (k + 1)).quotient);
+        sum = q60_one - mul_q60(mul_q60(z, inverse), sum);
+    }
     return sum;
 }
 
