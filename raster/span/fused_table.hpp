@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "raster/span/draw_state.hpp"
 #include "raster/span/key.hpp"
@@ -27,12 +28,14 @@ AnyFunction chain_runner(Number number);
 const FusedSpan* fused_spans();
 std::size_t fused_span_count();
 
+static_assert(std::has_unique_object_representations_v<Key>, "keys are compared as bytes");
+
 /// null: draw with the chain. A build without fused spans names none of them.
 inline const FusedSpan* find_fused(const Key& key) {
     if constexpr (has_fused_spans) {
         const FusedSpan* const end = fused_spans() + fused_span_count();
         for (const FusedSpan* span = fused_spans(); span != end; ++span)
-            if (span->key == key)
+            if (__builtin_memcmp(&span->key, &key, sizeof key) == 0)
                 return span;
     }
     return nullptr;

@@ -14,7 +14,7 @@ struct Inverse {
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
     int zeros;              ///< of q
     Inverse() = default;
-    SPANGLE_INLINE explicit Inverse(std::int32_t value)
+    SPANGLE_RUN_INLINE explicit Inverse(std::int32_t value)
         : q(value > 0 ? static_cast<std::uint32_t>(value) : 1u) {
         zeros = numeric::clz32(q);
         mantissa = numeric::reciprocal(q << zeros);
