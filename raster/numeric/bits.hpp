@@ -21,8 +21,10 @@
 /// speed.
 #if SPANGLE_KERNELS_INLINE
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
+#define SPANGLE_RUN_CALL
 #else
 #define SPANGLE_RUN_INLINE [[gnu::noinline]] inline
+#define SPANGLE_RUN_CALL [[gnu::noinline]]
 #endif
 
 namespace spangle::numeric {

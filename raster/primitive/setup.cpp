@@ -94,7 +94,7 @@ void Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
-    const int bits = state_.depth_format == DepthFormat::z16 ? 16 : 24;
+    const int bits = !has_format(DepthFormat::z24s8) || state_.depth_format == DepthFormat::z16 ? 16 : 24;
     std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits), z2 = depth_code(v(2).z, bits);
     if (bits == 24) {
         // Half a code is less than the error of a steep plane may be: keep slopes so far from both ends that

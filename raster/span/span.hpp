@@ -135,7 +135,8 @@ template <class P> struct Span {
     const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
 
     /// A plane at pixel `column`.
-    template <class T> constexpr T at(std::int32_t column, const Interpolant<T>& plane) const {
+    template <class T>
+    SPANGLE_RUN_CALL constexpr T at(std::int32_t column, const Interpolant<T>& plane) const {
         return plane.at(column + (x - anchor_x), y - anchor_y);
     }
 };
