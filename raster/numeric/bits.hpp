@@ -22,9 +22,11 @@
 #if SPANGLE_KERNELS_INLINE
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
 #define SPANGLE_RUN_CALL
+#define SPANGLE_RUN_LAMBDA
 #else
 #define SPANGLE_RUN_INLINE [[gnu::noinline]] inline
 #define SPANGLE_RUN_CALL [[gnu::noinline]]
+#define SPANGLE_RUN_LAMBDA __attribute__((noinline))
 #endif
 
 namespace spangle::numeric {

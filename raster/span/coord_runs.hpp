@@ -229,7 +229,7 @@ class CoordRuns {
         const Sample end(row_, exponent_);
         const Inverse length = to == next_ ? Inverse{} : Inverse(to - from);
         const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
-                               std::uint32_t& v, std::uint32_t& dv) {
+                               std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_LAMBDA {
             v = detail::to_coord(v0, wraps, base);
             const std::int64_t d =
                 wraps ? difference(v1, v0)

@@ -8,7 +8,7 @@
 namespace spangle::raster {
 
 /// log2(v) with 8 fraction bits, within 1/256; v = 0 counts as 1.
-inline std::int32_t log2_fraction8(std::uint64_t v) {
+SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     v = v == 0 ? 1 : v;
     const int zeros = numeric::clz64(v);
     const std::uint32_t mantissa = numeric::high_word_before(v, zeros); // [2^31, 2^32)
