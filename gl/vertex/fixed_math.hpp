@@ -93,13 +93,20 @@ struct FixedMath {
         Range depth;                  ///< DepthRange, Q0.30
     };
 
+    /// Somebody calls to_eye().
+    static constexpr bool asks_eye = (SPANGLE_FEATURE_LIGHTING && has_local_lights) ||
+                                     SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_TEXGEN ||
+                                     SPANGLE_FEATURE_POINT_PARAMETERS || SPANGLE_FEATURE_RASTER_POS;
+
     static void derive(const TransformState& state, Transforms& out) {
         const numeric::Matrix& modelview = state.modelview.entry[state.modelview.top];
-        out.to_eye = numeric::to_block_matrix(modelview);
+        if constexpr (asks_eye)
+            out.to_eye = numeric::to_block_matrix(modelview);
         out.to_clip = numeric::to_block_matrix(
             numeric::multiply(state.projection.entry[state.projection.top], modelview));
         out.rows.set(out.to_clip);
-        out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
+        if constexpr (SPANGLE_FEATURE_FOG)
+            out.eye_z = numeric::to_block_row(modelview, 2, out.to_clip.column);
         std::int32_t lift[3]; // exponents of the rows x, y, z over that of w, less lift_room
         for (int i = 0; i < 3; ++i) {
             lift[i] = out.to_clip.row[i] - out.to_clip.row[3] - lift_room[i];
