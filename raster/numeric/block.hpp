@@ -96,28 +96,23 @@ constexpr Block to_block(Real v) {
 
 namespace detail {
 
-/// Brings n values m[i] * 2^e[i] under one exponent, which it returns. The values with m = 0 have no say in
-/// it; `out` holds zeros.
-SPANGLE_RUN_INLINE constexpr std::int16_t bring_under_one(const std::int32_t* m, const std::int32_t* e, int n,
-                                                          std::int32_t* out) {
+/// Brings N values m[i] * 2^e[i] under one exponent. The values with m = 0 have no say in it.
+template <int N, class B>
+SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {
     constexpr std::int32_t none = -0x10000;
     std::int32_t top = none;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < N; ++i) {
         const std::int32_t own = m[i] == 0 ? none : e[i] - clz32(abs_u32(m[i]));
         if (own > top)
             top = own;
     }
     if (top == none)
-        return 0;
+        return {};
     top += 2; // 30 value bits: two leading zeros
-    for (int i = 0; i < n; ++i)
-        out[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
-    return block_exponent(top);
-}
-template <int N, class B>
-SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {
-    B out{};
-    out.e = bring_under_one(m, e, N, out.m);
+    B out;
+    for (int i = 0; i < N; ++i)
+        out.m[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
+    out.e = block_exponent(top);
     return out;
 }
 

@@ -54,45 +54,47 @@ constexpr std::int32_t width(Block v) {
     return v.e + 32 - clz32(abs_u32(v.m));
 }
 
-/// Columns of n rows, column-major, scaled by their largest element; a column of zeros has no say and takes
-/// what the largest has. e, least, usual: Columns.
-constexpr void column_exponents(const Block* a, int n, std::int32_t* e, std::int32_t& least,
-                                std::uint32_t& usual) {
-    std::int32_t most = no_exponent;
-    for (int j = 0; j < n; ++j) {
-        e[j] = no_exponent;
-        for (int i = 0; i < n; ++i)
-            if (a[n * j + i].m != 0 && width(a[n * j + i]) > e[j])
-                e[j] = width(a[n * j + i]);
-        if (e[j] > most)
-            most = e[j];
+/// Columns (of R rows, column-major) scaled by their largest element; a column of zeros has no say and takes
+/// what the largest has.
+template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R * N]) {
+    std::int32_t widest[N], most = no_exponent;
+    for (int j = 0; j < N; ++j) {
+        widest[j] = no_exponent;
+        for (int i = 0; i < R; ++i)
+            if (a[R * j + i].m != 0 && width(a[R * j + i]) > widest[j])
+                widest[j] = width(a[R * j + i]);
+        if (widest[j] > most)
+            most = widest[j];
     }
-    std::int32_t lowest = -no_exponent;
-    for (int j = 0; j < n; ++j) {
-        e[j] = most == no_exponent ? 0 : block_exponent(e[j] == no_exponent ? most : e[j]);
-        lowest = e[j] < lowest ? e[j] : lowest;
-    }
+    Columns<N> r;
     if (most == no_exponent)
-        return;
-    least = block_exponent(most) + 32;
-    usual = lowest + 253 > least ? static_cast<std::uint32_t>(lowest + 253 - least) : 0;
+        return r;
+    for (int j = 0; j < N; ++j)
+        r.e[j] = block_exponent(widest[j] == no_exponent ? most : widest[j]);
+    r.least = block_exponent(most) + 32;
+    std::int32_t lowest = r.e[0];
+    for (const std::int32_t e : r.e)
+        lowest = e < lowest ? e : lowest;
+    r.usual = lowest + 253 > r.least ? static_cast<std::uint32_t>(lowest + 253 - r.least) : 0;
+    return r;
 }
 
-/// The n elements of one row, `stride` apart, under the exponents of columns and at least `exponent`:
-/// mantissas whose magnitudes stay below 2^31 together. Returns their exponent.
-constexpr std::int32_t scale_row(const Block* a, int stride, const std::int32_t* column, int n,
-                                 std::int32_t exponent, std::int32_t* out) {
+/// The elements of one row, `stride` apart, under the exponents of columns and at least `exponent`: mantissas
+/// whose magnitudes stay below 2^31 together. Returns their exponent.
+template <int N>
+constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& column, std::int32_t exponent,
+                                 std::int32_t* out) {
     std::int32_t own = no_exponent;
-    for (int j = 0; j < n; ++j)
-        if (a[stride * j].m != 0 && width(a[stride * j]) - column[j] > own)
-            own = width(a[stride * j]) - column[j];
+    for (int j = 0; j < N; ++j)
+        if (a[stride * j].m != 0 && width(a[stride * j]) - column.e[j] > own)
+            own = width(a[stride * j]) - column.e[j];
     if (own == no_exponent) // zeros: any will do
         own = exponent == no_exponent ? 0 : exponent;
-    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: n <= 4
+    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: N <= 4
         std::uint64_t sum = 0;
-        for (int j = 0; j < n; ++j) {
+        for (int j = 0; j < N; ++j) {
             const Block v = a[stride * j];
-            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column[j]);
+            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column.e[j]);
             sum += abs_u32(out[j]);
         }
         if (sum < std::uint64_t{1} << 31)
@@ -110,15 +112,15 @@ constexpr void common_rows(const Block (&a)[9], BlockMatrixN<3>& r) {
     if (most - least > 4)
         return;
     for (int i = 0; i < 3; ++i)
-        r.row[i] = scale_row(a + i, 3, r.column.e, 3, most, r.m + 3 * i);
+        r.row[i] = scale_row<3>(a + i, 3, r.column, most, r.m + 3 * i);
 }
 
 /// All rows: of positions none finer than the last, by which they are divided.
 template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N]) {
     BlockMatrixN<N> r;
-    column_exponents(a, N, r.column.e, r.column.least, r.column.usual);
+    r.column = column_exponents<N, N>(a);
     for (int i = N - 1; i >= 0; --i)
-        r.row[i] = scale_row(a + i, N, r.column.e, N, N == 4 && i < 3 ? r.row[3] : no_exponent, r.m + N * i);
+        r.row[i] = scale_row<N>(a + i, N, r.column, N == 4 && i < 3 ? r.row[3] : no_exponent, r.m + N * i);
     if constexpr (N == 3)
         common_rows(a, r);
     return r;
@@ -233,13 +235,13 @@ constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column
     const Block v[4] = {to_block(a.at(i, 0)), to_block(a.at(i, 1)), to_block(a.at(i, 2)),
                         to_block(a.at(i, 3))};
     BlockRow r;
-    r.e = detail::scale_row(v, 1, column.e, 4, detail::no_exponent, r.m);
+    r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
     return r;
 }
 
 constexpr BlockRow3 to_block_row(const Block (&v)[3], const Columns<3>& column) {
     BlockRow3 r;
-    r.e = detail::scale_row(v, 1, column.e, 3, detail::no_exponent, r.m);
+    r.e = detail::scale_row<3>(v, 1, column, detail::no_exponent, r.m);
     return r;
 }
 

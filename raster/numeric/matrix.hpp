@@ -106,14 +106,12 @@ constexpr Matrix transpose(const Matrix& a) {
 
 namespace detail {
 
-inline constexpr int most_terms = 6;
-
 /// Sum of n products a[k] * b[k]: each product (below 2^62) is aligned to the largest exponent with two bits
 /// of room for the carries, so what alignment loses is below 2^-58 of the largest product. Of more than four
 /// terms only four may be large.
-constexpr Element sum_of_products(const Element* a, const Element* b, int n) {
+SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Element* b, int n) {
     constexpr std::int32_t none = -0x10000;
-    std::int64_t product[most_terms] = {};
+    std::int64_t product[6] = {};
     std::int32_t top = none;
     for (int k = 0; k < n; ++k) { // in most matrices, half of the products are 0
         product[k] = mul_s32(a[k].m, b[k].m);
@@ -137,24 +135,17 @@ constexpr Element sum_of_products(const Element* a, const Element* b, int n) {
     return make_element(sum, top + 2 * element_bias);
 }
 
-/// Column j of the identity, and zeros: a times it is column j of a.
-constexpr bool is_unit(const Element* column, int n, int j) {
-    std::int32_t others = 0;
-    for (int k = 0; k < n; ++k)
-        others |= k == j ? 0 : column[k].m;
-    return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
+template <int N> constexpr Element sum_of_products(const Element (&a)[N], const Element (&b)[N]) {
+    static_assert(N <= 6);
+    return sum_of_products(a, b, N);
 }
 
-/// Column j of a product with a on the left. Six elements are the first three and what these were rounded by.
-constexpr void multiply_column(const Matrix& a, const Element* column, int n, int j, Matrix& r) {
-    if (is_unit(column, n, j))
-        return; // r begins as a
-    for (int i = 0; i < 4; ++i) {
-        Element row[most_terms];
-        for (int k = 0; k < n; ++k)
-            row[k] = a.at(i, k < 3 || n == 4 ? k : k - 3);
-        r.set(i, j, sum_of_products(row, column, n));
-    }
+/// Column j of the identity, and zeros: a times it is column j of a.
+template <int N> constexpr bool is_unit(const Element (&column)[N], int j) {
+    std::int32_t others = 0;
+    for (int k = 0; k < N; ++k)
+        others |= k == j ? 0 : column[k].m;
+    return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
 }
 
 } // namespace detail
@@ -164,7 +155,7 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
     const Element row[4] = {to_element(v[0]), to_element(v[1]), to_element(v[2]), to_element(v[3])};
     for (int j = 0; j < 4; ++j) {
         const Element column[4] = {a.at(0, j), a.at(1, j), a.at(2, j), a.at(3, j)};
-        out[j] = to_real(detail::sum_of_products(row, column, 4));
+        out[j] = to_real(detail::sum_of_products(row, column));
     }
 }
 
@@ -174,7 +165,12 @@ constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
     for (int j = 0; j < 4; ++j) {
         const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
-        detail::multiply_column(a, column, 4, j, r);
+        if (detail::is_unit(column, j))
+            continue;
+        for (int i = 0; i < 4; ++i) {
+            const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};
+            r.set(i, j, detail::sum_of_products(row, column));
+        }
     }
     return r;
 }

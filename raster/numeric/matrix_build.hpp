@@ -64,7 +64,12 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     for (int j = 0; j < 3; ++j) {
         const Element column[6] = {b.matrix.at(0, j), b.matrix.at(1, j), b.matrix.at(2, j),
                                    b.rest[0][j],      b.rest[1][j],      b.rest[2][j]};
-        detail::multiply_column(a, column, 6, j, r);
+        if (detail::is_unit(column, j))
+            continue;
+        for (int i = 0; i < 4; ++i) {
+            const Element row[6] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 0), a.at(i, 1), a.at(i, 2)};
+            r.set(i, j, detail::sum_of_products(row, column));
+        }
     }
     return r;
 }

@@ -2,11 +2,12 @@
 // million times by the same matrix multiplies its error by a million.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/q60.hpp"
-#include "raster/numeric/reciprocal.hpp"
 
 namespace spangle::numeric {
 
@@ -17,14 +18,21 @@ struct SinCos {
 
 namespace detail {
 
+/// 1 / (k (k + 1)), k = 1 to 18. No division is left, which small processors would call a library for.
+inline constexpr auto series_factors = [] {
+    std::array<std::int64_t, 18> factor{};
+    for (std::int64_t k = 1; k <= 18; ++k)
+        factor[static_cast<std::size_t>(k - 1)] = q60_one / (k * (k + 1));
+    return factor;
+}();
+
 /// 1 - z/(n(n+1)) (1 - z/((n+2)(n+3)) (...)): sin(x)/x for n = 2, cos(x) for n = 1, with z = x^2. Nine terms
 /// leave (pi/4)^20 / 20! < 2^-67.
-constexpr std::int64_t alternating_series(std::int64_t z, std::uint32_t n) {
+constexpr std::int64_t alternating_series(std::int64_t z, std::size_t n) {
     std::int64_t sum = q60_one;
-    for (std::uint32_t k = n + 18; k != n;) {
+    for (std::size_t k = n + 18; k != n;) {
         k -= 2;
-        const auto inverse = static_cast<std::int64_t>(divide(q60_one, k * (k + 1)).quotient);
-        sum = q60_one - mul_q60(mul_q60(z, inverse), sum);
+        sum = q60_one - mul_q60(mul_q60(z, series_factors[k - 1]), sum);
     }
     return sum;
 }
