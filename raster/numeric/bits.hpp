@@ -59,6 +59,14 @@ inline constexpr bool scales_indices = false;
 inline constexpr bool scales_indices = true;
 #endif
 
+/// Instructions have three operands, masks among them. Else fields of words move by shifts, and an address of
+/// two registers is made where it is used. Decides likewise.
+#if defined(__thumb__) && !defined(__thumb2__)
+inline constexpr bool three_operands = false;
+#else
+inline constexpr bool three_operands = true;
+#endif
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);
@@ -149,6 +157,13 @@ SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down,
     }
 #endif
     return (u >> u_down << u_up) + (v >> v_down);
+}
+
+/// `Bits` bits of a word, from bit `At` on.
+template <int At, int Bits> SPANGLE_INLINE constexpr std::uint32_t bit_field(std::uint32_t v) {
+    if constexpr (three_operands)
+        return v >> At & ((1u << Bits) - 1);
+    return factor32(v << (32 - At - Bits)) >> (32 - Bits);
 }
 
 /// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.

@@ -82,7 +82,7 @@ SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
             Px<M> p;
             p.color_plane = k.color_plane;
             p.depth_plane = k.depth_plane;
-            p.i = i;
+            p.go_to(i);
             if constexpr (M::lanes > 1)
                 p.live = live;
             else

@@ -14,14 +14,32 @@
 
 namespace spangle::raster {
 
+/// Along rows of texels pointers are better, but where registers are left for addresses of two.
+template <class N>
+inline constexpr bool walks_bytes = !numeric::three_operands && std::is_same_v<N, PackedCoarse>;
+
 /// Fragments [i, stop), i < stop, one by one.
 template <bool Row, class N, class List, class Place>
 SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, std::int32_t stop) {
     Px<N> p(span);
     p.live = true;
     p.row = Row;
+    if constexpr (!List::runs && (List::rows ? Row && walks_bytes<N> : !numeric::scales_indices)) {
+        p.twice = 2 * i;
+        do { // one index for all planes, not a pointer for each
+            p.twice = numeric::factor32(p.twice);
+            p.i = p.twice >> 1;
+            list(p);
+            if constexpr (Row)
+                list.step_row();
+            else
+                list.step();
+            p.twice += 2;
+        } while (p.twice != 2 * stop);
+        return;
+    }
     do {
-        p.i = i;
+        p.go_to(i);
         list(p);
         if constexpr (Row)
             list.step_row();
@@ -67,10 +85,10 @@ SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span,
         }
         p.row = List::rows && list.row(stop - i);
         do {
-            p.i = i;
+            p.go_to(i);
             p.live = N::L::all;
             if (i + 8 > stop) {
-                p.i = n < 8 ? 0 : i < n - 8 ? i : n - 8;
+                p.go_to(n < 8 ? 0 : i < n - 8 ? i : n - 8);
                 p.live = some_lanes(i - p.i, stop - p.i);
                 if (p.i != i)
                     list.jump(span, begin + p.i, p.i - i);
@@ -385,7 +403,7 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
     if constexpr (!numeric::cheap_branches)
         rest += denominator;
     do {
-        p.i = static_cast<std::int32_t>(Dithered ? PathPixels::pixel(at) : at);
+        p.go_to(static_cast<std::int32_t>(Dithered ? PathPixels::pixel(at) : at));
         p.place = at;
         list(p);
         list.step();

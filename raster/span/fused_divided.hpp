@@ -106,12 +106,12 @@ template <class Case, class Products>
         const RowPlace place = place_of<Case>(*span.target, *row, row->first);
         Px<typename Lit::N> p(place);
         const std::int32_t n = row->last - row->first;
-        p.i = 0;
+        p.go_to(0);
         do {
             if (test(p) && !fragment.draw(p.i, place.color)) [[unlikely]]
                 Case::Lit::redo(span, {at.y, at.x + p.i, at.x + p.i + 1, at.x + p.i, at.x + p.i + 1});
             test.step();
-            p.i = numeric::factor32(p.i + 1); // one index for all planes, not a pointer for each
+            p.go_to(numeric::factor32(p.i + 1)); // one index for all planes, not a pointer for each
         } while (p.i != n);
         if (++row == end)
             return true;

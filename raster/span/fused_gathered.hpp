@@ -105,7 +105,7 @@ template <class Case> class GatheredPlanes {
     SPANGLE_INLINE void step() { planes_.step(); }
     /// To the i-th place of the packet; false where no fragment passed.
     SPANGLE_INLINE bool put(Packet& to, Px<N>& p, std::ptrdiff_t i, typename Packet::Group& group) {
-        if (!Case::Test::test(p.live, p.depth_plane + 2 * p.i, planes_.template high<0>()))
+        if (!Case::Test::test(p.live, p.depth_plane + p.bytes(), planes_.template high<0>()))
             return false;
         Packet::store(to.index, i, texture_.index_at(planes_.template high<1>(), planes_.template high<2>()));
         Packet::store(to.colors[0], i, planes_.template high<3>());
@@ -117,7 +117,7 @@ template <class Case> class GatheredPlanes {
             Packet::store(to.fogs, i, fog_factor());
         if constexpr (Case::key.dither)
             Packet::store(to.thresholds, i, thresholds_.threshold());
-        group = {p.live, p.color_plane + 2 * p.i, i};
+        group = {p.live, p.color_plane + p.bytes(), i};
         return true;
     }
 

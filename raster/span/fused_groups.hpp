@@ -36,10 +36,10 @@ SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& targ
     p.depth_plane = at.depth;
     std::int32_t first = row.first - at.x;
     const std::int32_t last = row.last - at.x, most = room - at.x;
-    for (p.i = 0;; p.i += 8) {
+    for (p.go_to(0);; p.go_to(p.i + 8)) {
         if (p.i > most) [[unlikely]] {
             first = p.i - most;
-            p.i = most;
+            p.go_to(most);
             list.start(at, most);
         }
         const std::int32_t n = last - p.i < 8 ? last - p.i : 8;
@@ -67,7 +67,7 @@ SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, 
     p.color_plane = row.color + std::ptrdiff_t{first} * 2;
     if constexpr (Tested)
         p.depth_plane = row.depth + std::ptrdiff_t{first} * 2;
-    p.i = 0;
+    p.go_to(0);
     for (std::int32_t left = last - first;;) {
         p.live = first_lanes(left);
         draw(left);
@@ -110,7 +110,7 @@ template <class Case> struct DivideOpen {
     template <class P> SPANGLE_INLINE void operator()(Row& row, P& p, std::int32_t x) const {
         if constexpr (Case::guessed)
             if (p.open &= p.live; Lanes<8>::any(p.open)) [[unlikely]]
-                divide_open<Case::key.format>(row.planes, p.color_plane + 2 * p.i, p.open, x, row.y);
+                divide_open<Case::key.format>(row.planes, p.color_plane + p.bytes(), p.open, x, row.y);
     }
 };
 

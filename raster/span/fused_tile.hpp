@@ -17,7 +17,7 @@ template <class Case, int Wide> SPANGLE_INLINE void tile_in_lanes(Span<Fixed>& s
     point_at(at.color, at.depth, target, tile.x, tile.y, format_info(Case::key.format).bytes_per_pixel, 1);
     typename Case::template TileList<Wide> list(at, 0);
     Px<N> p(at, target.color_stride, target.depth_stride);
-    p.i = 0;
+    p.go_to(0);
     TileLanes<L> lanes(tile);
     const std::ptrdiff_t color_step = L::rows * std::ptrdiff_t{target.color_stride},
                          depth_step = L::rows * std::ptrdiff_t{target.depth_stride};

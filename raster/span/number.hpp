@@ -265,7 +265,7 @@ template <int Count> struct Raw565 {
     /// Rounded to 8 bits (half a 255th was added in set-up), then the top bits.
     SPANGLE_INLINE static Color from_affine(const typename L::U32& r, const typename L::U32& g,
                                             const typename L::U32& b) {
-        return word(tops(r, g, b));
+        return numeric::three_operands ? word(tops(r, g, b)) : joined(tops(r, g, b));
     }
 
   private:

@@ -143,8 +143,9 @@ struct PackedCoarse : Packed {
     /// none reaches the next.
     SPANGLE_INLINE static std::uint32_t over_both(const Color& s, std::uint32_t a, std::uint32_t both) {
         // Taken out before they are put in: five instructions of ARM.
-        const std::uint32_t r = numeric::factor32(s.word >> 3 & 31), g = numeric::factor32(s.word >> 10 & 63);
-        const std::uint32_t source = (s.word >> 19 & 31) | r << 11 | g << 21;
+        const std::uint32_t r = numeric::factor32(numeric::bit_field<3, 5>(s.word)),
+                            g = numeric::factor32(numeric::bit_field<10, 6>(s.word));
+        const std::uint32_t source = numeric::bit_field<19, 5>(s.word) | r << 11 | g << 21;
         const std::uint32_t stored = both & components;
         constexpr std::uint32_t halves = 16u << 21 | 16u << 11 | 16u;
         const std::uint32_t sum = (stored + (((source - stored) * a + halves) >> 5)) & components; // mod 2^27

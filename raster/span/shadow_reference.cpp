@@ -16,7 +16,8 @@ template <class N> class Fragment {
   public:
     Fragment(const Span<Fixed>& fixed, const Span<Double>& twin, std::int32_t x, ShadowReport& report)
         : fixed_(fixed), twin_(twin), x_(x), report_(report) {
-        f_.i = d_.i = x - fixed.begin;
+        f_.go_to(x - fixed.begin);
+        d_.go_to(x - fixed.begin);
         f_.color_plane = d_.color_plane = fixed.color;
         f_.depth_plane = d_.depth_plane = fixed.depth;
         f_.live = d_.live = true;

@@ -47,6 +47,7 @@ enum Field : unsigned {
 template <class N> struct Px {
     typename N::L::Place color_plane, depth_plane; ///< where pixel 0 of the group's count lies
     std::int32_t i;                                ///< first pixel of the group
+    std::int32_t twice;                            ///< 2 i, where an address would not scale it
     typename N::L::Mask live;
     typename N::L::Mask open; ///< colours that a guess did not decide, dead ones among them (stage_guess.hpp)
     bool row = false;         ///< Seq::row said so; a constant of the loop
@@ -63,6 +64,15 @@ template <class N> struct Px {
     typename N::L::U16 fog_factor;                 ///< that of FogLightLanes, likewise
 
     Px() = default;
+    SPANGLE_INLINE void go_to(std::int32_t first) {
+        i = first;
+        if constexpr (!numeric::scales_indices)
+            twice = 2 * first;
+    }
+    /// From pixel 0 to that in a plane of so many bytes a pixel.
+    template <int Bytes = 2> SPANGLE_INLINE std::int32_t bytes() const {
+        return numeric::scales_indices || Bytes % 2 != 0 ? Bytes * i : Bytes / 2 * twice;
+    }
     /// Of a span, or what stands for one row of it; the strides are those from row to row.
     template <class S>
     SPANGLE_INLINE explicit Px(const S& span) : color_plane(span.color), depth_plane(span.depth) {}

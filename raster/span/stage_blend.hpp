@@ -50,7 +50,7 @@ template <class N, PixelFormat Format> struct BlendAlpha : StageBase {
             return false;
         }
         if constexpr (is_565(Format)) {
-            const typename L::U16 word = Words565<L, Format>::load(p.color_plane + 2 * p.i);
+            const typename L::U16 word = Words565<L, Format>::load(p.color_plane + p.bytes());
             s.r = N::template over<5>(s.r, a, word >> 11);
             s.g = N::template over<6>(s.g, a, (word >> 5) & 63);
             s.b = N::template over<5>(s.b, a, word & 31);
@@ -78,7 +78,8 @@ template <class N, PixelFormat Format, bool Dither> struct BlendCoarse : StageBa
     template <class S> SPANGLE_INLINE BlendCoarse(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         typename N::Color& s = p.color;
-        const T a = Coarse::alpha<T>(N::to8(s.a)), word = Words565<L, Format>::load(p.color_plane + 2 * p.i);
+        const T a = Coarse::alpha<T>(N::to8(s.a)),
+                word = Words565<L, Format>::load(p.color_plane + p.bytes());
         s.r = N::from5(Coarse::over<T>(steps<5>(s.r), a, word >> 11));
         s.g = N::from6(Coarse::over<T>(steps<6>(s.g), a, (word >> 5) & 63));
         s.b = N::from5(Coarse::over<T>(steps<5>(s.b), a, word & 31));
@@ -146,7 +147,7 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
     SPANGLE_INLINE bool blend(const Px<N>& p) const {
         if (N::clear(p.color))
             return false;
-        std::uint8_t* const at = p.color_plane + 2 * p.i;
+        std::uint8_t* const at = p.color_plane + p.bytes();
         // What follows a branch is not begun before it.
         auto s = p.color;
         asm("" : "+r"(s.word));
@@ -175,10 +176,10 @@ template <class N, PixelFormat Format, bool Dither> struct BlendPacked : StageBa
             if (N::clear(s))
                 return false;
             numeric::begin_here();
-            Words::store(p.color_plane + 2 * p.i, N::opaque(source(p)));
+            Words::store(p.color_plane + p.bytes(), N::opaque(source(p)));
         } else {
             numeric::begin_here();
-            std::uint8_t* const at = p.color_plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + p.bytes();
             Words::store(at, N::over_both(source(p), N::weight(s), Words::load_both(at)));
         }
         return true;
@@ -197,7 +198,7 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
         const typename N::Color& s = p.color;
         if (!L::any(L::negate(L::equal(s.a, L::splat(0)))))
             return false;
-        std::uint8_t* const at = p.color_plane + 2 * p.i;
+        std::uint8_t* const at = p.color_plane + p.bytes();
         const typename L::U16 under = Words::load(at);
         const typename L::U16 word =
             pack565<N>(N::template dithered<5>(s.r, s.a, under >> 11, threshold),

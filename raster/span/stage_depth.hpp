@@ -73,7 +73,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { this->z.start(s, x, s.z); }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const auto at = p.depth_plane + 2 * p.i;
+        const auto at = p.depth_plane + p.bytes();
         const typename L::U16 incoming = L::high_half(this->z.at);
         if constexpr (N::lanes == 1) {
             const typename L::U16 stored = L::load(at);
@@ -85,8 +85,11 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
             }
             if (!compare<Func>(incoming, stored))
                 return false;
-            if constexpr (Write)
-                L::store(at, incoming);
+            if constexpr (Write) {
+                if constexpr (!numeric::three_operands)
+                    p.twice = numeric::factor32(p.twice);
+                L::store(p.depth_plane + p.bytes(), incoming);
+            }
             return true;
         } else {
             return test(p.live, at, incoming);
@@ -160,7 +163,7 @@ template <class N, DepthFormat Format, class Value = DepthValue<N>> struct Depth
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1) {
-            std::uint8_t* const at = p.depth_plane + 2 * p.i;
+            std::uint8_t* const at = p.depth_plane + p.bytes();
             const typename L::U16 incoming = L::high_half(this->z.at), stored = L::load(at);
             const typename L::Mask less = L::less(incoming, stored), greater = L::less(stored, incoming);
             p.live &= (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));

@@ -35,7 +35,7 @@ template <PixelFormat Format, bool Dither> struct FoggedStore : StageBase {
             return fog.half_more + static_cast<std::uint32_t>(numeric::mul_high_s32(difference, f));
         };
         const N::Color c = {rounded(r, p.color.r), rounded(g, p.color.g), rounded(b, p.color.b), color_one};
-        std::uint8_t* const at = p.color_plane + 2 * p.i;
+        std::uint8_t* const at = p.color_plane + p.bytes();
         if constexpr (Dither)
             Words565<N::L, Format>::store(at, dithered565<N>(c, dither.threshold()));
         else

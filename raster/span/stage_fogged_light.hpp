@@ -89,7 +89,7 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     SPANGLE_INLINE void step() { dither_.step(); }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const std::uint32_t f = N::clamped_fraction(p.fog);
-        N::L::store(p.color_plane + 2 * p.i, texel_.word(p.color, f, dither_.threshold(), texel_.sixths));
+        N::L::store(p.color_plane + p.bytes(), texel_.word(p.color, f, dither_.threshold(), texel_.sixths));
         return true;
     }
 

@@ -57,7 +57,7 @@ template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public S
             fog_[i] = HasFog ? rounded(fog_color_[i]) : 0;
     }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        Words565<N::L, Format>::store(p.color_plane + 2 * p.i, word(p.color, p.fog));
+        Words565<N::L, Format>::store(p.color_plane + p.bytes(), word(p.color, p.fog));
         return true;
     }
     /// fog: as FogLinear has it.

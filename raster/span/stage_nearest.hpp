@@ -42,9 +42,8 @@ class NearestWalk : public TexelWalk<T, Unit, Runs, NearestPosition> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row) {
             if constexpr (in_order)
-                return this->combine(p, [&](std::uint32_t) {
-                    return row_at_ + std::ptrdiff_t{p.i} * std::ptrdiff_t{T::bytes};
-                });
+                return this->combine(p,
+                                     [&](std::uint32_t) { return row_at_ + p.template bytes<T::bytes>(); });
             if constexpr (N::lanes > 1 && T::loads_words) {
                 if (one_to_one_ && inside(N::lanes))
                     return this->combine_words(p, N::L::load32(this->texel(row_at_, s.texel())));

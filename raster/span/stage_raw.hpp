@@ -140,7 +140,7 @@ template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : Sta
         Host && (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     template <class S> SPANGLE_INLINE StoreRaw(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const auto at = p.color_plane + 2 * p.i;
+        const auto at = p.color_plane + p.bytes();
         typename L::U16 word = p.color.word;
         if constexpr (swaps)
             word = L::swap_bytes(word);

@@ -59,7 +59,7 @@ template <class N, PixelFormat Format> struct Store : StageBase {
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (is_565(Format)) {
-            std::uint8_t* const at = p.color_plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + p.bytes();
             const typename L::U16 word = truncated565<N>(p.color);
             if constexpr (N::lanes > 1)
                 Words565<L, Format>::store_where(p.live, at, word);
@@ -92,7 +92,7 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
         if constexpr (!is_565(Format)) {
             return Store<N, Format>::operator()(p);
         } else {
-            std::uint8_t* const at = p.color_plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + p.bytes();
             const typename L::U16 word = dithered565<N>(p.color, dither.threshold());
             if constexpr (N::lanes > 1)
                 Words565<L, Format>::store_where(p.live, at, word);
@@ -140,7 +140,7 @@ template <class N, PixelFormat Format> struct StoreMerged : StageBase {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto& c = p.color;
         if constexpr (is_565(Format)) {
-            std::uint8_t* const at = p.color_plane + 2 * p.i;
+            std::uint8_t* const at = p.color_plane + p.bytes();
             const std::uint32_t bits = (open[0] & 0xF800) | (open[1] & 0x07E0) | (open[2] & 0x1F);
             const std::uint32_t word = dithers ? dithered565<N>(c, dither.threshold()) : truncated565<N>(c);
             Words565<L, Format>::store(at, logic.merged(word, Words565<L, Format>::load(at), bits));
