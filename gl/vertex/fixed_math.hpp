@@ -78,6 +78,12 @@ struct FixedMath {
 
     /// Block forms of the matrices and the viewport, derived when something changed.
     struct Transforms {
+        /// Of the rows x, y, z: see Lifted.
+        std::int32_t lift[3] = {};
+        std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
+        std::uint32_t most_zeros = 0; ///< of a w that process() divides by
+        Range x, y;                   ///< the viewport, n.8
+        Range depth;                  ///< DepthRange, Q0.30
         numeric::BlockMatrix to_clip, to_eye;
         [[no_unique_address]] std::conditional_t<numeric::wide_words, WideRows, Rows> rows; ///< of to_clip
 #if SPANGLE_TEXTURE_UNITS
@@ -85,12 +91,6 @@ struct FixedMath {
 #endif
         numeric::BlockRow eye_z; ///< row 2 of the modelview matrix, for what is loaded
         bool texture_is_identity[texture_units];
-        /// Of the rows x, y, z: see Lifted.
-        std::int32_t lift[3] = {};
-        std::int32_t w_exponent = 0;  ///< of 1/w, without the vertex's part
-        std::uint32_t most_zeros = 0; ///< of a w that process() divides by
-        Range x, y;                   ///< the viewport, n.8
-        Range depth;                  ///< DepthRange, Q0.30
     };
 
     /// Somebody calls to_eye().
@@ -159,13 +159,15 @@ struct FixedMath {
                 set_fog(numeric::product(t.eye_z, v), out);
             add(i, t, v);
         }
-        SPANGLE_INLINE void add(int i, const Transforms& t, numeric::Mantissas<4>& v) {
+        /// Point: its w is 2^power.
+        template <bool Point = false>
+        SPANGLE_INLINE void add(int i, const Transforms& t, numeric::Mantissas<4>& v, int power = 0) {
             const auto* const rows = t.rows.of(t.to_clip);
             Clipped& clip = clip_[i];
-            clip.w = static_cast<std::uint32_t>(row(rows + 12, v));
-            clip.x = row(rows, v);
-            clip.y = row(rows + 4, v);
-            clip.z = row(rows + 8, v);
+            clip.w = static_cast<std::uint32_t>(row<Point>(rows + 12, v, power));
+            clip.x = row<Point>(rows, v, power);
+            clip.y = row<Point>(rows + 4, v, power);
+            clip.z = row<Point>(rows + 8, v, power);
             clip.e = v.e;
             if constexpr (!at_once)
                 of_w_.set(i, clip.w << (numeric::clz32(clip.w) & 31));
@@ -265,14 +267,21 @@ struct FixedMath {
         return area;
     }
     /// Where a line ends, if its end is seen: in an area inside_viewport(), between the near and far planes.
-    /// Floats of any bits are a position. False: it is not seen, or that is not known.
+    /// Floats of any bits are a position, but w is 1. False: it is not seen, or that is not known.
     SPANGLE_INLINE static bool seen(const Transforms& t, const Real (&position)[4],
                                     const raster::DrawState::Area& area, raster::LineEnd& out) {
         numeric::Mantissas<4> v;
         if (!numeric::load_usual(t.to_clip.column, position, v))
             return false;
         Projections<1> projection;
-        projection.add(0, t, v);
+        if constexpr (numeric::long_products) {
+            projection.add(0, t, v);
+        } else {
+            const std::int32_t power = t.to_clip.column.e[3] - v.e;
+            if (power < 0) // nothing beside the others
+                return false;
+            projection.template add<true>(0, t, v, power);
+        }
         projection.finish(1);
         return projection.place(0, t, area, out);
     }
@@ -642,12 +651,17 @@ struct FixedMath {
     }
 
     /// Row by row: with all four under way at once the words would not fit the registers.
-    template <class Element>
-    SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v) {
+    template <bool Point, class Element>
+    SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v,
+                                           [[maybe_unused]] int power) {
 #pragma GCC unroll 4
         for (std::int32_t& m : v.m)
             m = numeric::factor32(m);
-        const std::int32_t r = numeric::row_times(elements, v.m);
+        std::int32_t r;
+        if constexpr (Point)
+            r = numeric::row_times_point<4>(elements, v.m, power);
+        else
+            r = numeric::row_times(elements, v.m);
         asm volatile("" : "+r"(v.m[0]) : "r"(r)); // NOLINT(hicpp-no-assembler): no instruction
         return r;
     }

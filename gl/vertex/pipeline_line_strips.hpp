@@ -38,6 +38,9 @@ template <class I>
 std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint32_t count, const I indices,
                                          const raster::DrawState::Area& area) const {
     const raster::DrawState::Area where = area;
+    // Where two operands leave little room for offsets it is an address of its own.
+    const typename M::Transforms* const transforms =
+        numeric::three_operands ? &transforms_ : numeric::factor32(&transforms_);
     raster::LineEnd ends[line_batch + 1], *end = ends;
     const auto draw = [&] {
         if (end - ends < 2)
@@ -48,7 +51,7 @@ std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint3
     };
     const auto seen = [&](std::uint32_t i) __attribute__((always_inline)) {
         const std::uint8_t* const words = reader.vertex.words(indices.at(i));
-        return M::seen(transforms_,
+        return M::seen(*transforms,
                        {{ArrayReader::word(words, 0)},
                         {ArrayReader::word(words, 1)},
                         {ArrayReader::word(words, 2)},

@@ -117,6 +117,21 @@ SPANGLE_INLINE void begin_here() {
     asm volatile(""); // NOLINT(hicpp-no-assembler): no instruction
 }
 
+namespace detail {
+
+SPANGLE_INLINE constexpr bool shift_loses(std::int32_t v, std::uint32_t n) {
+    return n > 31 || static_cast<std::int32_t>(static_cast<std::uint32_t>(v) << n) >> n != v;
+}
+
+} // namespace detail
+
+/// Whether v * 2^n has bits that a word has not.
+SPANGLE_INLINE constexpr bool loses(std::int32_t v, std::uint32_t n) {
+    if constexpr (three_operands)
+        return n >= static_cast<std::uint32_t>(clz32(static_cast<std::uint32_t>(v ^ (v >> 31))));
+    return detail::shift_loses(v, n); // zeros are counted by a call
+}
+
 /// v in a register, where words have 32 bits: compilers do not make it anew at every use.
 template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
 #if __SIZEOF_POINTER__ == 4
@@ -252,6 +267,11 @@ SPANGLE_INLINE constexpr std::uint32_t shifted_some(std::uint32_t v, std::uint32
         asm("lsr %0, %0, %1" : "+r"(v) : "r"(n)); // NOLINT(hicpp-no-assembler)
         return v;
     }
+#elif defined(__thumb__)
+    if (!std::is_constant_evaluated()) {
+        asm(".syntax unified\n\tlsrs %0, %0, %1" : "+l"(v) : "l"(n) : "cc"); // NOLINT(hicpp-no-assembler)
+        return v;
+    }
 #endif
     return shifted_out(v, n);
 }
@@ -336,10 +356,80 @@ template <class A, class B> struct HalvesOf {
 };
 
 template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint64_t mul_halves(A a, B b) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if constexpr (std::is_signed_v<A> && std::is_signed_v<B>)
+        if (!std::is_constant_evaluated()) { // 17 of them: GCC 12 takes three more
+            std::uint32_t high_a, low_b, first;
+            asm(".syntax unified\n\t" // NOLINT(hicpp-no-assembler)
+                "uxth %[b0], %[b]\n\t"
+                "asrs %[a1], %[a], #16\n\t"
+                "uxth %[a], %[a]\n\t"
+                "asrs %[b], %[b], #16\n\t"
+                "movs %[first], %[b0]\n\t"
+                "muls %[first], %[a1], %[first]\n\t"
+                "muls %[a1], %[b], %[a1]\n\t"
+                "muls %[b], %[a], %[b]\n\t"
+                "muls %[a], %[b0], %[a]\n\t"
+                "lsls %[b0], %[first], #16\n\t"
+                "asrs %[first], %[first], #16\n\t"
+                "adds %[a], %[a], %[b0]\n\t"
+                "adcs %[a1], %[first]\n\t"
+                "lsls %[b0], %[b], #16\n\t"
+                "asrs %[b], %[b], #16\n\t"
+                "adds %[a], %[a], %[b0]\n\t"
+                "adcs %[b], %[a1]"
+                : [a] "+l"(a), [b] "+l"(b), [a1] "=&l"(high_a), [b0] "=&l"(low_b), [first] "=&l"(first)
+                :
+                : "cc");
+            return std::uint64_t{static_cast<std::uint32_t>(b)} << 32 | static_cast<std::uint32_t>(a);
+        }
+#endif
     return HalvesOf<A, B>(a, b).product();
 }
 template <class A, class B> [[gnu::noinline, gnu::const]] constexpr std::uint32_t mul_halves_high(A a, B b) {
     return HalvesOf<A, B>(a, b).high;
+}
+
+/// sum + a * b, likewise: the sum stays where it is from product to product.
+[[gnu::noinline, gnu::const]] constexpr std::int64_t add_halves(std::int64_t sum, std::int32_t a,
+                                                                std::int32_t b) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t high_a, low_b, first;
+        asm(".syntax unified\n\t" // NOLINT(hicpp-no-assembler)
+            "uxth %[b0], %[b]\n\t"
+            "asrs %[a1], %[a], #16\n\t"
+            "uxth %[a], %[a]\n\t"
+            "asrs %[b], %[b], #16\n\t"
+            "movs %[first], %[b0]\n\t"
+            "muls %[first], %[a1], %[first]\n\t"
+            "muls %[a1], %[b], %[a1]\n\t"
+            "muls %[b], %[a], %[b]\n\t"
+            "muls %[a], %[b0], %[a]\n\t"
+            "adds %Q[sum], %Q[sum], %[a]\n\t"
+            "adcs %R[sum], %[a1]\n\t"
+            "lsls %[b0], %[first], #16\n\t"
+            "asrs %[first], %[first], #16\n\t"
+            "adds %Q[sum], %Q[sum], %[b0]\n\t"
+            "adcs %R[sum], %[first]\n\t"
+            "lsls %[b0], %[b], #16\n\t"
+            "asrs %[b], %[b], #16\n\t"
+            "adds %Q[sum], %Q[sum], %[b0]\n\t"
+            "adcs %R[sum], %[b]"
+            : [sum] "+l"(sum), [a] "+l"(a), [b] "+l"(b), [a1] "=&l"(high_a), [b0] "=&l"(low_b),
+              [first] "=&l"(first)
+            :
+            : "cc");
+        return sum;
+    }
+#endif
+    return sum + static_cast<std::int64_t>(mul_halves(a, b));
+}
+
+/// (0 - a * b) >> 14, mod 2^32, by halves: no carry goes from the product of the lower ones.
+SPANGLE_INLINE constexpr std::uint32_t halves_residual(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t a0 = low_half(a), b0 = low_half(b), a1 = a >> 16, b1 = b >> 16;
+    return 0 - ((a1 * b1 << 18) + ((a1 * b0 + a0 * b1) << 2) + ((a0 * b0 + 0x3FFF) >> 14));
 }
 
 /// Of factors that compilers know they make shifts and sums.
@@ -369,6 +459,13 @@ SPANGLE_INLINE constexpr std::int64_t mul_s32_u32(std::int32_t a, std::uint32_t 
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{a} * b;
+}
+
+/// The low word of floor(-a * b / 2^14).
+SPANGLE_INLINE constexpr std::uint32_t mul_residual(std::uint32_t a, std::uint32_t b) {
+    if (detail::by_halves(a, b))
+        return detail::halves_residual(a, b);
+    return static_cast<std::uint32_t>((0 - mul_u32(a, b)) >> 14);
 }
 
 /// floor(a * b / 2^32).
@@ -405,6 +502,21 @@ SPANGLE_INLINE constexpr std::uint32_t halves_by_half(std::uint32_t a, std::uint
 }
 
 } // namespace detail
+
+namespace detail {
+
+SPANGLE_INLINE constexpr std::int32_t bytes_by_byte(std::int32_t a, std::int32_t b) {
+    return (a >> 8) * b + ((a & 255) * b >> 8);
+}
+
+} // namespace detail
+
+/// floor(a * b / 2^32) of a b that has no bits below 2^24.
+SPANGLE_INLINE constexpr std::int32_t mul_high_byte(std::int32_t a, std::int32_t b) {
+    if (detail::by_halves(a, b))
+        return detail::bytes_by_byte(a, b >> 24);
+    return mul_high_s32(b, a);
+}
 
 /// floor(a * b / 2^16), b < 2^16.
 SPANGLE_INLINE constexpr std::uint32_t mul_by_half(std::uint32_t a, std::uint32_t b) {
@@ -461,6 +573,11 @@ SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int3
     }
 #endif
     return high_rounded(mul_s32(a, b));
+}
+/// v * 2^n, 0 <= n < 32, in two words.
+SPANGLE_INLINE constexpr std::int64_t shifted_up(std::int32_t v, int n) {
+    const auto high = static_cast<std::uint32_t>((v >> 1) >> (31 - n));
+    return static_cast<std::int64_t>(std::uint64_t{high} << 32 | static_cast<std::uint32_t>(v) << n);
 }
 /// That and `to`, mod 2^32.
 SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int32_t a, std::int32_t b) {

@@ -217,6 +217,17 @@ SPANGLE_INLINE constexpr std::int32_t row_times(const Element* row, const std::i
     return high_rounded(row_sum<N>(row, v, 0));
 }
 
+/// row_times() a v whose last is 2^power, 0 <= power < 32: where there are no long products, one less.
+template <int N>
+SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, const std::int32_t (&v)[N],
+                                                      int power) {
+    std::int64_t sum = shifted_up(row[N - 1], power);
+#pragma GCC unroll 4
+    for (int j = 0; j < N - 1; ++j)
+        sum = detail::add_halves(sum, row[j], v[j]);
+    return high_rounded(sum);
+}
+
 /// The elements as blocks, 30 bits each.
 constexpr BlockMatrix to_block_matrix(const Matrix& a) {
     Block v[16];

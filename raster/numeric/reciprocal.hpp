@@ -47,19 +47,31 @@ SPANGLE_INLINE constexpr std::uint32_t reciprocal_1(std::uint32_t a) {
 /// 2^-30.9. The second step works on the residual 1 - a*r, of which the 31 bits that count fit one word.
 SPANGLE_INLINE constexpr std::uint32_t reciprocal(std::uint32_t a) {
     const std::uint32_t r = reciprocal_1(a);
-    const std::uint64_t product = mul_u32(a, r); // Q.62, 1 - 2^-17.9 .. 1 + 2^-30
-    const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>( // Q.48
-        (0 - product) >> 14));                                                  // 2^62 has no bit among them
+    // The product is Q.62, 1 - 2^-17.9 .. 1 + 2^-30, this Q.48: 2^62 has no bit among them.
+    const auto residual = static_cast<std::int32_t>(mul_residual(a, r));
     // r < 2^31, |residual| < 2^30.2: the correction with 8 fraction bits, rounded to whole ulps.
     const std::int32_t step = (mul_high_s32(static_cast<std::int32_t>(r), residual) + (1 << 15)) >> 16;
     return r + static_cast<std::uint32_t>(step);
 }
 
+namespace detail {
+
+/// Those of reciprocal(), whose products of a << zeros are short ones, moved.
+SPANGLE_INLINE constexpr std::uint32_t half_reciprocal_in_steps(std::uint32_t a, int zeros) {
+    const std::uint32_t seed = reciprocal_seed(a << zeros) >> 15;
+    const std::uint32_t r = mul_by_half(0 - ((a * seed) << (zeros - 16)), seed);
+    const auto residual = static_cast<std::int32_t>((0 - a * r) << (zeros - 14));
+    const std::int32_t step = (mul_high_s32(static_cast<std::int32_t>(r), residual) + (1 << 15)) >> 16;
+    return (r + static_cast<std::uint32_t>(step)) >> 1;
+}
+
+} // namespace detail
+
 /// reciprocal(a << zeros) / 2 of an a below 2^12 that has so many leading zeros. Where there is an
 /// instruction it is a division by two digits, of 1 and nearly 1/4: half of what is rounded to nearest.
 SPANGLE_INLINE constexpr std::uint32_t half_reciprocal(std::uint32_t a, int zeros) {
     if constexpr (!divides)
-        return reciprocal(a << zeros) >> 1;
+        return detail::half_reciprocal_in_steps(a, zeros);
     constexpr std::uint32_t one = 1u << 30;
     const std::uint32_t first = one / a;
     const int digits = 31 - zeros;

@@ -101,8 +101,7 @@ class LinesInTurn {
         const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
         const int zeros = numeric::clz32(length);
         const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 bits less than its exponent - 1
-        if (lift >= static_cast<std::uint32_t>(numeric::clz32(
-                        static_cast<std::uint32_t>(difference ^ (difference >> 31))))) [[unlikely]]
+        if (numeric::loses(difference, lift)) [[unlikely]]
             return set_any_depth(paths, ends, at.begin, at.end, at.from_begin);
         const auto per_pixel = static_cast<std::int32_t>(numeric::half_reciprocal(length, zeros));
         const std::int32_t coefficient = Up::value ? per_pixel : -per_pixel;
@@ -115,7 +114,7 @@ class LinesInTurn {
         paths.at(Paths::depth, i) = static_cast<std::int32_t>(
             from + (1u << 15) +
             static_cast<std::uint32_t>(
-                numeric::mul_high_s32(high, numeric::mul_high_s32(to_center, -coefficient))) +
+                numeric::mul_high_s32(high, numeric::mul_high_byte(-coefficient, to_center))) +
             static_cast<std::uint32_t>(at.from_begin) * static_cast<std::uint32_t>(step));
     }
     [[gnu::noinline]] void set_any_depth(Paths& paths, const LineEnd* ends, std::int32_t begin,

@@ -16,7 +16,9 @@ TEST(Kernels, ReciprocalHoldsItsBounds) {
 }
 TEST(Kernels, HalfReciprocalsAreHalfOfThose) {
     for (std::uint32_t a = 1; a < 1 << 12; ++a)
-        ASSERT_EQ(half_reciprocal(a, clz32(a)), reciprocal(a << clz32(a)) >> 1) << a;
+        for (const std::uint32_t half :
+             {half_reciprocal(a, clz32(a)), detail::half_reciprocal_in_steps(a, clz32(a))})
+            ASSERT_EQ(half, reciprocal(a << clz32(a)) >> 1) << a;
 }
 TEST(Kernels, ReciprocalsTogetherAreThoseAlone) {
     Random random(12);
@@ -76,6 +78,16 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         const auto rounded = static_cast<std::int32_t>((std::int64_t{a} * b + (std::int64_t{1} << 31)) >> 32);
         ASSERT_EQ(mul_high_rounded(a, b), rounded) << a << ' ' << b;
         ASSERT_EQ(add_high_rounded(-7, a, b), rounded - 7) << a << ' ' << b;
+        ASSERT_EQ(detail::halves_residual(u, v), static_cast<std::uint32_t>((0 - plain) >> 14))
+            << u << ' ' << v;
+        const std::int32_t byte = static_cast<std::int32_t>(v & 0xFF000000);
+        ASSERT_EQ(mul_high_byte(a, byte), mul_high_s32(a, byte)) << a << ' ' << v;
+        ASSERT_EQ(detail::bytes_by_byte(a, byte >> 24), mul_high_s32(a, byte)) << a << ' ' << v;
+        ASSERT_EQ(detail::add_halves(-3, a, b), std::int64_t{a} * b - 3) << a << ' ' << b;
+        const int up = static_cast<int>(v % 32);
+        ASSERT_EQ(shifted_up(a, up), a * (std::int64_t{1} << up)) << a << ' ' << b << ' ' << up;
+        ASSERT_EQ(detail::shift_loses(a, v % 40), loses(a, v % 40)) << a << ' ' << v % 40;
+        ASSERT_EQ(detail::shift_loses(a >> up, v % 40), loses(a >> up, v % 40)) << a << ' ' << up;
         ASSERT_EQ(mul_by_half(u, v >> 16), std::uint64_t{u} * (v >> 16) >> 16) << u << ' ' << v;
         ASSERT_EQ(detail::halves_by_half(u, v >> 16), mul_by_half(u, v >> 16)) << u << ' ' << v;
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;
