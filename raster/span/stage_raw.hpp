@@ -31,10 +31,11 @@ template <PixelFormat Format> class DitherLaneRows {
     SPANGLE_INLINE explicit DitherLaneRows(std::uint32_t components) {
         using L = Lanes<8>;
         const detail::DitheredLanes<L> lanes(components);
-        for (std::int32_t y = 0; y < 4; ++y)
-            for (const int half : {0, 4})
-                Words565<L, Format>::store(reinterpret_cast<std::uint8_t*>(of_[y] + half),
-                                           lanes.at(detail::DitherRow<L>(0, y).threshold()));
+        for (std::int32_t y = 0; y < 4; ++y) {
+            const auto words = Words565<L, Format>::ordered(lanes.at(detail::DitherRow<L>(0, y).threshold()));
+            L::store(reinterpret_cast<std::uint8_t*>(of_[y]), words);
+            L::store(reinterpret_cast<std::uint8_t*>(of_[y] + 4), words);
+        }
     }
     SPANGLE_INLINE const detail::Half* row(std::int32_t y) const { return of_[y & 3]; }
 
