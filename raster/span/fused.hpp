@@ -350,7 +350,7 @@ template <class Case, int Wide = host_lanes>
             return draw_patch<Case>(at, first, last, room);
         };
         fused_divided_rows(span, row, end, draw, &fused_patchless_rows<Case>);
-    } else if constexpr (Case::lit && !Case::key.dither) {
+    } else if constexpr (Case::lit) {
         fused_lit_rows<Case, NearProducts>(span, row, end);
     } else if constexpr (Wide == 8 && Case::heavy) {
         using List = typename Case::template List<8>;

@@ -96,7 +96,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// There are lanes for what is divided, which end in 16 bits.
     static constexpr bool lit = exact && divided && textured && K.unit[0].filter == Filter::nearest &&
                                 K.unit[0].env == TexEnv::modulate && loads_rgb && K.color && !K.color_alpha &&
-                                !K.blend && (!K.dither || host_lanes == 8) && is_565(K.format) && !Apart;
+                                !K.blend && is_565(K.format) && !Apart;
     /// There is no lane for it that has long products.
     static constexpr bool halved = lit && !numeric::long_products;
 
@@ -223,7 +223,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             else if constexpr (raw)
                 return std::type_identity<StoreRaw<L, K.format>>{};
             else if constexpr (halved)
-                return std::type_identity<LitStore<K.format, words_565, K.fog>>{};
+                return std::type_identity<LitStore<K.format, words_565, K.fog, K.dither>>{};
             else if constexpr (is_packed<N>)
                 return std::type_identity<BlendPacked<N, K.format, K.dither>>{};
             else if constexpr (bytes_dithered<N>)
@@ -304,7 +304,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     template <class Products> struct One {
         using N = ExactLit;
         using Test = FusedCase::Test<N>;
-        using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format>;
+        using Draw = LitOne<Products, Image<N>, full, Gray, K.fog, K.format, K.dither>;
         using Patch = typename Draw::Patch;
     };
     /// Parts of a GatheredPacket.

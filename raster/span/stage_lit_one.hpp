@@ -59,6 +59,14 @@ template <> struct LitNumbers<NearWords> {
     template <bool> SPANGLE_INLINE static std::uint32_t over(std::uint32_t patch) {
         return (patch >> 2) + 1 + 4;
     }
+    /// A component in steps of 2^(32 - Bits), by a product that is rounded down.
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
+        constexpr std::uint64_t scale =
+            (((std::uint64_t{1} << Bits) - 1) << (60 - Bits - color_fraction_bits)) / 255 + 1;
+        return numeric::mul_high_u32(v << 4, static_cast<std::uint32_t>(scale));
+    }
+    /// And what a component may be off by.
+    SPANGLE_INLINE static std::uint32_t off_in_steps(std::uint32_t off) { return (off << 4) + 1; }
 };
 
 /// Components have 8 bits, and 24 below them.
@@ -87,6 +95,10 @@ template <> struct LitNumbers<NearHalves> {
     template <bool Fog> SPANGLE_INLINE static std::uint32_t over(std::uint32_t patch) {
         return (LitGuess<Fog>::over + patch) << 16;
     }
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
+        return lit_steps<Bits>(v >> 16);
+    }
+    SPANGLE_INLINE static std::uint32_t off_in_steps(std::uint32_t off) { return off + (1u << 16); }
 };
 
 /// A texel's number along one axis.
@@ -184,8 +196,8 @@ template <class Products, bool Full> class LitColorOne {
     V v_;
 };
 
-/// MODULATE, fog, truncation and the store, T a TextureFixed.
-template <class Products, class T, bool Full, bool Gray, bool HasFog, PixelFormat Format>
+/// MODULATE, fog, truncation or dithering, and the store, T a TextureFixed.
+template <class Products, class T, bool Full, bool Gray, bool HasFog, PixelFormat Format, bool Dither>
 class LitOne : public T {
   public:
     using N = typename T::System;
@@ -196,15 +208,16 @@ class LitOne : public T {
     SPANGLE_INLINE LitOne(const LitRow<Patch>& row, std::int32_t x)
         : T(row, x), u_(row, x, row.patch.u), s_(row, x, row.patch.s, this->log2_width),
           t_(row, x, row.patch.t, this->log2_height), fog_(fog(row, x)), r_(row, x, row.patch, 0),
-          g_(other(row, x, 1)), b_(other(row, x, 2)) {
-        const std::uint32_t under = Numbers::template under<Full, HasFog>(row.patch.under);
-        from_ = (1u << (top - 9)) - under; // which rounds to 255ths
-        range_ = under + Numbers::template over<HasFog>(row.patch.over);
+          g_(other(row, x, 1)), b_(other(row, x, 2)), thresholds_(row.x + x, row.y) {
+        const std::uint32_t under = off(Numbers::template under<Full, HasFog>(row.patch.under));
+        from_ = (Dither ? 0 : 1u << (top - 9)) - under; // which rounds to 255ths
+        range_ = under + off(Numbers::template over<HasFog>(row.patch.over));
         for (int i = 0; i < 3; ++i)
             fog_color_[i] = Numbers::fog_color(row.state->fragment.fog_color[i]);
     }
     SPANGLE_INLINE void start(const LitRow<Patch>& row, std::int32_t x) {
         const Patch& patch = row.patch;
+        thresholds_ = Thresholds(row.x + x, row.y);
         u_.start(row, x, patch.u);
         s_.start(row, x, patch.s);
         t_.start(row, x, patch.t);
@@ -238,13 +251,13 @@ class LitOne : public T {
         }
         const std::uint32_t rest = Numbers::rest(f);
         const auto lit = [&](std::uint32_t c, std::uint32_t factor, int k) __attribute__((always_inline)) {
-            return (HasFog ? Numbers::fogged(c, factor, fog_color_[k], rest)
-                           : Numbers::modulated(c, factor)) +
-                   from_;
+            return HasFog ? Numbers::fogged(c, factor, fog_color_[k], rest) : Numbers::modulated(c, factor);
         };
+        const std::uint32_t threshold = thresholds_.threshold(i);
         // The least that they may be.
-        const std::uint32_t r = lit(red, Scales::red(texel), 0), g = lit(green, Scales::green(texel), 1),
-                            b = lit(blue, Scales::blue(texel), 2);
+        const std::uint32_t r = least<5>(lit(red, Scales::red(texel), 0), threshold),
+                            g = least<6>(lit(green, Scales::green(texel), 1), threshold),
+                            b = least<5>(lit(blue, Scales::blue(texel), 2), threshold);
         constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
         if (((((r + range_) ^ r) | ((b + range_) ^ b)) & five) != 0 || (((g + range_) ^ g) & six) != 0)
             [[unlikely]]
@@ -258,8 +271,19 @@ class LitOne : public T {
     using Numbers = LitNumbers<Products>;
     using Scales = TexelScales<typename Numbers::Factors, T::texel_format == TexelFormat::rgb565>;
     using Color = LitColorOne<Products, Full>;
-    static constexpr int top = Numbers::top;
+    using Thresholds = std::conditional_t<Dither, detail::DitherRow<Lanes<1>>, detail::NoThreshold>;
+    static constexpr int top = Dither ? 32 : Numbers::top; ///< where components that are stored end
 
+    SPANGLE_INLINE static std::uint32_t off(std::uint32_t component) {
+        return Dither ? Numbers::off_in_steps(component) : component;
+    }
+    template <unsigned Bits>
+    SPANGLE_INLINE std::uint32_t least(std::uint32_t v, std::uint32_t threshold) const {
+        if constexpr (Dither)
+            return Numbers::template steps<Bits>(v) + (threshold << (27 - Bits)) + from_;
+        else
+            return v + from_;
+    }
     SPANGLE_INLINE static auto other(const LitRow<Patch>& row, std::int32_t x, int i) {
         if constexpr (Gray)
             return StageBase{};
@@ -278,6 +302,7 @@ class LitOne : public T {
     [[no_unique_address]] std::conditional_t<HasFog, LitRatioOne<Products>, StageBase> fog_;
     Color r_;
     [[no_unique_address]] std::conditional_t<Gray, StageBase, Color> g_, b_;
+    [[no_unique_address]] Thresholds thresholds_;
     std::uint32_t from_, range_, fog_color_[3];
 };
 

@@ -45,14 +45,21 @@ struct HalfFactors {
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return detail::lit_factors<255>.of[k]; }
 };
 
+/// 256ths of 255ths in steps of 2^(32 - Bits), at most 2^-5 of a 256th too much.
+template <unsigned Bits> SPANGLE_INLINE std::uint32_t lit_steps(std::uint32_t v) {
+    constexpr std::uint32_t most = 255 << 8, steps = ((1u << Bits) - 1) << (32 - Bits);
+    return v * (steps / most + 1);
+}
+
 /// What LitFragments makes of a fragment and its texel, a word 565 or bytes.
-template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public StageBase {
+template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitStore : public StageBase {
   public:
     using N = ExactLit;
     static constexpr unsigned in = field_color | (HasFog ? field_fog : 0u);
     static constexpr bool effect = true;
 
-    SPANGLE_INLINE LitStore(const Span<Fixed>& s, std::int32_t) : fog_color_(s.state->fragment.fog_color) {
+    SPANGLE_INLINE LitStore(const Span<Fixed>& s, std::int32_t x)
+        : fog_color_(s.state->fragment.fog_color), thresholds_(s.x + x, s.y) {
         for (int i = 0; i < 3; ++i)
             fog_[i] = HasFog ? rounded(fog_color_[i]) : 0;
     }
@@ -60,19 +67,26 @@ template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public S
         Words565<N::L, Format>::store(p.color_plane + p.bytes(), word(p.color, p.fog));
         return true;
     }
+    SPANGLE_INLINE void step() { thresholds_.step(); }
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        thresholds_ = Thresholds(s.x + x, s.y);
+    }
     /// fog: as FogLinear has it.
     SPANGLE_INLINE std::uint32_t word(const N::Color& c, std::uint32_t fog) const {
         const std::uint32_t f = HasFog ? N::L::clamped_24_to_16(fog) : 0, t = c.texel;
-        const std::uint32_t r = lit(c.r, Scales::red(t), f, 0), g = lit(c.g, Scales::green(t), f, 1),
-                            b = lit(c.b, Scales::blue(t), f, 2);
-        if (((((r + range) ^ r) | ((b + range) ^ b)) & 0xF800) != 0 || (((g + range) ^ g) & 0xFC00) != 0)
-            [[unlikely]]
-            return done_again(N::Color(c), fog, fog_color_); // a copy, or p would have an address
-        return (r & 0xF800) | (g >> 5 & 0x07E0) | b >> 11;
+        const std::uint32_t r = least<5>(lit(c.r, Scales::red(t), f, 0)),
+                            g = least<6>(lit(c.g, Scales::green(t), f, 1)),
+                            b = least<5>(lit(c.b, Scales::blue(t), f, 2));
+        constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
+        if (((((r + range) ^ r) | ((b + range) ^ b)) & five) != 0 || (((g + range) ^ g) & six) != 0)
+            [[unlikely]] // a copy, or p would have an address
+            return done_again(N::Color(c), fog, fog_color_, thresholds_.threshold());
+        return (r >> (top - 16) & 0xF800) | (g >> (top - 11) & 0x07E0) | b >> (top - 5);
     }
     /// What the chain does.
     [[gnu::noinline]] static std::uint32_t done_again(const N::Color& lit, std::uint32_t fog,
-                                                      const std::uint32_t* fog_color) {
+                                                      const std::uint32_t* fog_color,
+                                                      std::uint32_t threshold) {
         Exact::Color c = {lit.r, lit.g, lit.b, color_one};
         apply_env<Exact>(TexEnv::modulate, BaseFormat::rgb, c,
                          TexelColors<Exact, Is565, false>::unpack(lit.texel), Exact::Color{});
@@ -81,22 +95,33 @@ template <PixelFormat Format, bool Is565, bool HasFog> class LitStore : public S
             c = {Exact::mix(fog_color[0], c.r, f), Exact::mix(fog_color[1], c.g, f),
                  Exact::mix(fog_color[2], c.b, f), c.a};
         }
-        return truncated565<Exact>(c);
+        return Dither ? dithered565<Exact>(c, threshold) : truncated565<Exact>(c);
     }
 
   private:
     using Scales = TexelScales<HalfFactors, Is565>;
-    static constexpr std::uint32_t under = LitGuess<HasFog>::under, range = under + LitGuess<HasFog>::over;
+    using Thresholds = std::conditional_t<Dither, detail::DitherRow<N::L>, detail::NoThreshold>;
+    static constexpr int top = Dither ? 32 : 16; ///< where components end
+    /// Of steps nothing below 256ths is dropped, which is one more.
+    static constexpr std::uint32_t under = LitGuess<HasFog>::under << (top - 16),
+                                   range = under + ((LitGuess<HasFog>::over + Dither) << (top - 16));
 
     SPANGLE_INLINE static std::uint32_t rounded(std::uint32_t c) { return (c + (1u << 11)) >> 12; }
-    /// The least that the component, rounded to 255ths, may be.
     SPANGLE_INLINE std::uint32_t lit(std::uint32_t c, std::uint32_t factor, std::uint32_t f, int i) const {
         const std::uint32_t v = rounded(c) * factor >> 16;
-        return (HasFog ? (fog_[i] * (65535 - f) >> 16) + (v * f >> 16) : v) + 128 - under;
+        return HasFog ? (fog_[i] * (65535 - f) >> 16) + (v * f >> 16) : v;
+    }
+    /// The least that the component, rounded to 255ths or dithered, may be.
+    template <unsigned Bits> SPANGLE_INLINE std::uint32_t least(std::uint32_t v) const {
+        if constexpr (Dither)
+            return lit_steps<Bits>(v) + (thresholds_.threshold() << (27 - Bits)) - under;
+        else
+            return v + 128 - under;
     }
 
     const std::uint32_t* fog_color_;
     std::uint32_t fog_[3];
+    [[no_unique_address]] Thresholds thresholds_;
 };
 
 } // namespace spangle::raster

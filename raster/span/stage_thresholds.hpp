@@ -28,6 +28,8 @@ template <> struct DitherRow<Lanes<1>> {
     std::uint32_t row;
     SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(dither_words.at(x, y)) {}
     SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
+    /// Of the i-th fragment from here.
+    SPANGLE_INLINE std::uint32_t threshold(std::int32_t i) const { return std::rotr(row, 8 * i & 31) & 0xFF; }
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
@@ -83,7 +85,7 @@ template <class L> struct DitherPlace : DitherRow<L> {
 /// In place of either, where nothing is dithered.
 struct NoThreshold {
     SPANGLE_INLINE NoThreshold(std::int32_t, std::int32_t) {}
-    SPANGLE_INLINE static std::uint32_t threshold() { return 0; }
+    SPANGLE_INLINE static std::uint32_t threshold(std::int32_t = 0) { return 0; }
     SPANGLE_INLINE void step() {}
     SPANGLE_INLINE void next_row() {}
 };

@@ -8,8 +8,8 @@
 namespace spangle::raster::test {
 namespace {
 
-template <bool Is565, bool HasFog> void check_words(std::uint32_t seed) {
-    using Store = LitStore<PixelFormat::rgb565_be, Is565, HasFog>;
+template <bool Is565, bool HasFog, bool Dither> void check_words(std::uint32_t seed) {
+    using Store = LitStore<PixelFormat::rgb565_be, Is565, HasFog, Dither>;
     std::mt19937 random(seed);
     const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random()) % n; };
     DrawState state{};
@@ -20,7 +20,10 @@ template <bool Is565, bool HasFog> void check_words(std::uint32_t seed) {
             state.fragment.fog_color[i] = round % 3 == 0   ? color_one
                                           : round % 3 == 1 ? 0
                                                            : below(color_one + 1);
+        span.x = round & 3;
+        span.y = round >> 2;
         const Store store(span, 0);
+        const std::uint32_t threshold = dither_threshold(dither_row(span.y), span.x);
         for (int i = 0; i < 1000; ++i) {
             const auto component = [&] {
                 const std::uint32_t ends[] = {0, color_one, color_one - below(3),
@@ -32,17 +35,23 @@ template <bool Is565, bool HasFog> void check_words(std::uint32_t seed) {
             const ExactLit::Color c = {r, g, b, color_one, texel & (Is565 ? 0xFFFF : 0xFFFFFF)};
             const std::uint32_t fogs[] = {0, 1 << 24, (1 << 24) - 1, ~0u, below(1 << 24)};
             const std::uint32_t fog = fogs[i % 5];
-            ASSERT_EQ(store.word(c, fog), Store::done_again(c, fog, state.fragment.fog_color))
+            ASSERT_EQ(store.word(c, fog), Store::done_again(c, fog, state.fragment.fog_color, threshold))
                 << r << ' ' << g << ' ' << b << ' ' << c.texel << ' ' << fog;
         }
     }
 }
 
 TEST(LitStore, WordsAreThoseOfTheChain) {
-    check_words<true, true>(1);
-    check_words<true, false>(2);
-    check_words<false, true>(3);
-    check_words<false, false>(4);
+    check_words<true, true, false>(1);
+    check_words<true, false, false>(2);
+    check_words<false, true, false>(3);
+    check_words<false, false, false>(4);
+}
+TEST(LitStore, DitheredWordsAreThoseOfTheChain) {
+    check_words<true, true, true>(5);
+    check_words<true, false, true>(6);
+    check_words<false, true, true>(7);
+    check_words<false, false, true>(8);
 }
 
 template <std::uint32_t Most> void check_factors() {
