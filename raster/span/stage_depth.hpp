@@ -88,7 +88,7 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
             if constexpr (Write) {
                 if constexpr (!numeric::three_operands)
                     p.twice = numeric::factor32(p.twice);
-                L::store(p.depth_plane + p.bytes(), incoming);
+                L::store(p.depth_plane + p.bytes(), numeric::high_half_here(this->z.at));
             }
             return true;
         } else {
