@@ -213,9 +213,9 @@ struct FixedMath {
         /// The same of one that falls into an area inside_viewport(); false: any other. `out` is anything
         /// then.
         SPANGLE_INLINE bool place(int i, const Transforms& t, const raster::DrawState::Area& area,
-                                  raster::LineEnd& out) const {
+                                  raster::LineEnd& out, numeric::LeadingZeros<>& count) const {
             const Clipped& clip = clip_[i];
-            const int zeros = numeric::clz32(clip.w);
+            const int zeros = count.of(clip.w);
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
@@ -269,7 +269,8 @@ struct FixedMath {
     /// Where a line ends, if its end is seen: in an area inside_viewport(), between the near and far planes.
     /// Floats of any bits are a position, but w is 1. False: it is not seen, or that is not known.
     SPANGLE_INLINE static bool seen(const Transforms& t, const Real (&position)[4],
-                                    const raster::DrawState::Area& area, raster::LineEnd& out) {
+                                    const raster::DrawState::Area& area, raster::LineEnd& out,
+                                    numeric::LeadingZeros<>& count) {
         numeric::Mantissas<4> v;
         if (!numeric::load_usual(t.to_clip.column, position, v))
             return false;
@@ -283,7 +284,7 @@ struct FixedMath {
             projection.template add<true>(0, t, v, power);
         }
         projection.finish(1);
-        return projection.place(0, t, area, out);
+        return projection.place(0, t, area, out, count);
     }
 
     /// What Projections make of a vertex, which is how a window vertex begins.

@@ -41,6 +41,7 @@ std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint3
     // Where two operands leave little room for offsets it is an address of its own.
     const typename M::Transforms* const transforms =
         numeric::three_operands ? &transforms_ : numeric::factor32(&transforms_);
+    numeric::LeadingZeros<> zeros; // of w
     raster::LineEnd ends[line_batch + 1], *end = ends;
     const auto draw = [&] {
         if (end - ends < 2)
@@ -56,7 +57,7 @@ std::uint32_t Pipeline<M, L>::seen_strip(const ElementReader& reader, std::uint3
                         {ArrayReader::word(words, 1)},
                         {ArrayReader::word(words, 2)},
                         numeric::one},
-                       where, *end);
+                       where, *end, zeros);
     };
     std::uint32_t i = 0; // `end` is to be that element's
     for (bool all = true; all && i < count;) {

@@ -72,6 +72,26 @@ SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);
 }
 
+/// Leading zeros of values that mostly have as many as the one before them: where a call counts them, that
+/// is looked at first.
+template <bool Counted = long_products> class LeadingZeros {
+  public:
+    SPANGLE_INLINE constexpr int of(std::uint32_t v) {
+        if (v >> down_ == 1)
+            return 31 - down_;
+        const int zeros = clz32(v);
+        down_ = (31 - zeros) & 31; // 0 has 32
+        return zeros;
+    }
+
+  private:
+    int down_ = 31; ///< that leave 1 of the value before
+};
+template <> class LeadingZeros<true> {
+  public:
+    SPANGLE_INLINE static constexpr int of(std::uint32_t v) { return clz32(v); }
+};
+
 /// Leading zeros; 64 for 0.
 SPANGLE_INLINE constexpr int clz64(std::uint64_t v) {
     return std::countl_zero(v);

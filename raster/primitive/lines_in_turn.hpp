@@ -39,10 +39,11 @@ class LinesInTurn {
         constexpr std::true_type yes;
         constexpr std::false_type no;
         PathInterval<std::int32_t> at{};
+        numeric::LeadingZeros<> zeros; // of lengths
         for (int i = 0; i < count_;) {
             const LineEnd &a = end_[i * step_], &b = end_[i * step_ + 1];
             const auto follow = [&](auto along_x, auto ascends) __attribute__((always_inline)) {
-                return this->follow(along_x, ascends, i, paths, row, depth, at);
+                return this->follow(along_x, ascends, i, paths, row, depth, at, zeros);
             };
             if (Diamond<L>::is_along_x(a.x, a.y, b.x, b.y))
                 i = a.x <= b.x ? follow(yes, yes) : follow(yes, no);
@@ -58,7 +59,7 @@ class LinesInTurn {
     /// Line i, which goes this way, and those of a strip that go on so. The line after them.
     template <class X, class Up>
     SPANGLE_INLINE int follow(X x, Up up, int i, Paths& paths, std::int32_t row, bool depth,
-                              PathInterval<std::int32_t>& at) const {
+                              PathInterval<std::int32_t>& at, numeric::LeadingZeros<>& zeros) const {
         using Line = Diamond<L, X, Up>;
         const LineEnd* const first = end_ + i * step_;
         const LineEnd* const last = step_ == 1 ? end_ + (count_ - 1) : first;
@@ -72,7 +73,7 @@ class LinesInTurn {
             if (line.count > 0) {
                 const PathInterval<std::int32_t> interval = set_path<L>(paths, path, line, row);
                 if (depth)
-                    set_depth<Up>(paths, path, ends, interval);
+                    set_depth<Up>(paths, path, ends, interval, zeros);
                 else
                     at.begin = interval.begin, at.end = interval.end, at.from_begin = interval.from_begin;
             }
@@ -95,11 +96,12 @@ class LinesInTurn {
     /// pixels, and longer ones never.
     template <class Up>
     SPANGLE_INLINE void set_depth(Paths& paths, int i, const LineEnd* ends,
-                                  const PathInterval<std::int32_t>& at) const {
+                                  const PathInterval<std::int32_t>& at,
+                                  numeric::LeadingZeros<>& count) const {
         const std::uint32_t from = ends[0].depth;
         const std::int32_t difference = half_difference(ends);
         const auto length = static_cast<std::uint32_t>(Up::value ? at.end - at.begin : at.begin - at.end);
-        const int zeros = numeric::clz32(length);
+        const int zeros = count.of(length);
         const auto lift = static_cast<std::uint32_t>(zeros) - 20; // 32 bits less than its exponent - 1
         if (numeric::loses(difference, lift)) [[unlikely]]
             return set_any_depth(paths, ends, at.begin, at.end, at.from_begin);

@@ -159,7 +159,7 @@ class CoordRuns {
         next_ += std::int32_t{1} << log2_;
         if (next_ <= last_whole_) [[likely]] {
             row_.q0 += run_.q;
-            const Inverse inverse(row_.q(0));
+            const Inverse inverse(row_.q(0), zeros_);
             // One after the other: few registers.
             const auto along = [&](std::uint64_t & row, std::uint64_t run, std::int64_t & last,
                                    std::uint32_t & v, std::uint32_t & dv) __attribute__((always_inline)) {
@@ -217,7 +217,7 @@ class CoordRuns {
         row_.begin_at(next_);
         run_ = {row_.ds << log2_, row_.dt << log2_, row_.dq << log2_};
         exponent_ = span_->unit[unit_].exponent;
-        last_ = Sample(row_, exponent_);
+        last_ = Sample(row_, 0, Inverse(row_.q(0), zeros_), exponent_);
         const auto& wraps = span_->state->wraps[unit_];
         last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
@@ -296,6 +296,7 @@ class CoordRuns {
         std::uint64_t s, t, q;
     } run_; ///< from run to run
     int unit_, exponent_;
+    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< of w where runs end
     std::int32_t last_whole_; ///< where runs may end that are not cut short; 0 if coordinates do not wrap
     Sample last_;
 };

@@ -14,6 +14,12 @@ struct Inverse {
     std::uint32_t mantissa; ///< 1/q = mantissa * 2^(zeros - 62)
     int zeros;              ///< of q
     Inverse() = default;
+    SPANGLE_INLINE Inverse(std::int32_t value, numeric::LeadingZeros<true>&) : Inverse(value) {}
+    SPANGLE_INLINE Inverse(std::int32_t value, numeric::LeadingZeros<false>& count)
+        : q(value > 0 ? static_cast<std::uint32_t>(value) : 1u) {
+        zeros = count.of(q);
+        mantissa = numeric::reciprocal(q << zeros);
+    }
     SPANGLE_RUN_INLINE explicit Inverse(std::int32_t value)
         : q(value > 0 ? static_cast<std::uint32_t>(value) : 1u) {
         zeros = numeric::clz32(q);

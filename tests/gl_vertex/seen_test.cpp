@@ -45,7 +45,8 @@ TEST(SeenEnds, FallWhereVerticesDo) {
             Real position[4] = {coordinate(random, spread), coordinate(random, spread),
                                 coordinate(random, spread), numeric::one};
             raster::LineEnd end{};
-            const bool is_seen = FixedMath::seen(t, position, area, end);
+            numeric::LeadingZeros<> zeros;
+            const bool is_seen = FixedMath::seen(t, position, area, end, zeros);
             for (int c = 0; c < 3; ++c)
                 position[c] = numeric::from_float_bits(position[c].bits);
             FixedMath::Projections<1> projection;

@@ -63,6 +63,18 @@ TEST(Kernels, ShortRemaindersAreThoseOfDivision) {
     check_short_remainder<641>();
     check_short_remainder<8191>();
 }
+TEST(Kernels, ZerosAreCountedAfterAnyOthers) {
+    LeadingZeros<false> zeros;
+    for (int before = 0; before <= 32; ++before)
+        for (int i = 0; i <= 32; ++i) {
+            const std::uint32_t edge = i < 32 ? std::uint32_t{1} << i : 0;
+            for (const std::uint32_t v : {edge, edge - 1, edge | edge >> 1}) {
+                zeros.of(before < 32 ? std::uint32_t{1} << before : 0);
+                EXPECT_EQ(zeros.of(v), clz32(v)) << v << " after " << before;
+                EXPECT_EQ(zeros.of(v), clz32(v)) << v << " after " << before;
+            }
+        }
+}
 TEST(Kernels, ProductsOfHalvesAreLongOnes) {
     const auto check = [](std::uint32_t u, std::uint32_t v) {
         const auto a = static_cast<std::int32_t>(u), b = static_cast<std::int32_t>(v);
