@@ -30,6 +30,10 @@ void copy(Real (&to)[4], const Params& from) {
         to[c] = from.v[c].real();
 }
 
+bool is_black(const Real (&v)[4]) {
+    return numeric::is_zero(v[0]) && numeric::is_zero(v[1]) && numeric::is_zero(v[2]);
+}
+
 void give(Params& to, const Real* from, std::uint32_t count) {
     to.count = count;
     for (std::uint32_t c = 0; c < count; ++c)
@@ -235,8 +239,7 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
         return error(context, GL_INVALID_VALUE);
     Real v[4];
     copy(v, params);
-    const bool black = numeric::is_zero(v[0]) && numeric::is_zero(v[1]) && numeric::is_zero(v[2]);
-    if (!has_specular && pname == GL_SPECULAR && !black)
+    if (!has_specular && pname == GL_SPECULAR && !is_black(v))
         return refuse(context);
     materials_change(context);
     for (unsigned side = 0; side < 2; ++side) {
