@@ -5,7 +5,7 @@ usage: ./dev bench [--quick] [--scenes S2,S5] [--no-wall] [--no-mcu] [--no-callg
        ./dev bench --record            also keeps speed and memory in tests/bench/measured.json and in README.md
        ./dev bench --update-golden     writes tests/bench/golden.json, which ./dev test --all holds the counts against
 
-Wall time as a ratio in one run: the two programs take turns, medians count. x86 instructions by callgrind, Cortex-M
+Wall time as a ratio in one run: the two programs take turns scene by scene, the median of the ratios counts. x86 instructions by callgrind, Cortex-M
 instructions by QEMU's -icount: both repeatable. Goals: tests/bench/goals.json. Every timed picture is held against that
 of a program of its own, and against the emulated board's; one that differs fails.
 """
@@ -43,17 +43,46 @@ def google(program, pattern, seconds):
     return {entry["name"]: entry for entry in report["benchmarks"]}
 
 
-def wall(build, scenes, rounds, seconds):
-    """{name: median microseconds}, {name: {hashes}}; both programs in turns."""
-    pattern = "^(" + "|".join(scenes) + ")/"
-    times, hashes = {}, {}
-    for _ in range(rounds):
-        for program, prefix in ((build / "bench_mesa", "mesa/"), (build / "bench_spangle", "")):
-            for name, entry in google(program, pattern, seconds).items():
-                times.setdefault(prefix + name, []).append(entry["cpu_time"])
-                if not prefix:
-                    hashes.setdefault(name, set()).add(f"{int(entry['hash']):08x}")
-    return {name: statistics.median(values) for name, values in times.items()}, hashes
+class Walls:
+    """Microseconds of a frame. Both programs draw one scene right after each other, many times: what else the machine does changes from
+    second to second, and a ratio of neighbours in time is free of most of it."""
+
+    def __init__(self, build, scenes, rounds, seconds):
+        self.times, self.hashes = {}, {}
+        for _ in range(rounds):
+            for scene in scenes:
+                for size in SIZES:
+                    self.take(build / "bench_mesa", f"{scene}/{size}", seconds, "mesa/")
+                    self.take(build / "bench_spangle", f"{scene}/{size}", seconds)
+
+    def take(self, program, name, seconds, prefix=""):
+        for found, entry in google(program, f"^{name}(/|$)", seconds).items():
+            self.times.setdefault(prefix + found, []).append(entry["cpu_time"])
+            if not prefix:
+                self.hashes.setdefault(found, set()).add(f"{int(entry['hash']):08x}")
+
+    def microseconds(self, name):
+        return statistics.median(self.times[name])
+
+    def ratios(self, name, other):
+        """How many times as long this one took, in every round."""
+        return [a / b for a, b in zip(self.times[name], self.times[other])]
+
+    def speed(self, scene, size, tier):
+        """Times as fast as llvmpipe."""
+        return statistics.median(self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}"))
+
+    def dithering(self, scene, size):
+        """How many times as long a dithered frame takes."""
+        return statistics.median(self.ratios(f"{scene}/{size}/balanced/dither", f"{scene}/{size}/balanced"))
+
+    def scatter(self, scene, size, tier):
+        """How far the middle half of the rounds reaches to either side, as a share."""
+        ratios = self.ratios(f"mesa/{scene}/{size}", f"{scene}/{size}/{tier}")
+        if len(ratios) < 4:
+            return None
+        low, middle, high = statistics.quantiles(ratios, n=4)
+        return (high - low) / 2 / middle
 
 
 def frames_program(build, scene, size, tier, dither, frames):
@@ -99,11 +128,12 @@ def memory_table(build, scenes):
     return found
 
 
-def record(build, times, memory, scenes):
+def record(build, walls, memory, scenes):
     """What README.md shows, and of which machine it is."""
     model = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    found = {scene: {size: {"llvmpipe_us": round(times[f"mesa/{scene}/{size}"], 1)}
-                     | {tier: round(times[f"mesa/{scene}/{size}"] / times[f"{scene}/{size}/{tier}"], 2) for tier in TIERS} | memory[scene, size]
+    found = {scene: {size: {"llvmpipe_us": round(walls.microseconds(f"mesa/{scene}/{size}"), 1), "scatter": round(walls.scatter(scene, size, "balanced"), 3),
+                      "dither": round(walls.dithering(scene, size), 2)}
+                     | {tier: round(walls.speed(scene, size, tier), 2) for tier in TIERS} | memory[scene, size]
                      for size in SIZES} for scene in scenes}
     text = {"host": f"On {model.group(1) if model else 'this machine'}, {compiler_of(build)}:", "scenes": found}
     (HERE / "measured.json").write_text(json.dumps(text, indent=1) + "\n")
@@ -111,26 +141,26 @@ def record(build, times, memory, scenes):
     print("\nwrote tests/bench/measured.json and the tables of README.md")
 
 
-def wall_table(times, scenes):
-    print("\nTimes as fast as llvmpipe, dithering off, beside the goal; what dithering costs in the balanced tier.")
-    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'dither':>10}")
+def wall_table(walls, scenes):
+    print("\nTimes as fast as llvmpipe, dithering off, beside the goal; how far the middle half of the rounds scatters, and what dithering costs, in"
+          " the balanced tier.")
+    print(f"{'scene':<6}{'size':<9}{'llvmpipe us':>12}" + "".join(f"{t:>10} x  goal" for t in TIERS) + f"{'scatter':>10}{'dither':>10}")
     for scene in scenes:
         for size in SIZES:
-            mesa = times[f"mesa/{scene}/{size}"]
-            row = f"{scene:<6}{size:<9}{mesa:>12.1f}"
+            row = f"{scene:<6}{size:<9}{walls.microseconds(f'mesa/{scene}/{size}'):>12.1f}"
             for tier in TIERS:
                 goal = goals.speed(scene, tier) if size == SIZES[0] else None
-                row += f"{mesa / times[f'{scene}/{size}/{tier}']:>10.2f} {'-' if goal is None else goal:>6}"
-            dither = times[f"{scene}/{size}/balanced/dither"] / times[f"{scene}/{size}/balanced"]
-            print(row + f"{dither:>9.2f}x")
+                row += f"{walls.speed(scene, size, tier):>10.2f} {'-' if goal is None else goal:>6}"
+            scatter = walls.scatter(scene, size, "balanced")
+            print(row + ("-".rjust(10) if scatter is None else f"{'+-':>4}{scatter:>6.1%}") + f"{walls.dithering(scene, size):>9.2f}x")
 
 
-def verdict(times, scenes):
+def verdict(walls, scenes):
     """How the balanced tier stands as a whole."""
     shares = {}
     slower = []
     for scene in scenes:
-        ratio = times[f"mesa/{scene}/{SIZES[0]}"] / times[f"{scene}/{SIZES[0]}/balanced"]
+        ratio = walls.speed(scene, SIZES[0], "balanced")
         goal = goals.speed(scene, "balanced")
         if goal is not None:
             shares[scene] = ratio / goal
@@ -229,13 +259,14 @@ def main():
     print_flags(arguments.build)
     hashes = {}
     if not arguments.no_wall:
-        times, hashes = wall(build, scenes, 1 if arguments.quick else 5, 0.05 if arguments.quick else 0.2)
-        wall_table(times, scenes)
-        verdict(times, scenes)
+        walls = Walls(build, scenes, 1 if arguments.quick else 11, 0.05 if arguments.quick else 0.1)
+        hashes = walls.hashes
+        wall_table(walls, scenes)
+        verdict(walls, scenes)
         check_pictures(build, hashes)
         memory = memory_table(build, scenes)
         if arguments.record:
-            record(arguments.build, times, memory, scenes)
+            record(arguments.build, walls, memory, scenes)
     boards = [] if arguments.no_mcu or not mcu.available() else list(mcu.BOARDS)
     if boards or not arguments.no_callgrind:
         instruction_table(build, scenes, boards, not arguments.no_callgrind, hashes)
