@@ -235,8 +235,9 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     if constexpr (has_textures)
         if (!around)
             add_units(chain, key, state);
-    if (has_color_sum && key.color_sum)
-        chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
+    if constexpr (has_color_sum)
+        if (key.color_sum)
+            chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
     if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)

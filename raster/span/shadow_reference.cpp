@@ -162,12 +162,14 @@ template <class N> class Fragment {
     }
 
     void rest(const DrawState& state) {
-        if (state.needs.secondary) {
-            if (fixed_.kind == Kind::full)
-                run<ColorSum<N, true>, ColorSum<Reference, true>>();
-            else
-                run<ColorSum<N, false>, ColorSum<Reference, false>>();
-            colors(ShadowStage::color_sum);
+        if constexpr (has_color_sum) {
+            if (state.needs.secondary) {
+                if (fixed_.kind == Kind::full)
+                    run<ColorSum<N, true>, ColorSum<Reference, true>>();
+                else
+                    run<ColorSum<N, false>, ColorSum<Reference, false>>();
+                colors(ShadowStage::color_sum);
+            }
         }
         if (state.needs.fog) {
             if (fixed_.kind >= Kind::textured)
