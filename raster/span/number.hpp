@@ -193,8 +193,6 @@ template <int Count> struct Balanced {
     static constexpr std::uint32_t step_scale(unsigned bits) {
         return (((1u << bits) - 1) << 16 << (16 - bits)) / one + 1;
     }
-
-  private:
     template <unsigned Bits> SPANGLE_INLINE static T steps(T v) {
         return L::mul_high(v, L::splat(step_scale(Bits)));
     }

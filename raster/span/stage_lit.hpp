@@ -258,11 +258,8 @@ class LitGuessed : public TexelLanes<T> {
     /// Top bits of a component, and whether an error could change any.
     template <unsigned Bits> SPANGLE_INLINE L::U16 bits(L::U16& open, L::U16 v) const {
         L::U16 least = v + from_;
-        if constexpr (Dither) {
-            constexpr std::uint32_t most = 255 << 8, steps = ((1u << Bits) - 1) << (16 - Bits);
-            least = L::mul_high(v, L::splat(((steps << 16) + most - 1) / most)) + from_ +
-                    (thresholds_.threshold() << (11 - Bits));
-        }
+        if constexpr (Dither)
+            least = Balanced<8>::steps<Bits>(v) + from_ + (thresholds_.threshold() << (11 - Bits));
         open |= ((least + range_) ^ least) & L::splat(0x10000 - (1u << (16 - Bits)));
         return least;
     }

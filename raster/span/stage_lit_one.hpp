@@ -59,7 +59,7 @@ template <> struct LitNumbers<NearWords> {
     template <bool> SPANGLE_INLINE static std::uint32_t over(std::uint32_t patch) {
         return (patch >> 2) + 1 + 4;
     }
-    /// A component in steps of 2^(32 - Bits), by a product that is rounded down.
+    /// A component in steps of 2^(32 - Bits), by one product that is rounded down (Exact::steps takes two).
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
         constexpr std::uint64_t scale =
             (((std::uint64_t{1} << Bits) - 1) << (60 - Bits - color_fraction_bits)) / 255 + 1;
@@ -96,7 +96,7 @@ template <> struct LitNumbers<NearHalves> {
         return (LitGuess<Fog>::over + patch) << 16;
     }
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
-        return lit_steps<Bits>(v >> 16);
+        return (v >> 16) * Balanced<1>::step_scale(Bits);
     }
     SPANGLE_INLINE static std::uint32_t off_in_steps(std::uint32_t off) { return off + (1u << 16); }
 };

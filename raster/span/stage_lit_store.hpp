@@ -45,12 +45,6 @@ struct HalfFactors {
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return detail::lit_factors<255>.of[k]; }
 };
 
-/// 256ths of 255ths in steps of 2^(32 - Bits), at most 2^-5 of a 256th too much.
-template <unsigned Bits> SPANGLE_INLINE std::uint32_t lit_steps(std::uint32_t v) {
-    constexpr std::uint32_t most = 255 << 8, steps = ((1u << Bits) - 1) << (32 - Bits);
-    return v * (steps / most + 1);
-}
-
 /// What LitFragments makes of a fragment and its texel, a word 565 or bytes.
 template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitStore : public StageBase {
   public:
@@ -114,7 +108,7 @@ template <PixelFormat Format, bool Is565, bool HasFog, bool Dither> class LitSto
     /// The least that the component, rounded to 255ths or dithered, may be.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t least(std::uint32_t v) const {
         if constexpr (Dither)
-            return lit_steps<Bits>(v) + (thresholds_.threshold() << (27 - Bits)) - under;
+            return v * Balanced<1>::step_scale(Bits) + (thresholds_.threshold() << (27 - Bits)) - under;
         else
             return v + 128 - under;
     }
