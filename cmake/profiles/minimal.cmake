@@ -14,7 +14,7 @@ set(SPANGLE_LIGHT_KINDS 0)      # ambient and diffuse
 set(SPANGLE_MODELVIEW_STACK 2)
 set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
-set(SPANGLE_VERTEX_CACHE 16)
+set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
 set(SPANGLE_PRIMITIVES 0)
 set(SPANGLE_SHORTCUTS 0)
