@@ -1,5 +1,5 @@
 # How much of each a build is made for, and what it draws on: GL's numbers unless a board asks for less. A query answers what
-# the build has. The one list of them; raster/limits.hpp, raster/numeric/bits.hpp and gl/context/limits.hpp hold the same numbers for builds by hand.
+# the build has. The one list of them; raster/limits.hpp, raster/numeric/machine.hpp and gl/context/limits.hpp hold the same numbers for builds by hand.
 set(SPANGLE_LIMITS)
 macro(spangle_limit name value text)
     set(SPANGLE_${name} ${value} CACHE STRING "${text}")

@@ -63,10 +63,6 @@ Param param_x(Kind kind, GLfixed v) {
                                  : Param::from(cast_x(v));
 }
 
-} // namespace
-
-namespace {
-
 template <class T> T element(const void* array, std::size_t index) {
     T value;
     std::memcpy(&value, static_cast<const unsigned char*>(array) + index * sizeof(T), sizeof value);

@@ -20,10 +20,7 @@ void refuse_feature(const char* text) {
 }
 
 bool allowed(Context& context, const Gated& command) {
-    if ((context.gate & command.stops & gate_inside) == 0)
-        return true;
-    error(context, GL_INVALID_OPERATION, command.refusal);
-    return false;
+    return (command.stops & gate_inside) == 0 || allowed_outside(context, command.refusal);
 }
 
 #if SPANGLE_FEATURE_LISTS
@@ -39,10 +36,7 @@ bool admit_words(Context& context, const Gated& command, const list::Word* words
 
 Context* outside_begin_end(const char* refusal) {
     Context* const context = current_context();
-    if (context == nullptr || !context->inside_begin_end())
-        return context;
-    error(*context, GL_INVALID_OPERATION, refusal);
-    return nullptr;
+    return context != nullptr && allowed_outside(*context, refusal) ? context : nullptr;
 }
 
 } // namespace spangle::gl

@@ -33,4 +33,11 @@ void error(Context& context, GLenum code, const char* text) {
     message(code, text);
 }
 
+bool allowed_outside(Context& context, const char* refusal) {
+    if (!context.inside_begin_end())
+        return true;
+    error(context, GL_INVALID_OPERATION, refusal);
+    return false;
+}
+
 } // namespace spangle::gl

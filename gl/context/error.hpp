@@ -21,4 +21,8 @@ void error(Context& context, GLenum code);
 /// The same, with a SPANGLE_TEXT for spangle::on_message that names the call and what to do.
 void error(Context& context, GLenum code, const char* text);
 
+/// False, and INVALID_OPERATION, between Begin and End, where they do not allow what is asked
+/// (GL 1.3, 2.6.3).
+bool allowed_outside(Context& context, const char* refusal);
+
 } // namespace spangle::gl

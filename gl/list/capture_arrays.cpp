@@ -23,7 +23,7 @@ using list::Word;
 const Word* play_begin_draw(Context& context, const Word* words) {
     const Word* past;
     std::memcpy(&past, words + 1, sizeof past);
-    if (!list::allowed_outside(context, SPANGLE_TEXT("a drawn array in a list between glBegin and glEnd")))
+    if (!allowed_outside(context, SPANGLE_TEXT("a drawn array in a list between glBegin and glEnd")))
         return past;
     cmd::Begin(context, words[0]);
     return words + 1 + list::address_words;

@@ -25,7 +25,7 @@ template <unsigned dimension> const Word* play_map(Context& context, const Word*
         return static_cast<GLint>(words[3 + static_cast<std::uint32_t>(side) * side_words]);
     };
     const Values points{words + head_words, GL_FLOAT};
-    if (list::allowed_outside(context, SPANGLE_TEXT("glMap in a list between glBegin and glEnd"))) {
+    if (allowed_outside(context, SPANGLE_TEXT("glMap in a list between glBegin and glEnd"))) {
         if constexpr (dimension == 0)
             cmd::Map1(context, target, {words[1]}, {words[2]}, components, order(0), points);
         else

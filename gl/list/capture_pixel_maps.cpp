@@ -24,7 +24,7 @@ std::uint32_t entry_bytes(GLenum type, GLsizei size) {
 /// Words: map, size, type, then the entries as the client had them.
 const Word* play_pixel_map(Context& context, const Word* words) {
     const auto size = static_cast<GLsizei>(words[1]);
-    if (list::allowed_outside(context, family::PixelMap::refusal))
+    if (allowed_outside(context, family::PixelMap::refusal))
         cmd::PixelMap(context, words[0], size, {words + map_words, words[2]});
     return words + map_words + (entry_bytes(words[2], size) + 3) / 4;
 }

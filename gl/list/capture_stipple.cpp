@@ -19,7 +19,7 @@ using list::Word;
 constexpr std::uint32_t pattern_words = sizeof(StipplePattern) / sizeof(Word);
 
 const Word* play_polygon_stipple(Context& context, const Word* words) {
-    if (list::allowed_outside(context, family::PolygonStipple::refusal))
+    if (allowed_outside(context, family::PolygonStipple::refusal))
         std::memcpy(context.polygon.stipple.row, words, sizeof(StipplePattern));
     return words + pattern_words;
 }

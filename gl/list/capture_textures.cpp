@@ -25,7 +25,7 @@ bool is_query(GLenum target) {
            target == GL_PROXY_TEXTURE_CUBE_MAP;
 }
 bool runs_now(Context& context, const char* refusal) {
-    return !context.list.execute && list::allowed_outside(context, refusal);
+    return !context.list.execute && allowed_outside(context, refusal);
 }
 
 const Word* play_tex_image_2d(Context& context, const Word* words) {
@@ -205,7 +205,7 @@ const Word* play_compressed(Context& context, const Word* words, const char* ref
     GLint a[7];
     for (int i = 0; i < 7; ++i)
         a[i] = static_cast<GLint>(words[i]);
-    if (list::allowed_outside(context, refusal))
+    if (allowed_outside(context, refusal))
         run(a, data ? words + compressed_words : nullptr);
     return words + compressed_words + (data ? (words[7] + 3) / 4 : 0);
 }
@@ -263,7 +263,7 @@ namespace {
 const Word* play_priorities(Context& context, const Word* words) {
     const auto n = static_cast<GLsizei>(words[0]);
     const auto count = static_cast<std::uint32_t>(n > 0 ? n : 0);
-    if (list::allowed_outside(context, family::PrioritizeTextures::refusal))
+    if (allowed_outside(context, family::PrioritizeTextures::refusal))
         cmd::PrioritizeTextures(context, n, reinterpret_cast<const GLuint*>(words + 1),
                                 reinterpret_cast<const GLclampf*>(words + 1 + count));
     return words + 1 + 2 * count;

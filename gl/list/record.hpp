@@ -5,6 +5,7 @@
 
 #include "gl/api/family.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/error.hpp"
 
 namespace spangle::gl::list {
 
@@ -76,8 +77,5 @@ template <> struct Codec<const Params&> {
 /// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
 /// between Begin and End unless it is allowed there.
 void record_error(Context& context, GLenum code, bool inside);
-
-/// True when `context` is not between Begin and End, where F is not allowed; else INVALID_OPERATION.
-bool allowed_outside(Context& context, const char* refusal);
 
 } // namespace spangle::gl::list

@@ -159,13 +159,6 @@ void write(Context& context, const Player& player, const Word* words, std::uint3
         std::memcpy(to, words, count * sizeof(Word));
 }
 
-bool allowed_outside(Context& context, const char* refusal) {
-    if (!context.inside_begin_end())
-        return true;
-    error(context, GL_INVALID_OPERATION, refusal);
-    return false;
-}
-
 namespace {
 
 const Word* play_error(Context& context, const Word* words) {

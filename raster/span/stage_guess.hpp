@@ -79,10 +79,9 @@ template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f
 template <PixelFormat Format, class L = Lanes<8>>
 [[gnu::noinline]] void divide_open(Span<Fixed>& span, typename L::Place color, const Lanes<8>::Mask& open,
                                    std::int32_t x, std::int32_t y) {
-    using One = StoreRaw<1, Format>;
     each_open(open, [&](int i) {
         const std::uint32_t word = divided_word(span, x + i % L::columns, y + i / L::columns);
-        Lanes<1>::store(L::pixel(color, i, 2), One::swaps ? Lanes<1>::swap_bytes(word) : word);
+        Words565<Lanes<1>, Format>::store(L::pixel(color, i, 2), word);
     });
 }
 

@@ -137,14 +137,12 @@ template <int Count, PixelFormat Format, bool Host = true> struct StoreRaw : Sta
     static constexpr bool effect = true;
     using N = Raw565<Count>;
     using L = typename N::L;
-    static constexpr bool swaps =
-        Host && (Format == PixelFormat::rgb565_be) == (std::endian::native == std::endian::little);
     template <class S> SPANGLE_INLINE StoreRaw(const S&, std::int32_t) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const auto at = p.color_plane + p.bytes();
         typename L::U16 word = p.color.word;
-        if constexpr (swaps)
-            word = L::swap_bytes(word);
+        if constexpr (Host)
+            word = Words565<L, Format>::ordered(word);
         if (Count > 1 || p.selects)
             word = L::select(p.live, word, L::load(at));
         L::store(at, word);

@@ -1,0 +1,137 @@
+// Words in registers: where compilers would hold them elsewhere, or make them at another place. None changes
+// a value.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "raster/numeric/machine.hpp"
+
+namespace spangle::numeric {
+
+/// A factor as 32 bits and nothing else. Where words have 32 bits GCC 12 would carry a sign extension that it
+/// shares among products over a branch, and then multiply 64 by 64 bits: five instructions in place of one.
+template <class T> SPANGLE_INLINE constexpr T factor32(T v) {
+#if __SIZEOF_POINTER__ == 4
+    if (!std::is_constant_evaluated() && !__builtin_constant_p(v))
+        asm("" : "+r"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
+/// v, of which nothing is computed before `first` is: fewer registers, where words have 32 bits.
+SPANGLE_INLINE std::uint32_t later(std::uint32_t v, [[maybe_unused]] std::uint32_t& first) {
+#if __SIZEOF_POINTER__ == 4
+    asm("" : "+r"(v), "+r"(first)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
+/// What follows a branch is not begun before it.
+SPANGLE_INLINE void begin_here() {
+    asm volatile(""); // NOLINT(hicpp-no-assembler): no instruction
+}
+
+/// v in a register, where words have 32 bits: compilers do not make it anew at every use.
+template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
+#if __SIZEOF_POINTER__ == 4
+    if (!std::is_constant_evaluated())
+        asm("" : "+r"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+    return v;
+}
+
+/// a + b mod 2^32, of words that may be in registers which nothing but moves and sums reach: the eight others
+/// of Thumb are few, and compilers would have both in them.
+SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t b) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("add %0, %1" : "+r"(a) : "r"(b) : "cc"); // NOLINT(hicpp-no-assembler)
+        return a;
+    }
+#endif
+    return a + b;
+}
+/// (u >> u_down << u_up) + (v >> v_down) of such u and v, all shifts below 32.
+SPANGLE_INLINE constexpr std::uint32_t joined_aside(std::uint32_t u, int u_down, int u_up, std::uint32_t v,
+                                                    int v_down) {
+#if defined(__thumb__) && !defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r, low;
+        asm(".syntax unified\n\t" // NOLINT(hicpp-no-assembler)
+            "mov %0, %2\n\t"
+            "lsrs %0, %0, %4\n\t"
+            "lsls %0, %0, %5\n\t"
+            "mov %1, %3\n\t"
+            "lsrs %1, %1, %6\n\t"
+            "adds %0, %0, %1"
+            : "=&l"(r), "=&l"(low)
+            : "r"(u), "r"(v), "l"(u_down), "l"(u_up), "l"(v_down)
+            : "cc");
+        return r;
+    }
+#endif
+    return (u >> u_down << u_up) + (v >> v_down);
+}
+
+/// floor(v / 2^16), taken here: where a comparison shifts for nothing, a quotient that it shares with what
+/// follows would take a register in each loop.
+SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t half;
+        asm("lsr %0, %1, #16" : "=r"(half) : "r"(v)); // NOLINT(hicpp-no-assembler)
+        return half;
+    }
+#endif
+    return v >> 16;
+}
+
+/// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.
+SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
+#if defined(__thumb2__)
+    if (!std::is_constant_evaluated()) {
+        asm("bfc %0, #0, #16" : "+r"(v)); // NOLINT(hicpp-no-assembler)
+        return v;
+    }
+#endif
+    return v & 0xFFFF0000;
+}
+
+/// v is read where it is used, not held in registers: for loops with more words than Thumb has registers,
+/// which compilers would put aside one by one.
+template <class T> SPANGLE_INLINE void kept_in_memory([[maybe_unused]] T& v) {
+#if defined(__thumb2__)
+    asm("" : "+m"(v)); // NOLINT(hicpp-no-assembler): no instruction
+#endif
+}
+
+/// What one instruction reads, where there is one that reads two words.
+template <class A, class B> struct Two {
+    A a;
+    B b;
+};
+template <class A, class B> SPANGLE_INLINE Two<A, B> load_two(const Two<A, B>& from) {
+#if defined(__thumb2__)
+    A a;
+    B b;
+    asm("ldrd %0, %1, %2" : "=r"(a), "=r"(b) : "o"(from)); // NOLINT(hicpp-no-assembler)
+    return {a, b};
+#else
+    return from;
+#endif
+}
+/// The same, not before `first` is computed: fewer registers.
+template <class A, class B>
+SPANGLE_INLINE Two<A, B> load_two_after([[maybe_unused]] std::uint32_t& first, const Two<A, B>& from) {
+#if defined(__thumb2__)
+    A a;
+    B b;
+    asm("ldrd %0, %1, %3" : "=&r"(a), "=&r"(b), "+r"(first) : "o"(from)); // NOLINT(hicpp-no-assembler)
+    return {a, b};
+#else
+    return from;
+#endif
+}
+
+} // namespace spangle::numeric
