@@ -1,6 +1,8 @@
-// LINEAR of the exact tier where words R5 G6 B5 become words again and there are no long products: of the
-// colour, only the bits that are stored are looked for.
+// LINEAR of the exact tier where words R5 G6 B5 become words again: of the colour, only the bits that are
+// stored are looked for.
 #pragma once
+
+#include <type_traits>
 
 #include "raster/span/number.hpp"
 #include "raster/span/texel.hpp"
@@ -38,10 +40,24 @@ template <int Bits> struct StoredSteps {
 };
 template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
+/// The same from n / 2^(Bits + 2) rounded down: at least that many steps, with 15 - Bits fraction bits, and
+/// at most `range` of them more. Nothing is rounded up, so that the tie is between both.
+template <int Bits> struct GuessedSteps {
+    static constexpr std::uint32_t most = (1u << Bits) - 1, range = 4;
+    /// Of a quarter of that n, in 2^-16; and what half a unit is.
+    static constexpr std::uint32_t factor = (color_one >> (13 - Bits)) / most,
+                                   half_unit = (most << (15 - Bits)) / 255;
+    template <class U16> SPANGLE_INLINE static U16 least(const U16& n) {
+        return Lanes<8>::mul_high(n * 4 + half_unit, Lanes<8>::splat(factor));
+    }
+};
+
 } // namespace detail
 
 /// The word that truncated565() or dithered565() makes of what bilinear() of the exact tier does.
-struct FilterWords {
+template <int Count> struct FilterWords;
+
+template <> struct FilterWords<1> {
     std::uint32_t b; ///< of row j + 1, in 256ths
     SPANGLE_INLINE explicit FilterWords(std::uint32_t weight) : b(weight) {}
 
@@ -101,6 +117,72 @@ struct FilterWords {
         return {mix(rb0 & 0xFFFF, rb1 & 0xFFFF, a),
                 mix(mix(green(c00), green(c01), b), mix(green(c10), green(c11), b), a),
                 mix(rb0 >> 16, rb1 >> 16, a)};
+    }
+};
+
+/// Eight lanes: products of 16 bits leave the top bits of n. Where the rest of them could change what is
+/// stored, words are added up one by one.
+template <> struct FilterWords<8> {
+    using L = Lanes<8>;
+    using U16 = L::U16;
+    U16 b;
+    SPANGLE_INLINE explicit FilterWords(U16 weight) : b(weight) {}
+
+    SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
+        U16 open = L::splat(0);
+        const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
+            __attribute__((always_inline)) {
+            using Guess = detail::GuessedSteps<Bits>;
+            const U16 least = Guess::least(n);
+            open |= ((least + Guess::range) ^ least) >> (15 - Bits);
+            return least >> (15 - Bits);
+        };
+        const U16 word = joined(c00, c10, c01, c11, a, steps);
+        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b, L::splat(0)) : word;
+    }
+    /// Dithered. Whole steps among the top bits may not be whole ones: they are open, too.
+    SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a, U16 threshold32) const {
+        U16 open = L::splat(0);
+        const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
+            __attribute__((always_inline)) {
+            const U16 sum = n + (threshold32 << (9 - Bits));
+            open |= L::equal(sum << (Bits + 2), L::splat(0));
+            return sum >> (14 - Bits);
+        };
+        const U16 word = joined(c00, c10, c01, c11, a, steps);
+        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b, threshold32) : word;
+    }
+
+  private:
+    struct Texels {
+        U16 c00, c10, c01, c11;
+    };
+    /// n / 2^(Bits + 2), rounded down: 14 bits. Differences along s have Bits + 8 and their sign.
+    template <int Bits>
+    SPANGLE_INLINE U16 sum(const U16& c00, const U16& c10, const U16& c01, const U16& c11,
+                           const U16& a) const {
+        const auto along = [&](const U16& c, const U16& next) { return (c << 8) + (next - c) * a; };
+        const U16 near = along(c00, c10), far = along(c01, c11);
+        return (near << (6 - Bits)) + L::mul_high_signed((far - near) << (7 - Bits), b << 7);
+    }
+    template <class Steps>
+    SPANGLE_INLINE U16 joined(const U16& c00, const U16& c10, const U16& c01, const U16& c11, const U16& a,
+                              Steps steps) const {
+        const std::integral_constant<int, 5> five;
+        const std::integral_constant<int, 6> six;
+        const auto green = [](const U16& c) { return (c >> 5) & 63; };
+        const U16 r = steps(five, sum<5>(c00 >> 11, c10 >> 11, c01 >> 11, c11 >> 11, a)),
+                  g = steps(six, sum<6>(green(c00), green(c10), green(c01), green(c11), a)),
+                  blue = steps(five, sum<5>(c00 & 31, c10 & 31, c01 & 31, c11 & 31, a));
+        return r << 11 | g << 5 | blue;
+    }
+    [[gnu::noinline, gnu::cold]] static U16 redone(U16 word, const U16& open, const Texels& c, const U16& a,
+                                                   const U16& b, const U16& threshold32) {
+        each_open(open, [&](int i) {
+            word[i] = static_cast<std::uint16_t>(
+                FilterWords<1>::added(c.c00[i], c.c10[i], c.c01[i], c.c11[i], a[i], b[i], threshold32[i]));
+        });
+        return word;
     }
 };
 

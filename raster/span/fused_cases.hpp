@@ -49,11 +49,11 @@ constexpr bool is_guessed(const Key& key) {
            !key.blend && is_565(key.format);
 }
 
-/// Four words of a texture become one (filter_words.hpp). Steps are found where branches and tables are
-/// cheap; dithered, they are there already.
+/// Four words of a texture become one (filter_words.hpp). One by one, steps are found where branches and
+/// tables are cheap; dithered, they are there already.
 constexpr bool filters_words(const Key& key) {
-    return (numeric::cheap_branches || key.dither) && key.number == Number::exact && !key.fog && !key.blend &&
-           is_565(key.format) &&
+    return (numeric::cheap_branches || key.dither || host_lanes == 8) && key.number == Number::exact &&
+           !key.fog && !key.blend && is_565(key.format) &&
            key.unit[0] ==
                UnitKey{true, false, TexelFormat::rgb565, BaseFormat::rgb, Filter::linear, TexEnv::replace};
 }
@@ -266,12 +266,12 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
     /// Few fragments cost more one by one than eight with copies of what is stored.
-    static constexpr bool heavy = laned && !raw && (textured || K.blend || K.fog);
+    static constexpr bool heavy = laned && (!raw || filters_words(K)) && (textured || K.blend || K.fog);
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
     static constexpr bool splits_gray =
         K.fog && K.color && !K.color_alpha && textured && K.unit[0].env == TexEnv::modulate && words_565;
     /// Fetching texels gains nothing from lanes, combining them does.
-    static constexpr bool wide = laned && !(raw && textured);
+    static constexpr bool wide = heavy || (laned && !(raw && textured));
     template <int L> using System = typename Stages<L>::N;
     template <int L> using List = typename Stages<L>::List;
     /// Its eight lanes where `lit`.

@@ -282,6 +282,15 @@ template <> struct Lanes<8> {
     }
 };
 
+/// f(i) for the lanes that a guess left open: those with any bit.
+template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
+    for (std::uint64_t left = Lanes<8>::nonzero_bytes(open); left != 0;) {
+        const int lane = std::countr_zero(left) / 8;
+        left &= ~(std::uint64_t{0xFF} << (8 * lane));
+        f(lane);
+    }
+}
+
 /// Eight lanes that are four columns of two rows: what Lanes<> is asked for, and how many there are, differ.
 inline constexpr int two_rows = 42;
 

@@ -40,12 +40,13 @@ template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
 template <bool Cubic> struct CoordWalk {
     std::uint32_t at;
     std::conditional_t<Cubic, Differences, std::uint32_t> by;
-    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t steps) const {
+    SPANGLE_INLINE std::uint32_t slope() const {
         if constexpr (Cubic)
-            return at + steps * by.first;
+            return by.first;
         else
-            return at + steps * by;
+            return by;
     }
+    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t steps) const { return at + steps * slope(); }
     SPANGLE_INLINE void step(std::uint32_t steps) {
         if constexpr (Cubic)
             by.step(at);

@@ -66,16 +66,7 @@ template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dit
     std::conditional_t<Count == 1, Span<Fixed>::Guess, Missing> limit_;
 };
 
-/// f(i) for the lanes that a guess left open: those with any bit.
-template <class F> SPANGLE_INLINE void each_open(const Lanes<8>::Mask& open, F f) {
-    for (std::uint64_t left = Lanes<8>::nonzero_bytes(open); left != 0;) {
-        const int lane = std::countr_zero(left) / 8;
-        left &= ~(std::uint64_t{0xFF} << (8 * lane));
-        f(lane);
-    }
-}
-
-/// Writes the colours of those lanes of eight fragments, from the one at (x, y) on.
+/// Writes the colours of open lanes of eight fragments, from the one at (x, y) on.
 template <PixelFormat Format, class L = Lanes<8>>
 [[gnu::noinline]] void divide_open(Span<Fixed>& span, typename L::Place color, const Lanes<8>::Mask& open,
                                    std::int32_t x, std::int32_t y) {

@@ -36,6 +36,11 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
         Base::step_row();
         dither_.step();
     }
+    SPANGLE_INLINE void jump(std::int32_t pixels) {
+        Base::jump(pixels);
+        if constexpr (Dither) // groups of eight do not move it
+            dither_ = Thresholds(dither_.x + pixels, dither_.y);
+    }
 
     SPANGLE_INLINE bool row(std::int32_t n) {
         if (!this->in_row(n))
@@ -58,7 +63,9 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
 
   private:
     using Weights = typename T::Colors::Weights;
-    using Thresholds = std::conditional_t<Dither, detail::DitherRow<typename N::L>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<!Dither, detail::NoThreshold,
+                                          std::conditional_t<N::lanes == 1, detail::DitherRow<typename N::L>,
+                                                             detail::DitherPlace<typename N::L>>>;
     [[no_unique_address]] Thresholds dither_;
     const std::uint8_t *near_, *far_; ///< texels of the two rows
     Weights across_{N::L::splat(0)};

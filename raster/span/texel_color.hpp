@@ -60,7 +60,7 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
         SPANGLE_INLINE explicit Exactly(std::uint32_t weight) : b(weight) {}
     };
     using Weights = std::conditional_t<
-        is_raw<N>, FilterWords,
+        is_raw<N>, FilterWords<N::lanes>,
         std::conditional_t<std::is_same_v<N, Exact>, Exactly,
                            std::conditional_t<Is565, Filter565<N::lanes>, Filter8<N::lanes>>>>;
     template <class V, class W>

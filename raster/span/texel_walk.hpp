@@ -45,7 +45,7 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         if constexpr (L::count == 1)
             return position() & mask;
         else
-            return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
+            return L::low_half(L::ramp(v_.at, v_.slope()) >> shift_) & mask;
     }
     SPANGLE_INLINE void step(std::uint32_t pixels) {
         if constexpr (Aside && !Cubic)
@@ -97,8 +97,18 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     }
     SPANGLE_INLINE void step() { jump(N::lanes); }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
-        s.step(static_cast<std::uint32_t>(pixels));
-        t.step(static_cast<std::uint32_t>(pixels));
+        const auto n = static_cast<std::uint32_t>(pixels);
+        if constexpr (N::lanes > 1) {
+            s.step_straight(n);
+            t.step_straight(n);
+        } else {
+            s.step(n);
+            t.step(n);
+        }
+    }
+    /// Lanes go straight on: cubics that bend do so from run to run.
+    SPANGLE_INLINE bool in_lanes(std::int32_t run, std::int32_t n) const {
+        return run >= (is_cubic<Runs> ? n : N::lanes) && s.straight() && t.straight();
     }
     SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
 

@@ -147,14 +147,76 @@ TEST(Filter, StoredStepsAreThoseOfEverySum) {
     check_stored_steps<6>();
 }
 
+/// Of every sum but the tie, which must stay open: a guess decides it, or leaves it open, which few are.
+template <int Bits> void check_guessed_steps() {
+    using Guess = detail::GuessedSteps<Bits>;
+    constexpr std::uint32_t most = (1u << Bits) - 1;
+    std::uint32_t open = 0;
+    for (std::uint32_t n = 0; n <= most << 16; n += 8) {
+        Lanes<8>::U16 tops = Lanes<8>::splat(0);
+        for (std::uint32_t i = 0; i < 8; ++i)
+            tops[static_cast<int>(i)] = static_cast<std::uint16_t>((n + i) >> (Bits + 2));
+        const Lanes<8>::U16 least = Guess::least(tops), over = least + Guess::range;
+        for (std::uint32_t i = 0; i < 8; ++i) {
+            const int lane = static_cast<int>(i), low = least[lane] >> (15 - Bits),
+                      high = over[lane] >> (15 - Bits);
+            open += low != high;
+            if (n + i == detail::StoredSteps<Bits>::tie) {
+                ASSERT_NE(low, high);
+            } else if (low == high && n + i <= most << 16) {
+                ASSERT_EQ(low, detail::stored_steps<Bits>.at(n + i)) << n + i;
+            }
+        }
+    }
+    EXPECT_LT(open, most << (Bits == 5 ? 9 : 10)) << "more than it should leave open";
+}
+TEST(Filter, GuessedStepsAreThoseOfEverySumOrOpen) {
+    check_guessed_steps<5>();
+    check_guessed_steps<6>();
+}
+
+TEST(Filter, WordsInLanesAreThoseOfOne) {
+    using L = Lanes<8>;
+    std::mt19937 random(3);
+    const auto check = [&](const L::U16(&c)[4], const L::U16& a, const L::U16& b) {
+        L::U16 t;
+        for (int i = 0; i < 8; ++i)
+            t[i] = static_cast<std::uint16_t>(2 * (random() & 15) + 1);
+        const L::U16 plain = FilterWords<8>(b)(c[0], c[1], c[2], c[3], a),
+                     dithered = FilterWords<8>(b)(c[0], c[1], c[2], c[3], a, t);
+        for (int i = 0; i < 8; ++i) {
+            const FilterWords<1> one(b[i]);
+            ASSERT_EQ(plain[i], one(c[0][i], c[1][i], c[2][i], c[3][i], a[i]));
+            ASSERT_EQ(dithered[i], one(c[0][i], c[1][i], c[2][i], c[3][i], a[i], t[i]));
+        }
+    };
+    for (int round = 0; round < 200'000; ++round) {
+        L::U16 c[4], a, b;
+        for (int i = 0; i < 8; ++i) {
+            const auto weights = static_cast<std::uint32_t>(random());
+            for (auto& texels : c)
+                texels[i] = static_cast<std::uint16_t>(random());
+            // few values: ties and whole steps
+            a[i] = static_cast<std::uint16_t>((round & 1) != 0 ? weights & 0xC0 : weights & 255);
+            b[i] = static_cast<std::uint16_t>((round & 1) != 0 ? weights >> 8 & 0xC0 : weights >> 8 & 255);
+            if ((round & 2) != 0) {
+                c[3][i] = static_cast<std::uint16_t>(~c[0][i]);
+                c[2][i] = static_cast<std::uint16_t>(~c[1][i]);
+            }
+        }
+        check(c, a, b);
+    }
+}
+
 TEST(Filter, WordsAreThoseOfTheExactTier) {
     std::mt19937 random(2);
     const auto check = [&](std::uint32_t c00, std::uint32_t c10, std::uint32_t c01, std::uint32_t c11,
                            std::uint32_t a, std::uint32_t b) {
-        ASSERT_EQ(FilterWords(b)(c00, c10, c01, c11, a), FilterWords::added(c00, c10, c01, c11, a, b))
+        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a), FilterWords<1>::added(c00, c10, c01, c11, a, b))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b;
         const auto t = static_cast<std::uint32_t>(2 * (random() & 15) + 1);
-        ASSERT_EQ(FilterWords(b)(c00, c10, c01, c11, a, t), FilterWords::added(c00, c10, c01, c11, a, b, t))
+        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a, t),
+                  FilterWords<1>::added(c00, c10, c01, c11, a, b, t))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b << ' ' << t;
     };
     for (int round = 0; round < 1'000'000; ++round) {
