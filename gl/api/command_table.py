@@ -133,7 +133,7 @@ class Family:
     def entry(self, name, params, call, tries, null=None, body=None):
         """`call` are the canonical arguments; `null` names a pointer that must not be null; `body` stands instead of both."""
         text = ", ".join(call)
-        guard = f"    if ({null} == nullptr)\n        return refuse_null(SPANGLE_TEXT(\"{name}: null pointer\"));\n" if null else ""
+        guard = self.null_guard(name, null) if null else ""
         verb = "return ask" if self.returns != "void" else "issue"
         return Entry(self, name, params, body or f"{guard}    {verb}<family::{self.name}>({text});\n", tries)
 
@@ -153,11 +153,14 @@ class Family:
                     params.append((arg.c_type, arg.name))
                     call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
                     tries.append((arg.type, arg))
-            yield self.entry("gl" + self.name + suffix, params, call, tries)
+            reals = len(params) > 1 and all(arg.type == "real" for arg in self.args)
+            yield self.entry("gl" + self.name + suffix, params, call, tries,
+                             body=self.array(C_TYPES[code], [n for _, n in params]) + self.reals_at(code, len(params), "nullptr") if reals else None)
             if self.data.get("vector"):
                 vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg("real value", {})
                 yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
-                                 [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v")
+                                 [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v",
+                                 body=self.reals_at(code, len(params), self.null_text("gl" + self.name + vector)) if reals else None)
 
     def entries_components(self):
         pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]
@@ -175,18 +178,34 @@ class Family:
                 value = Arg("real value", {})
                 # Floats, and integers one by one, are what programs with a loop of vertices call: no detour.
                 often = self.listing == "attribute"
-                scalars, vectors = len(pad) > 1 and not (often and code in "fi"), len(pad) > 1 and not (often and code == "f")
-                kind = "convert::components(convert::Element::" + convert(code, "").split("::")[1].removesuffix("()") + f", {size})"
+                forms = [len(pad) > 1 and ("reals" if often and code in ("fi", "f")[vectorial] else "components") for vectorial in (0, 1)]
+                kind = element(code, convert)
                 yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one, first_tries + [("real", value)] * size,
-                                 body=self.components_of(first, names[:size], c, kind) if scalars else None)
+                                 body=forms[0] and self.array(c, names[:size]) + self.components_at(forms[0], first, kind, size, "nullptr"))
                 yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many, first_tries + [("values", value)], "v",
-                                 body=self.components_at(first, f"v, {kind}, SPANGLE_TEXT(\"{stem + vector}: null pointer\")") if vectors else None)
+                                 body=forms[1] and self.components_at(forms[1], first, kind, size, self.null_text(stem + vector)))
 
-    def components_at(self, first, place):
-        return f"    issue_components<family::{self.name}>({', '.join([*first, place])});\n"
+    def components_at(self, form, first, kind, size, null):
+        """One call for components that lie at v, or were given one by one."""
+        place = "v" if null != "nullptr" else "given"
+        if form == "reals":
+            return f"    issue_reals<family::{self.name}, {kind}, {size}>({place}, {null});\n"
+        return f"    issue_components<family::{self.name}>({', '.join([*first, f'{place}, convert::components({kind}, {size})', null])});\n"
 
-    def components_of(self, first, names, c_type, kind):
-        return f"    const {c_type} v[] = {{{', '.join(names)}}};\n" + self.components_at(first, f"v, {kind}, nullptr")
+    @staticmethod
+    def array(c_type, names):
+        return f"    const {c_type} given[] = {{{', '.join(names)}}};\n"
+
+    def null_guard(self, name, null):
+        return f"    if ({null} == nullptr)\n        return refuse_null({self.null_text(name)});\n"
+
+    @staticmethod
+    def null_text(name):
+        return f'SPANGLE_TEXT("{name}: null pointer")'
+
+    def reals_at(self, code, count, null):
+        """One call for all arguments of a family of reals, which lie at v."""
+        return self.components_at("reals", [], element(code), count, null)
 
     def entries_flag(self):
         value = Arg("boolean flag", {})
@@ -198,16 +217,17 @@ class Family:
             c, value = C_TYPES[code], Arg("real value", {})
             vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
             names = ["x1", "y1", "x2", "y2"]
-            yield self.entry("glRect" + suffix, [(c, n) for n in names], [cast(code, n) for n in names],
-                             [("real", value)] * 4)
-            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")],
-                             [cast(code, n) for n in ("v1[0]", "v1[1]", "v2[0]", "v2[1]")], [("values", value)] * 2,
-                             null="v1 == nullptr || v2")
+            yield self.entry("glRect" + suffix, [(c, n) for n in names], [], [("real", value)] * 4,
+                             body=self.array(c, names) + self.reals_at(code, 4, "nullptr"))
+            corners = self.array(c, ("v1[0]", "v1[1]", "v2[0]", "v2[1]")) + self.reals_at(code, 4, "nullptr")
+            yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", value)] * 2,
+                             body=self.null_guard("glRect" + vector, "v1 == nullptr || v2") + corners)
 
     def entries_matrix(self):
         for code, suffix in self.types:
-            yield self.entry(f"gl{self.name}{suffix}", [(f"const {C_TYPES[code]}*", "m")],
-                             [f"convert::matrix_{code}(m)"], [("values", Arg("real m", {}))], "m")
+            name = f"gl{self.name}{suffix}"
+            yield self.entry(name, [(f"const {C_TYPES[code]}*", "m")], [], [("values", Arg("real m", {}))],
+                             body=f"    issue_matrix<family::{self.name}, {element(code)}>(m, {self.null_text(name)});\n")
 
     def entries_plane(self):
         leading = [(a.c_type, a.name) for a in self.args]
@@ -283,6 +303,11 @@ def cast(code, name):
 
 def normalize(code, name):
     return f"convert::unit_{code}({name})" if code in INTEGERS else cast(code, name)
+
+
+def element(code, convert=cast):
+    """The type of an array's elements and what becomes of them."""
+    return "convert::Element::" + convert(code, "").removeprefix("convert::").removesuffix("()")
 
 
 def load():

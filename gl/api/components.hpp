@@ -6,6 +6,7 @@
 
 #include "gl/api/convert.hpp"
 #include "gl/api/issue.hpp"
+#include "gl/context/limits.hpp"
 
 namespace spangle::gl {
 
@@ -21,16 +22,70 @@ template <class... A> constexpr std::size_t count_reals(void (*)(Context&, A...)
 
 template <class F>
 [[gnu::noinline]] void issue_components(const void* v, convert::Components kind, const char* null_text) {
-    Real out[4];
+    Real out[convert::most_components];
     if (convert::load(v, kind, null_text, out))
         issue_first<F>(out, std::make_index_sequence<count_reals(F::run)>{});
 }
 template <class F>
 [[gnu::noinline]] void issue_components(GLenum target, const void* v, convert::Components kind,
                                         const char* null_text) {
-    Real out[4];
+    Real out[convert::most_components];
     if (convert::load(v, kind, null_text, out))
         issue_first<F>(out, std::make_index_sequence<count_reals(F::run)>{}, target);
+}
+
+/// Families of the same signature share this.
+template <class... A>
+[[gnu::noinline]] void issue_loaded(const Command<A...>& command, const void* v, convert::Components kind,
+                                    const char* null_text) {
+    Real out[convert::most_components];
+    if (!convert::load(v, kind, null_text, out))
+        return;
+    const auto issue_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        issue_command(command, out[I]...);
+    };
+    issue_all(std::index_sequence_for<A...>{});
+}
+
+template <convert::Element kind, unsigned count, std::size_t index, class T> inline Real real_at(const T* v) {
+    if constexpr (index < count)
+        return convert::one<kind>(v[index]);
+    return index == 3 ? numeric::one : numeric::zero;
+}
+
+/// What programs with a loop of vertices call, and commands of reals only.
+template <class F, convert::Element kind, unsigned count, class T>
+inline void issue_reals(const T* v, const char* null_text) {
+    if constexpr (converts_in_line) {
+        if (v == nullptr)
+            return refuse_null(null_text);
+        const auto issue_all = [v]<std::size_t... I>(std::index_sequence<I...>) {
+            issue<F>(real_at<kind, count, I>(v)...);
+        };
+        issue_all(std::make_index_sequence<count_reals(F::run)>{});
+    } else if constexpr (F::listing == Listing::attribute) {
+        issue_components<F>(v, convert::components(kind, count), null_text);
+    } else {
+        issue_loaded(command<F>, v, convert::components(kind, count), null_text);
+    }
+}
+
+[[gnu::noinline]] inline void issue_loaded_matrix(const Command<const Matrix16&>& command, const void* m,
+                                                  convert::Element kind, const char* null_text) {
+    if (m == nullptr)
+        return refuse_null(null_text);
+    issue_command(command, convert::matrix(m, kind));
+}
+
+template <class F, convert::Element kind, class T>
+inline void issue_matrix(const T* m, const char* null_text) {
+    if constexpr (converts_in_line) {
+        if (m == nullptr)
+            return refuse_null(null_text);
+        issue_command(command<F>, convert::matrix<kind>(m));
+    } else {
+        issue_loaded_matrix(command<F>, m, kind, null_text);
+    }
 }
 
 } // namespace spangle::gl

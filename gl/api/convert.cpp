@@ -40,13 +40,6 @@ Real unit_ui(GLuint v) {
 
 namespace {
 
-template <class T, class Convert> Matrix16 matrix(const T* m, Convert convert) {
-    Matrix16 out;
-    for (int i = 0; i < 16; ++i)
-        out.m[i] = convert(m[i]);
-    return out;
-}
-
 // A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
 // as a GLfixed is not scaled (GL_OES_fixed_point).
 Param param_real(Kind kind, Real v) {
@@ -98,26 +91,23 @@ Real component(Element type, const void* v, std::size_t i) {
 
 } // namespace
 
-bool load(const void* v, Components kind, const char* null_text, Real (&out)[4]) {
+bool load(const void* v, Components kind, const char* null_text, Real (&out)[most_components]) {
     if (v == nullptr) {
         refuse_null(null_text);
         return false;
     }
-    for (std::size_t i = 0; i < 4; ++i)
-        out[i] = i <= (kind & 3u) ? component(static_cast<Element>(kind >> 2), v, i)
-                 : i == 3         ? numeric::one
-                                  : numeric::zero;
+    for (std::size_t i = 0; i < most_components; ++i)
+        out[i] = i < (kind & 7u) ? component(static_cast<Element>(kind >> 3), v, i)
+                 : i == 3        ? numeric::one
+                                 : numeric::zero;
     return true;
 }
 
-Matrix16 matrix_f(const GLfloat* m) {
-    return matrix(m, cast_f);
-}
-Matrix16 matrix_d(const GLdouble* m) {
-    return matrix(m, cast_d);
-}
-Matrix16 matrix_x(const GLfixed* m) {
-    return matrix(m, cast_x);
+Matrix16 matrix(const void* m, Element kind) {
+    Matrix16 out;
+    for (std::size_t i = 0; i < 16; ++i)
+        out.m[i] = component(kind, m, i);
+    return out;
 }
 
 namespace {

@@ -49,18 +49,36 @@ enum class Element : std::uint8_t {
     unit_ui
 };
 
-/// A type and how many there are of it, 1 to 4.
+template <Element kind, class T> inline Real one(T v) {
+    if constexpr (kind == Element::cast_f)
+        return cast_f(v);
+    else if constexpr (kind == Element::cast_d)
+        return cast_d(v);
+    else if constexpr (kind == Element::cast_x)
+        return cast_x(v);
+    else if constexpr (kind == Element::unit_i)
+        return unit_i(v);
+    else
+        return cast_i(v);
+}
+
+/// A type and how many there are of it.
 using Components = std::uint8_t;
+inline constexpr unsigned most_components = 6; ///< of Frustum and Ortho
 constexpr Components components(Element element, unsigned count) {
-    return static_cast<Components>(static_cast<unsigned>(element) << 2 | (count - 1));
+    return static_cast<Components>(static_cast<unsigned>(element) << 3 | count);
 }
 
 /// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and false.
-bool load(const void* v, Components kind, const char* null_text, Real (&out)[4]);
+bool load(const void* v, Components kind, const char* null_text, Real (&out)[most_components]);
 
-Matrix16 matrix_f(const GLfloat* m);
-Matrix16 matrix_d(const GLdouble* m);
-Matrix16 matrix_x(const GLfixed* m);
+template <Element kind, class T> [[gnu::noinline]] Matrix16 matrix(const T* m) {
+    Matrix16 out;
+    for (int i = 0; i < 16; ++i)
+        out.m[i] = one<kind>(m[i]);
+    return out;
+}
+Matrix16 matrix(const void* m, Element kind);
 
 // Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
 enum class Number : std::uint8_t { f, i, d, x }; ///< of client memory

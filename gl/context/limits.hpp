@@ -32,6 +32,9 @@
 #ifndef SPANGLE_PRIMITIVES
 #define SPANGLE_PRIMITIVES 3
 #endif
+#ifndef SPANGLE_ARGUMENTS_INLINE
+#define SPANGLE_ARGUMENTS_INLINE 1
+#endif
 #ifndef SPANGLE_DISPLAYS
 #define SPANGLE_DISPLAYS 4
 #endif
@@ -53,6 +56,8 @@ inline constexpr std::int32_t modelview_stack_entries = SPANGLE_MODELVIEW_STACK,
                               texture_stack_entries = SPANGLE_TEXTURE_STACK, attrib_stack_entries = 16,
                               name_stack_entries = SPANGLE_NAME_STACK,
                               max_list_nesting = SPANGLE_LIST_NESTING;
+/// Entry points convert their arguments without a detour.
+inline constexpr bool converts_in_line = SPANGLE_ARGUMENTS_INLINE != 0;
 inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
 /// What lighting does beside ambient and diffuse light from one direction for all vertices.
 inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,

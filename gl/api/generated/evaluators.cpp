@@ -117,23 +117,21 @@ void GLAPIENTRY glEvalCoord1xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_EVALUATORS
 
 void GLAPIENTRY glEvalCoord2f(GLfloat u, GLfloat v) {
-    issue<family::EvalCoord2>(convert::cast_f(u), convert::cast_f(v));
+    const GLfloat given[] = {u, v};
+    issue_reals<family::EvalCoord2, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glEvalCoord2fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord2fv: null pointer"));
-    issue<family::EvalCoord2>(convert::cast_f(v[0]), convert::cast_f(v[1]));
+    issue_reals<family::EvalCoord2, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glEvalCoord2fv: null pointer"));
 }
 
 void GLAPIENTRY glEvalCoord2d(GLdouble u, GLdouble v) {
-    issue<family::EvalCoord2>(convert::cast_d(u), convert::cast_d(v));
+    const GLdouble given[] = {u, v};
+    issue_reals<family::EvalCoord2, convert::Element::cast_d, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glEvalCoord2dv(const GLdouble* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord2dv: null pointer"));
-    issue<family::EvalCoord2>(convert::cast_d(v[0]), convert::cast_d(v[1]));
+    issue_reals<family::EvalCoord2, convert::Element::cast_d, 2>(v, SPANGLE_TEXT("glEvalCoord2dv: null pointer"));
 }
 
 #endif
@@ -141,13 +139,12 @@ void GLAPIENTRY glEvalCoord2dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_EVALUATORS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glEvalCoord2xOES(GLfixed u, GLfixed v) {
-    issue<family::EvalCoord2>(convert::cast_x(u), convert::cast_x(v));
+    const GLfixed given[] = {u, v};
+    issue_reals<family::EvalCoord2, convert::Element::cast_x, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glEvalCoord2xvOES(const GLfixed* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord2xvOES: null pointer"));
-    issue<family::EvalCoord2>(convert::cast_x(v[0]), convert::cast_x(v[1]));
+    issue_reals<family::EvalCoord2, convert::Element::cast_x, 2>(v, SPANGLE_TEXT("glEvalCoord2xvOES: null pointer"));
 }
 
 #endif

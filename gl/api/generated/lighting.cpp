@@ -251,7 +251,8 @@ void GLAPIENTRY glGetPolygonStipple(GLubyte* pattern) {
 #if SPANGLE_FEATURE_POLYGON_OFFSET
 
 void GLAPIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
-    issue<family::PolygonOffset>(convert::cast_f(factor), convert::cast_f(units));
+    const GLfloat given[] = {factor, units};
+    issue_reals<family::PolygonOffset, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 #endif
@@ -259,7 +260,8 @@ void GLAPIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
 #if SPANGLE_FEATURE_POLYGON_OFFSET && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units) {
-    issue<family::PolygonOffset>(convert::cast_x(factor), convert::cast_x(units));
+    const GLfixed given[] = {factor, units};
+    issue_reals<family::PolygonOffset, convert::Element::cast_x, 2>(given, nullptr);
 }
 
 #endif

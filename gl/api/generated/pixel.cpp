@@ -85,13 +85,15 @@ void GLAPIENTRY glBlendEquationSeparate(GLenum rgb, GLenum alpha) {
 }
 
 void GLAPIENTRY glBlendColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
-    issue<family::BlendColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+    const GLclampf given[] = {red, green, blue, alpha};
+    issue_reals<family::BlendColor, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glBlendColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha) {
-    issue<family::BlendColor>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+    const GLclampx given[] = {red, green, blue, alpha};
+    issue_reals<family::BlendColor, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 #endif
@@ -115,7 +117,8 @@ void GLAPIENTRY glAccumxOES(GLenum op, GLfixed value) {
 #if SPANGLE_FEATURE_ACCUM
 
 void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-    issue<family::ClearAccum>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+    const GLfloat given[] = {red, green, blue, alpha};
+    issue_reals<family::ClearAccum, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 #endif
@@ -123,7 +126,8 @@ void GLAPIENTRY glClearAccum(GLfloat red, GLfloat green, GLfloat blue, GLfloat a
 #if SPANGLE_FEATURE_ACCUM && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glClearAccumxOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha) {
-    issue<family::ClearAccum>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+    const GLfixed given[] = {red, green, blue, alpha};
+    issue_reals<family::ClearAccum, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 #endif
@@ -193,13 +197,15 @@ void GLAPIENTRY glClear(GLbitfield mask) {
 }
 
 void GLAPIENTRY glClearColor(GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
-    issue<family::ClearColor>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+    const GLclampf given[] = {red, green, blue, alpha};
+    issue_reals<family::ClearColor, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glClearColorxOES(GLclampx red, GLclampx green, GLclampx blue, GLclampx alpha) {
-    issue<family::ClearColor>(convert::cast_x(red), convert::cast_x(green), convert::cast_x(blue), convert::cast_x(alpha));
+    const GLclampx given[] = {red, green, blue, alpha};
+    issue_reals<family::ClearColor, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 #endif
@@ -295,7 +301,8 @@ void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values) {
 #if SPANGLE_FEATURE_DRAW_PIXELS
 
 void GLAPIENTRY glPixelZoom(GLfloat xfactor, GLfloat yfactor) {
-    issue<family::PixelZoom>(convert::cast_f(xfactor), convert::cast_f(yfactor));
+    const GLfloat given[] = {xfactor, yfactor};
+    issue_reals<family::PixelZoom, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {

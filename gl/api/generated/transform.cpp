@@ -21,89 +21,65 @@ void GLAPIENTRY glLoadIdentity() {
 }
 
 void GLAPIENTRY glLoadMatrixf(const GLfloat* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixf: null pointer"));
-    issue<family::LoadMatrix>(convert::matrix_f(m));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadMatrixf: null pointer"));
 }
 
 void GLAPIENTRY glLoadMatrixd(const GLdouble* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixd: null pointer"));
-    issue<family::LoadMatrix>(convert::matrix_d(m));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadMatrixd: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadMatrixxOES: null pointer"));
-    issue<family::LoadMatrix>(convert::matrix_x(m));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadMatrixxOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultMatrixf(const GLfloat* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixf: null pointer"));
-    issue<family::MultMatrix>(convert::matrix_f(m));
+    issue_matrix<family::MultMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultMatrixf: null pointer"));
 }
 
 void GLAPIENTRY glMultMatrixd(const GLdouble* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixd: null pointer"));
-    issue<family::MultMatrix>(convert::matrix_d(m));
+    issue_matrix<family::MultMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultMatrixd: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultMatrixxOES(const GLfixed* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultMatrixxOES: null pointer"));
-    issue<family::MultMatrix>(convert::matrix_x(m));
+    issue_matrix<family::MultMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultMatrixxOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixf: null pointer"));
-    issue<family::LoadTransposeMatrix>(convert::matrix_f(m));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadTransposeMatrixf: null pointer"));
 }
 
 void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixd: null pointer"));
-    issue<family::LoadTransposeMatrix>(convert::matrix_d(m));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadTransposeMatrixd: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glLoadTransposeMatrixxOES: null pointer"));
-    issue<family::LoadTransposeMatrix>(convert::matrix_x(m));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadTransposeMatrixxOES: null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixf: null pointer"));
-    issue<family::MultTransposeMatrix>(convert::matrix_f(m));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultTransposeMatrixf: null pointer"));
 }
 
 void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixd: null pointer"));
-    issue<family::MultTransposeMatrix>(convert::matrix_d(m));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultTransposeMatrixd: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m) {
-    if (m == nullptr)
-        return refuse_null(SPANGLE_TEXT("glMultTransposeMatrixxOES: null pointer"));
-    issue<family::MultTransposeMatrix>(convert::matrix_x(m));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultTransposeMatrixxOES: null pointer"));
 }
 
 #endif
@@ -117,73 +93,86 @@ void GLAPIENTRY glPopMatrix() {
 }
 
 void GLAPIENTRY glRotatef(GLfloat angle, GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::Rotate>(convert::cast_f(angle), convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+    const GLfloat given[] = {angle, x, y, z};
+    issue_reals<family::Rotate, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRotated(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::Rotate>(convert::cast_d(angle), convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+    const GLdouble given[] = {angle, x, y, z};
+    issue_reals<family::Rotate, convert::Element::cast_d, 4>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRotatexOES(GLfixed angle, GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::Rotate>(convert::cast_x(angle), convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+    const GLfixed given[] = {angle, x, y, z};
+    issue_reals<family::Rotate, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 #endif
 
 void GLAPIENTRY glTranslatef(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::Translate>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+    const GLfloat given[] = {x, y, z};
+    issue_reals<family::Translate, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glTranslated(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::Translate>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+    const GLdouble given[] = {x, y, z};
+    issue_reals<family::Translate, convert::Element::cast_d, 3>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTranslatexOES(GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::Translate>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+    const GLfixed given[] = {x, y, z};
+    issue_reals<family::Translate, convert::Element::cast_x, 3>(given, nullptr);
 }
 
 #endif
 
 void GLAPIENTRY glScalef(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::Scale>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z));
+    const GLfloat given[] = {x, y, z};
+    issue_reals<family::Scale, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glScaled(GLdouble x, GLdouble y, GLdouble z) {
-    issue<family::Scale>(convert::cast_d(x), convert::cast_d(y), convert::cast_d(z));
+    const GLdouble given[] = {x, y, z};
+    issue_reals<family::Scale, convert::Element::cast_d, 3>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glScalexOES(GLfixed x, GLfixed y, GLfixed z) {
-    issue<family::Scale>(convert::cast_x(x), convert::cast_x(y), convert::cast_x(z));
+    const GLfixed given[] = {x, y, z};
+    issue_reals<family::Scale, convert::Element::cast_x, 3>(given, nullptr);
 }
 
 #endif
 
 void GLAPIENTRY glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
-    issue<family::Frustum>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
+    const GLdouble given[] = {left, right, bottom, top, near_val, far_val};
+    issue_reals<family::Frustum, convert::Element::cast_d, 6>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glFrustumxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
-    issue<family::Frustum>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
+    const GLfixed given[] = {left, right, bottom, top, near_val, far_val};
+    issue_reals<family::Frustum, convert::Element::cast_x, 6>(given, nullptr);
 }
 
 #endif
 
 void GLAPIENTRY glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble near_val, GLdouble far_val) {
-    issue<family::Ortho>(convert::cast_d(left), convert::cast_d(right), convert::cast_d(bottom), convert::cast_d(top), convert::cast_d(near_val), convert::cast_d(far_val));
+    const GLdouble given[] = {left, right, bottom, top, near_val, far_val};
+    issue_reals<family::Ortho, convert::Element::cast_d, 6>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glOrthoxOES(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top, GLfixed near_val, GLfixed far_val) {
-    issue<family::Ortho>(convert::cast_x(left), convert::cast_x(right), convert::cast_x(bottom), convert::cast_x(top), convert::cast_x(near_val), convert::cast_x(far_val));
+    const GLfixed given[] = {left, right, bottom, top, near_val, far_val};
+    issue_reals<family::Ortho, convert::Element::cast_x, 6>(given, nullptr);
 }
 
 #endif
@@ -193,17 +182,20 @@ void GLAPIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void GLAPIENTRY glDepthRange(GLclampd near_val, GLclampd far_val) {
-    issue<family::DepthRange>(convert::cast_d(near_val), convert::cast_d(far_val));
+    const GLclampd given[] = {near_val, far_val};
+    issue_reals<family::DepthRange, convert::Element::cast_d, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glDepthRangef(GLclampf near_val, GLclampf far_val) {
-    issue<family::DepthRange>(convert::cast_f(near_val), convert::cast_f(far_val));
+    const GLclampf given[] = {near_val, far_val};
+    issue_reals<family::DepthRange, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val) {
-    issue<family::DepthRange>(convert::cast_x(near_val), convert::cast_x(far_val));
+    const GLclampx given[] = {near_val, far_val};
+    issue_reals<family::DepthRange, convert::Element::cast_x, 2>(given, nullptr);
 }
 
 #endif

@@ -21,8 +21,8 @@ void GLAPIENTRY glEnd() {
 }
 
 void GLAPIENTRY glVertex2s(GLshort x, GLshort y) {
-    const GLshort v[] = {x, y};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLshort given[] = {x, y};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2sv(const GLshort* v) {
@@ -30,7 +30,8 @@ void GLAPIENTRY glVertex2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glVertex2i(GLint x, GLint y) {
-    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), numeric::zero, numeric::one);
+    const GLint given[] = {x, y};
+    issue_reals<family::Vertex, convert::Element::cast_i, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex2iv(const GLint* v) {
@@ -38,18 +39,17 @@ void GLAPIENTRY glVertex2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glVertex2f(GLfloat x, GLfloat y) {
-    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), numeric::zero, numeric::one);
+    const GLfloat given[] = {x, y};
+    issue_reals<family::Vertex, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex2fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex2fv: null pointer"));
-    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+    issue_reals<family::Vertex, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glVertex2fv: null pointer"));
 }
 
 void GLAPIENTRY glVertex2d(GLdouble x, GLdouble y) {
-    const GLdouble v[] = {x, y};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 2), nullptr);
+    const GLdouble given[] = {x, y};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2dv(const GLdouble* v) {
@@ -59,8 +59,8 @@ void GLAPIENTRY glVertex2dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex2xOES(GLfixed x, GLfixed y) {
-    const GLfixed v[] = {x, y};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 2), nullptr);
+    const GLfixed given[] = {x, y};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
@@ -70,8 +70,8 @@ void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort v[] = {x, y, z};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLshort given[] = {x, y, z};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3sv(const GLshort* v) {
@@ -79,7 +79,8 @@ void GLAPIENTRY glVertex3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
-    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), numeric::one);
+    const GLint given[] = {x, y, z};
+    issue_reals<family::Vertex, convert::Element::cast_i, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex3iv(const GLint* v) {
@@ -87,18 +88,17 @@ void GLAPIENTRY glVertex3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
-    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), numeric::one);
+    const GLfloat given[] = {x, y, z};
+    issue_reals<family::Vertex, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex3fv: null pointer"));
-    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+    issue_reals<family::Vertex, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glVertex3fv: null pointer"));
 }
 
 void GLAPIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) {
-    const GLdouble v[] = {x, y, z};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {x, y, z};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3dv(const GLdouble* v) {
@@ -108,8 +108,8 @@ void GLAPIENTRY glVertex3dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex3xOES(GLfixed x, GLfixed y, GLfixed z) {
-    const GLfixed v[] = {x, y, z};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {x, y, z};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
@@ -119,8 +119,8 @@ void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    const GLshort v[] = {x, y, z, w};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLshort given[] = {x, y, z, w};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4sv(const GLshort* v) {
@@ -128,7 +128,8 @@ void GLAPIENTRY glVertex4sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
-    issue<family::Vertex>(convert::cast_i(x), convert::cast_i(y), convert::cast_i(z), convert::cast_i(w));
+    const GLint given[] = {x, y, z, w};
+    issue_reals<family::Vertex, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex4iv(const GLint* v) {
@@ -136,18 +137,17 @@ void GLAPIENTRY glVertex4iv(const GLint* v) {
 }
 
 void GLAPIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-    issue<family::Vertex>(convert::cast_f(x), convert::cast_f(y), convert::cast_f(z), convert::cast_f(w));
+    const GLfloat given[] = {x, y, z, w};
+    issue_reals<family::Vertex, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glVertex4fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glVertex4fv: null pointer"));
-    issue<family::Vertex>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+    issue_reals<family::Vertex, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glVertex4fv: null pointer"));
 }
 
 void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-    const GLdouble v[] = {x, y, z, w};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 4), nullptr);
+    const GLdouble given[] = {x, y, z, w};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4dv(const GLdouble* v) {
@@ -157,8 +157,8 @@ void GLAPIENTRY glVertex4dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
-    const GLfixed v[] = {x, y, z, w};
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 4), nullptr);
+    const GLfixed given[] = {x, y, z, w};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
@@ -168,8 +168,8 @@ void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord1s(GLshort s) {
-    const GLshort v[] = {s};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 1), nullptr);
+    const GLshort given[] = {s};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
@@ -177,7 +177,8 @@ void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glTexCoord1i(GLint s) {
-    issue<family::TexCoord>(convert::cast_i(s), numeric::zero, numeric::zero, numeric::one);
+    const GLint given[] = {s};
+    issue_reals<family::TexCoord, convert::Element::cast_i, 1>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord1iv(const GLint* v) {
@@ -185,18 +186,17 @@ void GLAPIENTRY glTexCoord1iv(const GLint* v) {
 }
 
 void GLAPIENTRY glTexCoord1f(GLfloat s) {
-    issue<family::TexCoord>(convert::cast_f(s), numeric::zero, numeric::zero, numeric::one);
+    const GLfloat given[] = {s};
+    issue_reals<family::TexCoord, convert::Element::cast_f, 1>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord1fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord1fv: null pointer"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), numeric::zero, numeric::zero, numeric::one);
+    issue_reals<family::TexCoord, convert::Element::cast_f, 1>(v, SPANGLE_TEXT("glTexCoord1fv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1d(GLdouble s) {
-    const GLdouble v[] = {s};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 1), nullptr);
+    const GLdouble given[] = {s};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_d, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
@@ -206,8 +206,8 @@ void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord1xOES(GLfixed s) {
-    const GLfixed v[] = {s};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 1), nullptr);
+    const GLfixed given[] = {s};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_x, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
@@ -217,8 +217,8 @@ void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
-    const GLshort v[] = {s, t};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLshort given[] = {s, t};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
@@ -226,7 +226,8 @@ void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
-    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), numeric::zero, numeric::one);
+    const GLint given[] = {s, t};
+    issue_reals<family::TexCoord, convert::Element::cast_i, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord2iv(const GLint* v) {
@@ -234,18 +235,17 @@ void GLAPIENTRY glTexCoord2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glTexCoord2f(GLfloat s, GLfloat t) {
-    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), numeric::zero, numeric::one);
+    const GLfloat given[] = {s, t};
+    issue_reals<family::TexCoord, convert::Element::cast_f, 2>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord2fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord2fv: null pointer"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), numeric::zero, numeric::one);
+    issue_reals<family::TexCoord, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glTexCoord2fv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2d(GLdouble s, GLdouble t) {
-    const GLdouble v[] = {s, t};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 2), nullptr);
+    const GLdouble given[] = {s, t};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
@@ -255,8 +255,8 @@ void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord2xOES(GLfixed s, GLfixed t) {
-    const GLfixed v[] = {s, t};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 2), nullptr);
+    const GLfixed given[] = {s, t};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
@@ -266,8 +266,8 @@ void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
-    const GLshort v[] = {s, t, r};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLshort given[] = {s, t, r};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
@@ -275,7 +275,8 @@ void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
-    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), numeric::one);
+    const GLint given[] = {s, t, r};
+    issue_reals<family::TexCoord, convert::Element::cast_i, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord3iv(const GLint* v) {
@@ -283,18 +284,17 @@ void GLAPIENTRY glTexCoord3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
-    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), numeric::one);
+    const GLfloat given[] = {s, t, r};
+    issue_reals<family::TexCoord, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord3fv: null pointer"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+    issue_reals<family::TexCoord, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glTexCoord3fv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
-    const GLdouble v[] = {s, t, r};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {s, t, r};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
@@ -304,8 +304,8 @@ void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord3xOES(GLfixed s, GLfixed t, GLfixed r) {
-    const GLfixed v[] = {s, t, r};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {s, t, r};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
@@ -315,8 +315,8 @@ void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
-    const GLshort v[] = {s, t, r, q};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLshort given[] = {s, t, r, q};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
@@ -324,7 +324,8 @@ void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
-    issue<family::TexCoord>(convert::cast_i(s), convert::cast_i(t), convert::cast_i(r), convert::cast_i(q));
+    const GLint given[] = {s, t, r, q};
+    issue_reals<family::TexCoord, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord4iv(const GLint* v) {
@@ -332,18 +333,17 @@ void GLAPIENTRY glTexCoord4iv(const GLint* v) {
 }
 
 void GLAPIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-    issue<family::TexCoord>(convert::cast_f(s), convert::cast_f(t), convert::cast_f(r), convert::cast_f(q));
+    const GLfloat given[] = {s, t, r, q};
+    issue_reals<family::TexCoord, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glTexCoord4fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glTexCoord4fv: null pointer"));
-    issue<family::TexCoord>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+    issue_reals<family::TexCoord, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glTexCoord4fv: null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-    const GLdouble v[] = {s, t, r, q};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 4), nullptr);
+    const GLdouble given[] = {s, t, r, q};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
@@ -353,8 +353,8 @@ void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
-    const GLfixed v[] = {s, t, r, q};
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 4), nullptr);
+    const GLfixed given[] = {s, t, r, q};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
@@ -364,8 +364,8 @@ void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
-    const GLshort v[] = {s};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 1), nullptr);
+    const GLshort given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
@@ -373,8 +373,8 @@ void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
-    const GLint v[] = {s};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 1), nullptr);
+    const GLint given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
@@ -382,8 +382,8 @@ void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
-    const GLfloat v[] = {s};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 1), nullptr);
+    const GLfloat given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_f, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
@@ -391,8 +391,8 @@ void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
-    const GLdouble v[] = {s};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 1), nullptr);
+    const GLdouble given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_d, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
@@ -402,8 +402,8 @@ void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s) {
-    const GLfixed v[] = {s};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 1), nullptr);
+    const GLfixed given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_x, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
@@ -413,8 +413,8 @@ void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
-    const GLshort v[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLshort given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
@@ -422,8 +422,8 @@ void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
-    const GLint v[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 2), nullptr);
+    const GLint given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
@@ -431,8 +431,8 @@ void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
-    const GLfloat v[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 2), nullptr);
+    const GLfloat given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
@@ -440,8 +440,8 @@ void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
-    const GLdouble v[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 2), nullptr);
+    const GLdouble given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
@@ -451,8 +451,8 @@ void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t) {
-    const GLfixed v[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 2), nullptr);
+    const GLfixed given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
@@ -462,8 +462,8 @@ void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
-    const GLshort v[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLshort given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
@@ -471,8 +471,8 @@ void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
-    const GLint v[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 3), nullptr);
+    const GLint given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
@@ -480,8 +480,8 @@ void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
-    const GLfloat v[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 3), nullptr);
+    const GLfloat given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
@@ -489,8 +489,8 @@ void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
-    const GLdouble v[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
@@ -500,8 +500,8 @@ void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r) {
-    const GLfixed v[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
@@ -511,8 +511,8 @@ void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
-    const GLshort v[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLshort given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
@@ -520,8 +520,8 @@ void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
-    const GLint v[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 4), nullptr);
+    const GLint given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
@@ -529,8 +529,8 @@ void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-    const GLfloat v[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 4), nullptr);
+    const GLfloat given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_f, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
@@ -538,8 +538,8 @@ void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
 }
 
 void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-    const GLdouble v[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 4), nullptr);
+    const GLdouble given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
@@ -549,8 +549,8 @@ void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
-    const GLfixed v[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 4), nullptr);
+    const GLfixed given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
@@ -560,8 +560,8 @@ void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
-    const GLbyte v[] = {nx, ny, nz};
-    issue_components<family::Normal>(v, convert::components(convert::Element::unit_b, 3), nullptr);
+    const GLbyte given[] = {nx, ny, nz};
+    issue_components<family::Normal>(given, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3bv(const GLbyte* v) {
@@ -569,8 +569,8 @@ void GLAPIENTRY glNormal3bv(const GLbyte* v) {
 }
 
 void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) {
-    const GLshort v[] = {nx, ny, nz};
-    issue_components<family::Normal>(v, convert::components(convert::Element::unit_s, 3), nullptr);
+    const GLshort given[] = {nx, ny, nz};
+    issue_components<family::Normal>(given, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3sv(const GLshort* v) {
@@ -578,7 +578,8 @@ void GLAPIENTRY glNormal3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
-    issue<family::Normal>(convert::unit_i(nx), convert::unit_i(ny), convert::unit_i(nz));
+    const GLint given[] = {nx, ny, nz};
+    issue_reals<family::Normal, convert::Element::unit_i, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glNormal3iv(const GLint* v) {
@@ -586,18 +587,17 @@ void GLAPIENTRY glNormal3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) {
-    issue<family::Normal>(convert::cast_f(nx), convert::cast_f(ny), convert::cast_f(nz));
+    const GLfloat given[] = {nx, ny, nz};
+    issue_reals<family::Normal, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glNormal3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glNormal3fv: null pointer"));
-    issue<family::Normal>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]));
+    issue_reals<family::Normal, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glNormal3fv: null pointer"));
 }
 
 void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) {
-    const GLdouble v[] = {nx, ny, nz};
-    issue_components<family::Normal>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {nx, ny, nz};
+    issue_components<family::Normal>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3dv(const GLdouble* v) {
@@ -607,8 +607,8 @@ void GLAPIENTRY glNormal3dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz) {
-    const GLfixed v[] = {nx, ny, nz};
-    issue_components<family::Normal>(v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {nx, ny, nz};
+    issue_components<family::Normal>(given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
@@ -618,8 +618,8 @@ void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) {
-    const GLbyte v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 3), nullptr);
+    const GLbyte given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3bv(const GLbyte* v) {
@@ -627,8 +627,8 @@ void GLAPIENTRY glColor3bv(const GLbyte* v) {
 }
 
 void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) {
-    const GLshort v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 3), nullptr);
+    const GLshort given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3sv(const GLshort* v) {
@@ -636,7 +636,8 @@ void GLAPIENTRY glColor3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
-    issue<family::Color>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue), numeric::one);
+    const GLint given[] = {red, green, blue};
+    issue_reals<family::Color, convert::Element::unit_i, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glColor3iv(const GLint* v) {
@@ -644,18 +645,17 @@ void GLAPIENTRY glColor3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) {
-    issue<family::Color>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), numeric::one);
+    const GLfloat given[] = {red, green, blue};
+    issue_reals<family::Color, convert::Element::cast_f, 3>(given, nullptr);
 }
 
 void GLAPIENTRY glColor3fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor3fv: null pointer"));
-    issue<family::Color>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), numeric::one);
+    issue_reals<family::Color, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glColor3fv: null pointer"));
 }
 
 void GLAPIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) {
-    const GLdouble v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3dv(const GLdouble* v) {
@@ -663,8 +663,8 @@ void GLAPIENTRY glColor3dv(const GLdouble* v) {
 }
 
 void GLAPIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
-    const GLubyte v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 3), nullptr);
+    const GLubyte given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_ub, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3ubv(const GLubyte* v) {
@@ -672,8 +672,8 @@ void GLAPIENTRY glColor3ubv(const GLubyte* v) {
 }
 
 void GLAPIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) {
-    const GLushort v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 3), nullptr);
+    const GLushort given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_us, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3usv(const GLushort* v) {
@@ -681,8 +681,8 @@ void GLAPIENTRY glColor3usv(const GLushort* v) {
 }
 
 void GLAPIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) {
-    const GLuint v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 3), nullptr);
+    const GLuint given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_ui, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3uiv(const GLuint* v) {
@@ -692,8 +692,8 @@ void GLAPIENTRY glColor3uiv(const GLuint* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glColor3xOES(GLfixed red, GLfixed green, GLfixed blue) {
-    const GLfixed v[] = {red, green, blue};
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {red, green, blue};
+    issue_components<family::Color>(given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
@@ -703,8 +703,8 @@ void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) {
-    const GLbyte v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 4), nullptr);
+    const GLbyte given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_b, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4bv(const GLbyte* v) {
@@ -712,8 +712,8 @@ void GLAPIENTRY glColor4bv(const GLbyte* v) {
 }
 
 void GLAPIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) {
-    const GLshort v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 4), nullptr);
+    const GLshort given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_s, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4sv(const GLshort* v) {
@@ -721,7 +721,8 @@ void GLAPIENTRY glColor4sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
-    issue<family::Color>(convert::unit_i(red), convert::unit_i(green), convert::unit_i(blue), convert::unit_i(alpha));
+    const GLint given[] = {red, green, blue, alpha};
+    issue_reals<family::Color, convert::Element::unit_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glColor4iv(const GLint* v) {
@@ -729,18 +730,17 @@ void GLAPIENTRY glColor4iv(const GLint* v) {
 }
 
 void GLAPIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-    issue<family::Color>(convert::cast_f(red), convert::cast_f(green), convert::cast_f(blue), convert::cast_f(alpha));
+    const GLfloat given[] = {red, green, blue, alpha};
+    issue_reals<family::Color, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glColor4fv(const GLfloat* v) {
-    if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glColor4fv: null pointer"));
-    issue<family::Color>(convert::cast_f(v[0]), convert::cast_f(v[1]), convert::cast_f(v[2]), convert::cast_f(v[3]));
+    issue_reals<family::Color, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glColor4fv: null pointer"));
 }
 
 void GLAPIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) {
-    const GLdouble v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 4), nullptr);
+    const GLdouble given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4dv(const GLdouble* v) {
@@ -748,8 +748,8 @@ void GLAPIENTRY glColor4dv(const GLdouble* v) {
 }
 
 void GLAPIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) {
-    const GLubyte v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 4), nullptr);
+    const GLubyte given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_ub, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4ubv(const GLubyte* v) {
@@ -757,8 +757,8 @@ void GLAPIENTRY glColor4ubv(const GLubyte* v) {
 }
 
 void GLAPIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort alpha) {
-    const GLushort v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 4), nullptr);
+    const GLushort given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_us, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4usv(const GLushort* v) {
@@ -766,8 +766,8 @@ void GLAPIENTRY glColor4usv(const GLushort* v) {
 }
 
 void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) {
-    const GLuint v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 4), nullptr);
+    const GLuint given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::unit_ui, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4uiv(const GLuint* v) {
@@ -777,8 +777,8 @@ void GLAPIENTRY glColor4uiv(const GLuint* v) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha) {
-    const GLfixed v[] = {red, green, blue, alpha};
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 4), nullptr);
+    const GLfixed given[] = {red, green, blue, alpha};
+    issue_components<family::Color>(given, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
@@ -790,8 +790,8 @@ void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_SECONDARY_COLOR
 
 void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) {
-    const GLbyte v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_b, 3), nullptr);
+    const GLbyte given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_b, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v) {
@@ -799,8 +799,8 @@ void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) {
-    const GLshort v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_s, 3), nullptr);
+    const GLshort given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_s, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
@@ -808,8 +808,8 @@ void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
-    const GLint v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_i, 3), nullptr);
+    const GLint given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_i, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
@@ -817,8 +817,8 @@ void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
-    const GLfloat v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_f, 3), nullptr);
+    const GLfloat given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
@@ -826,8 +826,8 @@ void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) {
-    const GLdouble v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v) {
@@ -835,8 +835,8 @@ void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
-    const GLubyte v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ub, 3), nullptr);
+    const GLubyte given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_ub, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v) {
@@ -844,8 +844,8 @@ void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) {
-    const GLushort v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_us, 3), nullptr);
+    const GLushort given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_us, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3usv(const GLushort* v) {
@@ -853,8 +853,8 @@ void GLAPIENTRY glSecondaryColor3usv(const GLushort* v) {
 }
 
 void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) {
-    const GLuint v[] = {red, green, blue};
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ui, 3), nullptr);
+    const GLuint given[] = {red, green, blue};
+    issue_components<family::SecondaryColor>(given, convert::components(convert::Element::unit_ui, 3), nullptr);
 }
 
 void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v) {
@@ -972,8 +972,8 @@ void GLAPIENTRY glFogCoorddv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
-    const GLshort v[] = {x, y};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLshort given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
@@ -981,8 +981,8 @@ void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
-    const GLint v[] = {x, y};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 2), nullptr);
+    const GLint given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2iv(const GLint* v) {
@@ -990,8 +990,8 @@ void GLAPIENTRY glRasterPos2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
-    const GLfloat v[] = {x, y};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 2), nullptr);
+    const GLfloat given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
@@ -999,8 +999,8 @@ void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
-    const GLdouble v[] = {x, y};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 2), nullptr);
+    const GLdouble given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
@@ -1012,8 +1012,8 @@ void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos2xOES(GLfixed x, GLfixed y) {
-    const GLfixed v[] = {x, y};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 2), nullptr);
+    const GLfixed given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_x, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
@@ -1025,8 +1025,8 @@ void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort v[] = {x, y, z};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLshort given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
@@ -1034,8 +1034,8 @@ void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
-    const GLint v[] = {x, y, z};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 3), nullptr);
+    const GLint given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3iv(const GLint* v) {
@@ -1043,8 +1043,8 @@ void GLAPIENTRY glRasterPos3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
-    const GLfloat v[] = {x, y, z};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 3), nullptr);
+    const GLfloat given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
@@ -1052,8 +1052,8 @@ void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
-    const GLdouble v[] = {x, y, z};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
@@ -1065,8 +1065,8 @@ void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos3xOES(GLfixed x, GLfixed y, GLfixed z) {
-    const GLfixed v[] = {x, y, z};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 3), nullptr);
+    const GLfixed given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_x, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
@@ -1078,8 +1078,8 @@ void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    const GLshort v[] = {x, y, z, w};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLshort given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
@@ -1087,8 +1087,8 @@ void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
-    const GLint v[] = {x, y, z, w};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 4), nullptr);
+    const GLint given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4iv(const GLint* v) {
@@ -1096,8 +1096,8 @@ void GLAPIENTRY glRasterPos4iv(const GLint* v) {
 }
 
 void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
-    const GLfloat v[] = {x, y, z, w};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 4), nullptr);
+    const GLfloat given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_f, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
@@ -1105,8 +1105,8 @@ void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
-    const GLdouble v[] = {x, y, z, w};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 4), nullptr);
+    const GLdouble given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_d, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
@@ -1118,8 +1118,8 @@ void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
-    const GLfixed v[] = {x, y, z, w};
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 4), nullptr);
+    const GLfixed given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_x, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
@@ -1131,8 +1131,8 @@ void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y) {
-    const GLshort v[] = {x, y};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLshort given[] = {x, y};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_s, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
@@ -1140,8 +1140,8 @@ void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
-    const GLint v[] = {x, y};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 2), nullptr);
+    const GLint given[] = {x, y};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2iv(const GLint* v) {
@@ -1149,8 +1149,8 @@ void GLAPIENTRY glWindowPos2iv(const GLint* v) {
 }
 
 void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
-    const GLfloat v[] = {x, y};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 2), nullptr);
+    const GLfloat given[] = {x, y};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_f, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
@@ -1158,8 +1158,8 @@ void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
-    const GLdouble v[] = {x, y};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 2), nullptr);
+    const GLdouble given[] = {x, y};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_d, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
@@ -1167,8 +1167,8 @@ void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
 }
 
 void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort v[] = {x, y, z};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLshort given[] = {x, y, z};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_s, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
@@ -1176,8 +1176,8 @@ void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
 }
 
 void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
-    const GLint v[] = {x, y, z};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 3), nullptr);
+    const GLint given[] = {x, y, z};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3iv(const GLint* v) {
@@ -1185,8 +1185,8 @@ void GLAPIENTRY glWindowPos3iv(const GLint* v) {
 }
 
 void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
-    const GLfloat v[] = {x, y, z};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 3), nullptr);
+    const GLfloat given[] = {x, y, z};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_f, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
@@ -1194,8 +1194,8 @@ void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
 }
 
 void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
-    const GLdouble v[] = {x, y, z};
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 3), nullptr);
+    const GLdouble given[] = {x, y, z};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_d, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
@@ -1205,55 +1205,65 @@ void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
 #endif
 
 void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
-    issue<family::Rect>(convert::cast_s(x1), convert::cast_s(y1), convert::cast_s(x2), convert::cast_s(y2));
+    const GLshort given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_s, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectsv: null pointer"));
-    issue<family::Rect>(convert::cast_s(v1[0]), convert::cast_s(v1[1]), convert::cast_s(v2[0]), convert::cast_s(v2[1]));
+    const GLshort given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_s, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
-    issue<family::Rect>(convert::cast_i(x1), convert::cast_i(y1), convert::cast_i(x2), convert::cast_i(y2));
+    const GLint given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectiv(const GLint* v1, const GLint* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectiv: null pointer"));
-    issue<family::Rect>(convert::cast_i(v1[0]), convert::cast_i(v1[1]), convert::cast_i(v2[0]), convert::cast_i(v2[1]));
+    const GLint given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-    issue<family::Rect>(convert::cast_f(x1), convert::cast_f(y1), convert::cast_f(x2), convert::cast_f(y2));
+    const GLfloat given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectfv: null pointer"));
-    issue<family::Rect>(convert::cast_f(v1[0]), convert::cast_f(v1[1]), convert::cast_f(v2[0]), convert::cast_f(v2[1]));
+    const GLfloat given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_f, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
-    issue<family::Rect>(convert::cast_d(x1), convert::cast_d(y1), convert::cast_d(x2), convert::cast_d(y2));
+    const GLdouble given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_d, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectdv: null pointer"));
-    issue<family::Rect>(convert::cast_d(v1[0]), convert::cast_d(v1[1]), convert::cast_d(v2[0]), convert::cast_d(v2[1]));
+    const GLdouble given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_d, 4>(given, nullptr);
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2) {
-    issue<family::Rect>(convert::cast_x(x1), convert::cast_x(y1), convert::cast_x(x2), convert::cast_x(y2));
+    const GLfixed given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectxvOES: null pointer"));
-    issue<family::Rect>(convert::cast_x(v1[0]), convert::cast_x(v1[1]), convert::cast_x(v2[0]), convert::cast_x(v2[1]));
+    const GLfixed given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_x, 4>(given, nullptr);
 }
 
 #endif
