@@ -166,6 +166,42 @@ TEST_F(Limits, ConfigsAreThoseOfTheFormatsAndTiersThereAre) {
 }
 
 /// A fan seen from within: every triangle is cut by some of near, left, right, bottom, top.
+/// However entry points come to their numbers.
+TEST_F(Limits, ArgumentsArriveWhole) {
+    using Values = std::vector<GLfloat>;
+    const auto current = [](GLenum name, std::size_t count) {
+        Values values(16);
+        glGetFloatv(name, values.data());
+        values.resize(count);
+        return values;
+    };
+    glColor4f(.25F, .5F, .75F, .125F);
+    EXPECT_EQ(current(GL_CURRENT_COLOR, 4), (Values{.25F, .5F, .75F, .125F}));
+    const GLfloat three[] = {.5F, .25F, .125F};
+    glColor3fv(three);
+    EXPECT_EQ(current(GL_CURRENT_COLOR, 4), (Values{.5F, .25F, .125F, 1}));
+    glClearColor(.125F, .25F, .5F, .75F);
+    EXPECT_EQ(current(GL_COLOR_CLEAR_VALUE, 4), (Values{.125F, .25F, .5F, .75F}));
+    glDepthRange(.25, .5);
+    EXPECT_EQ(current(GL_DEPTH_RANGE, 2), (Values{.25F, .5F}));
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-1, 3, -2, 2, 1, 5);
+    const Values frustum = {.5F, 0, 0, 0, 0, .5F, 0, 0, .5F, 0, -1.5F, -1, 0, 0, -2.5F, 0};
+    EXPECT_EQ(current(GL_PROJECTION_MATRIX, 16), frustum);
+    const std::vector<GLdouble> doubles(frustum.begin(), frustum.end());
+    glLoadIdentity();
+    glLoadMatrixd(doubles.data());
+    EXPECT_EQ(current(GL_PROJECTION_MATRIX, 16), frustum);
+    glLoadIdentity();
+    glLoadMatrixf(frustum.data());
+    EXPECT_EQ(current(GL_PROJECTION_MATRIX, 16), frustum);
+    glColor3fv(nullptr);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+    glLoadMatrixf(nullptr);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+}
+
 TEST_F(Limits, ClippedPictureIsTheSame) {
     view();
     glBegin(GL_TRIANGLE_FAN);
