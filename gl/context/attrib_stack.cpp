@@ -44,9 +44,13 @@ template <class F> void for_each_kept(GLbitfield groups, F f) {
     for (const std::span<const StateRow> part : all_state())
         for (const StateRow& row : part)
             if (belongs(row, groups))
-                if (const Kept kept = kept_by(row); kept.bytes != 0)
-                    for (std::uint32_t u = 0; u < units_of(row); ++u)
-                        f(kept.offset + u * row.unit_step, kept.bytes);
+                if (const std::uint32_t bytes = kept_by(row); bytes != 0)
+                    for (std::uint32_t u = 0; u < units_of(row.per_unit); ++u)
+                        f(row.where + u * row.unit_step(), bytes);
+    for (const HeldRow& row : all_held())
+        if ((groups & bit(row.group)) != 0)
+            for (std::uint32_t u = 0; u < units_of(row.per_unit); ++u)
+                f(row.offset + u * row.unit_step, std::uint32_t{row.bytes});
 }
 
 void push(Context& context, AttribStack& stack, GLbitfield groups) {

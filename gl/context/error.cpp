@@ -23,15 +23,17 @@ void message(unsigned code, const char* text) {
 
 namespace spangle::gl {
 
-void error(Context& context, GLenum code) {
+[[gnu::noinline]] void set_error(Context& context, unsigned number) {
     if (context.error_code == GL_NO_ERROR)
-        context.error_code = code;
+        context.error_code = GL_INVALID_ENUM + number;
 }
 
+#if SPANGLE_MESSAGES
 void error(Context& context, GLenum code, const char* text) {
     error(context, code);
     message(code, text);
 }
+#endif
 
 bool allowed_outside(Context& context, const char* refusal) {
     if (!context.inside_begin_end())

@@ -33,6 +33,10 @@ void depth_of_stack(const Context& context, GLenum name, Param* out) {
     out[0] = integer(stack_depth(context, name));
 }
 
+void element_limit(const Context&, GLenum, Param* out) {
+    out[0] = integer(65536);
+}
+
 void viewport_limits(const Context&, GLenum, Param* out) {
     out[0] = out[1] = integer(max_viewport_dim);
 }

@@ -12,6 +12,7 @@ namespace computed_state {
 void matrix(const Context& context, GLenum name, Param* out);
 void transposed_matrix(const Context& context, GLenum name, Param* out);
 void depth_of_stack(const Context& context, GLenum name, Param* out);
+void element_limit(const Context& context, GLenum name, Param* out);
 void viewport_limits(const Context& context, GLenum name, Param* out);
 void render_mode(const Context& context, GLenum name, Param* out);
 void saved_depth(const Context& context, GLenum name, Param* out);

@@ -27,65 +27,73 @@ constexpr std::uint16_t short_name(GLenum name) {
     return static_cast<std::uint16_t>(name);
 }
 
-constexpr StateRow constant(GLenum name, std::int32_t value) {
-    StateRow row;
+/// A row with what it is made of, before it is put in as few bytes as it needs (state_table.cpp).
+struct WrittenRow : StateRow {
+    std::size_t value = 0; ///< StateRow::where
+    std::size_t bytes = 0; ///< that are held
+    std::size_t step = 0;  ///< StateRow::unit_step()
+    Compute* compute = nullptr;
+};
+
+constexpr WrittenRow constant(GLenum name, std::int32_t value) {
+    WrittenRow row;
     row.name = short_name(name);
     row.count = 1;
-    row.place.where = static_cast<std::uint32_t>(value);
+    row.value = static_cast<std::uint32_t>(value);
     return row;
 }
 
-template <class T> constexpr StateRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
+template <class T>
+constexpr WrittenRow stored(GLenum name, std::size_t offset, Switch toggle = Switch::none) {
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
-    StateRow row = constant(name, static_cast<std::int32_t>(offset));
+    WrittenRow row = constant(name, static_cast<std::int32_t>(offset));
     row.kind = source == Source::real ? Kind::real : Kind::integer;
     row.source = source;
     row.toggle = toggle;
-    row.count = static_cast<std::uint8_t>(sizeof(T) / sizeof(std::remove_all_extents_t<T>));
+    row.count = sizeof(T) / sizeof(std::remove_all_extents_t<T>);
     return row;
 }
 
 /// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
-constexpr StateRow linear(StateRow row) {
+constexpr WrittenRow linear(WrittenRow row) {
     row.kind = Kind::color;
     return row;
 }
 
-constexpr StateRow absent_switch(GLenum name) {
-    StateRow row = constant(name, 0);
+constexpr WrittenRow absent_switch(GLenum name) {
+    WrittenRow row = constant(name, 0);
     row.toggle = Switch::server;
     return row;
 }
 
-constexpr StateRow computed(GLenum name, Kind kind, std::uint8_t count,
-                            void (*compute)(const Context&, GLenum, Param*)) {
-    StateRow row = constant(name, 0);
+constexpr WrittenRow computed(GLenum name, Kind kind, unsigned count, Compute* compute) {
+    WrittenRow row = constant(name, 0);
     row.kind = kind;
     row.source = Source::computed;
-    row.count = count;
-    row.place.compute = compute;
+    row.count = count & 31u;
+    row.compute = compute;
     return row;
 }
 
-/// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
-constexpr StateRow held(std::size_t offset, std::size_t bytes) {
-    StateRow row;
+constexpr WrittenRow held(std::size_t offset, std::size_t bytes) {
+    WrittenRow row;
     row.source = Source::held;
-    row.place.where = static_cast<std::uint32_t>(offset | bytes << 16);
+    row.value = offset;
+    row.bytes = bytes;
     return row;
 }
 
 /// The rows up to the next one of these belong to `group`.
-constexpr StateRow in(Group group) {
-    StateRow row;
+constexpr WrittenRow in(Group group) {
+    WrittenRow row;
     row.source = Source::section;
     row.group = group;
     return row;
 }
 
 /// A row of an optional system: INVALID_OPERATION and a message in a build without it.
-constexpr StateRow of_feature(bool present, [[maybe_unused]] const char* text, StateRow row) {
+constexpr WrittenRow of_feature(bool present, [[maybe_unused]] const char* text, WrittenRow row) {
     if (present)
         return row; // which may be of another one, too
     row.left_out = true;
@@ -95,7 +103,7 @@ constexpr StateRow of_feature(bool present, [[maybe_unused]] const char* text, S
     return row;
 }
 #define FEATURE(function, name)                                                                              \
-    constexpr StateRow function(StateRow row) {                                                              \
+    constexpr WrittenRow function(WrittenRow row) {                                                          \
         return of_feature(SPANGLE_FEATURE_##name != 0,                                                       \
                           SPANGLE_TEXT("this build has no SPANGLE_FEATURE_" #name), row);                    \
     }
@@ -130,12 +138,12 @@ FEATURE(of_point_parameters, POINT_PARAMETERS)
 #undef FEATURE
 
 /// One of each texture unit.
-constexpr StateRow of_unit(PerUnit which, std::size_t step, StateRow row) {
+constexpr WrittenRow of_unit(PerUnit which, std::size_t step, WrittenRow row) {
     row.per_unit = which;
-    row.unit_step = static_cast<std::uint16_t>(step);
+    row.step = step;
     return row;
 }
-constexpr StateRow of_client_unit(StateRow row) {
+constexpr WrittenRow of_client_unit(WrittenRow row) {
     return of_unit(PerUnit::client, sizeof(ClientArray), row);
 }
 

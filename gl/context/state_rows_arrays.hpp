@@ -17,7 +17,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto arrays_rows = std::to_array<StateRow>({
+inline constexpr auto arrays_rows = std::to_array<WrittenRow>({
     in(Group::client_vertex_array),
     CLIENT_SWITCH(GL_VERTEX_ARRAY, arrays.vertex.enabled),
     STORED(GL_VERTEX_ARRAY_SIZE, arrays.vertex.size),

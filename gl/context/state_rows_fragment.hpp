@@ -5,7 +5,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto fragment_rows = std::to_array<StateRow>({
+inline constexpr auto fragment_rows = std::to_array<WrittenRow>({
     in(Group::fog),
     of_fog(linear(STORED(GL_FOG_COLOR, fog.color))),
     of_fog(STORED(GL_FOG_INDEX, fog.index)),

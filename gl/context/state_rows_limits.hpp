@@ -18,7 +18,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto limits_rows = std::to_array<StateRow>({
+inline constexpr auto limits_rows = std::to_array<WrittenRow>({
     in(Group::list),
     of_lists(STORED(GL_LIST_BASE, list.base)),
     in(Group::none),
@@ -59,8 +59,8 @@ inline constexpr auto limits_rows = std::to_array<StateRow>({
     computed(GL_ALIASED_LINE_WIDTH_RANGE, Kind::integer, 2, computed_state::size_range),
     computed(GL_POINT_SIZE_GRANULARITY, Kind::real, 1, computed_state::size_granularity),
     computed(GL_LINE_WIDTH_GRANULARITY, Kind::real, 1, computed_state::size_granularity),
-    constant(GL_MAX_ELEMENTS_INDICES, 65536),
-    constant(GL_MAX_ELEMENTS_VERTICES, 65536),
+    computed(GL_MAX_ELEMENTS_INDICES, Kind::integer, 1, computed_state::element_limit),
+    computed(GL_MAX_ELEMENTS_VERTICES, Kind::integer, 1, computed_state::element_limit),
     constant(GL_AUX_BUFFERS, 0),
     computed(GL_SAMPLE_BUFFERS, Kind::integer, 1, computed_state::samples),
     computed(GL_SAMPLES, Kind::integer, 1, computed_state::samples),

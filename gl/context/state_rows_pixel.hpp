@@ -20,7 +20,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto pixel_rows = std::to_array<StateRow>({
+inline constexpr auto pixel_rows = std::to_array<WrittenRow>({
     in(Group::client_pixel_store),
     STORED(GL_UNPACK_SWAP_BYTES, pixel_store.unpack.swap_bytes),
     STORED(GL_UNPACK_LSB_FIRST, pixel_store.unpack.lsb_first),

@@ -26,7 +26,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto raster_rows = std::to_array<StateRow>({
+inline constexpr auto raster_rows = std::to_array<WrittenRow>({
     in(Group::point),
     STORED(GL_POINT_SIZE, polygon.point_size),
     of_antialiasing(SWITCH(GL_POINT_SMOOTH, polygon.point_smooth)),

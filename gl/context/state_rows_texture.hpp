@@ -16,7 +16,7 @@
 
 namespace spangle::gl {
 
-inline constexpr auto texture_rows = std::to_array<StateRow>({
+inline constexpr auto texture_rows = std::to_array<WrittenRow>({
     in(Group::texture),
     of_texture_1d(TARGET(GL_TEXTURE_1D, 0)),
     of_feature(raster::has_textures, SPANGLE_TEXT("this build has no texture units"),

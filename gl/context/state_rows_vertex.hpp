@@ -39,7 +39,7 @@ namespace spangle::gl {
 
 #if SPANGLE_FEATURE_LIGHTING
 /// A light beyond the limit has no name.
-constexpr StateRow light_switch(unsigned i) {
+constexpr WrittenRow light_switch(unsigned i) {
     if (i >= max_lights)
         return in(Group::lighting);
     return stored<bool>(GL_LIGHT0 + i, offsetof(Context, lighting.light_enabled) + i * sizeof(bool),
@@ -47,7 +47,7 @@ constexpr StateRow light_switch(unsigned i) {
 }
 #endif
 
-inline constexpr auto vertex_rows = std::to_array<StateRow>({
+inline constexpr auto vertex_rows = std::to_array<WrittenRow>({
     in(Group::current),
     linear(STORED(GL_CURRENT_COLOR, current.color)),
     of_secondary_color(linear(STORED(GL_CURRENT_SECONDARY_COLOR, current.secondary_color))),

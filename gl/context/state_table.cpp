@@ -17,44 +17,94 @@ namespace spangle::gl {
 
 namespace {
 
-template <std::size_t... N> constexpr auto joined(const std::array<StateRow, N>&... parts) {
-    std::array<StateRow, (N + ...)> all{};
+template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N>&... parts) {
+    std::array<WrittenRow, (N + ...)> all{};
     std::size_t used = 0;
-    const auto add = [&all, &used](const auto& part) {
-        for (const StateRow& row : part)
-            all[used++] = row;
+    Group group = Group::none;
+    const auto add = [&](const auto& part) {
+        for (const WrittenRow& row : part) {
+            if (row.source == Source::section)
+                group = row.group;
+            all[used] = row;
+            all[used++].group = group;
+        }
     };
     (add(parts), ...);
     return all;
 }
 
-constexpr auto unsorted =
+constexpr auto written =
     joined(vertex_rows, arrays_rows, raster_rows, texture_rows, fragment_rows, pixel_rows, limits_rows);
 
-constexpr bool is_switch(const StateRow& row) {
-    return row.toggle != Switch::none;
-}
-
-template <bool Switches> constexpr std::size_t count_rows() {
+template <class Wanted> constexpr std::size_t count_rows(Wanted wanted) {
     std::size_t n = 0;
-    for (const StateRow& row : unsorted)
-        n += row.source != Source::section && is_switch(row) == Switches ? 1 : 0;
+    for (const WrittenRow& row : written)
+        n += wanted(row) ? 1 : 0;
     return n;
 }
 
-/// Switches, or the other rows.
-template <bool Switches> constexpr auto sorted_by_name() {
-    std::array<StateRow, count_rows<Switches>()> rows{};
-    Group group = Group::none;
+constexpr bool is_computed(const WrittenRow& row) {
+    return row.source == Source::computed && !row.left_out;
+}
+/// Every function that computes, once; the rest is null.
+constexpr auto all_computing = [] {
+    std::array<Compute*, count_rows(is_computed)> all{};
     std::size_t used = 0;
-    for (const StateRow& row : unsorted) {
-        if (row.source == Source::section) {
-            group = row.group;
-        } else if (is_switch(row) == Switches) {
-            rows[used] = row;
-            rows[used++].group = group;
+    for (const WrittenRow& row : written)
+        if (is_computed(row)) {
+            std::size_t i = 0;
+            while (i < used && all[i] != row.compute)
+                ++i;
+            if (i == used)
+                all[used++] = row.compute;
         }
-    }
+    return all;
+}();
+constexpr auto computing = [] {
+    constexpr auto end = [] {
+        std::size_t n = 0;
+        while (n < all_computing.size() && all_computing[n] != nullptr)
+            ++n;
+        return n;
+    }();
+    std::array<Compute*, end> kept{};
+    for (std::size_t i = 0; i < end; ++i)
+        kept[i] = all_computing[i];
+    return kept;
+}();
+
+constexpr StateRow packed(const WrittenRow& row) {
+    StateRow out = row;
+    std::size_t where = row.value;
+    if (is_computed(row))
+        while (computing[where] != row.compute)
+            ++where;
+    out.where = static_cast<std::uint16_t>(where);
+    out.unit_words = row.step / 4 & 0x7FF;
+    return out;
+}
+
+constexpr bool all_fit() {
+    for (const WrittenRow& row : written)
+        if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 > 0x7FF ||
+            (row.compute == nullptr && row.source == Source::computed) ||
+            (row.group == Group::none && row.source == Source::held))
+            return false;
+    return true;
+}
+static_assert(all_fit());
+
+/// Switches, or the other rows that have a name.
+template <bool switches> constexpr bool is_named(const WrittenRow& row) {
+    return row.source != Source::section && row.source != Source::held &&
+           (row.toggle != Switch::none) == switches;
+}
+template <bool switches> constexpr auto sorted_by_name() {
+    std::array<StateRow, count_rows(is_named<switches>)> rows{};
+    std::size_t used = 0;
+    for (const WrittenRow& row : written)
+        if (is_named<switches>(row))
+            rows[used++] = packed(row);
     for (std::size_t i = 1; i < rows.size(); ++i)
         for (std::size_t k = i; k > 0 && rows[k].name < rows[k - 1].name; --k)
             std::swap(rows[k], rows[k - 1]);
@@ -65,15 +115,27 @@ template <bool Switches> constexpr auto sorted_by_name() {
 constexpr auto switches = sorted_by_name<true>();
 constexpr auto others = sorted_by_name<false>();
 
+constexpr bool is_held(const WrittenRow& row) {
+    return row.source == Source::held;
+}
+constexpr auto held_rows = [] {
+    std::array<HeldRow, count_rows(is_held)> rows{};
+    std::size_t used = 0;
+    for (const WrittenRow& row : written)
+        if (is_held(row))
+            rows[used++] = {static_cast<std::uint16_t>(row.value), static_cast<std::uint16_t>(row.bytes),
+                            static_cast<std::uint16_t>(row.step), row.per_unit, row.group};
+    return rows;
+}();
+
 constexpr bool names_differ() {
-    for (std::size_t i = 0; i < unsorted.size(); ++i)
-        for (std::size_t k = i + 1; k < unsorted.size(); ++k)
-            if (unsorted[i].name == unsorted[k].name && unsorted[i].name != 0)
+    for (std::size_t i = 0; i < written.size(); ++i)
+        for (std::size_t k = i + 1; k < written.size(); ++k)
+            if (written[i].name == written[k].name && written[i].name != 0)
                 return false;
     return true;
 }
 static_assert(names_differ());
-static_assert(sizeof(Context) <= 0x10000, "offsets of held bytes have 16 bits");
 
 const StateRow* find(std::span<const StateRow> rows, GLenum name) {
     std::size_t low = 0, high = rows.size();
@@ -101,36 +163,38 @@ std::array<std::span<const StateRow>, 2> all_state() {
     return {others, switches};
 }
 
-Kept kept_by(const StateRow& row) {
+std::span<const HeldRow> all_held() {
+    return held_rows;
+}
+
+std::uint32_t kept_by(const StateRow& row) {
     switch (row.source) {
     case Source::boolean:
-        return {row.place.where, row.count};
+        return row.count;
     case Source::integer:
     case Source::real:
-        return {row.place.where, row.count * std::uint32_t{4}};
+        return row.count * std::uint32_t{4};
     case Source::pointer:
-        return {row.place.where, sizeof(void*)};
-    case Source::held:
-        return {row.place.where & 0xFFFF, row.place.where >> 16};
+        return sizeof(void*);
     default:
-        return {0, 0};
+        return 0;
     }
 }
 
-std::uint32_t units_of(const StateRow& row) {
-    return row.per_unit == PerUnit::no ? 1 : texture_units;
+std::uint32_t units_of(PerUnit per_unit) {
+    return per_unit == PerUnit::no ? 1 : texture_units;
 }
 
 std::size_t offset_of(const Context& context, const StateRow& row) {
     const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active
                              : row.per_unit == PerUnit::client ? context.array_bindings.client_active
                                                                : 0;
-    return row.place.where + row.unit_step * unit;
+    return row.where + row.unit_step() * unit;
 }
 
 void load_state(const Context& context, const StateRow& row, Param* out) {
     if (row.source == Source::computed)
-        return row.place.compute(context, row.name, out);
+        return computing[row.where](context, row.name, out);
     const auto* const from = reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row);
     switch (row.source) {
     case Source::boolean:
@@ -147,9 +211,9 @@ void load_state(const Context& context, const StateRow& row, Param* out) {
             out[i] = Param::from(reinterpret_cast<const Real*>(from)[i]);
         break;
     case Source::constant:
-        out[0] = Param::from_integer(row.place.where);
+        out[0] = Param::from_integer(row.where);
         break;
-    default: // pointers and held bytes are no Params
+    default: // pointers are no Params
         break;
     }
 }

@@ -21,8 +21,8 @@ enum class Source : std::uint8_t {
     pointer,  ///< of client memory: GetPointerv only
     constant, ///< `where` itself
     computed, ///< asked of a function
-    held,     ///< no query of its own: bytes that the attribute stack saves as they are
-    section,  ///< not a row: the group of those that follow, while the table is written
+    held,     ///< while the table is written: a HeldRow
+    section,  ///< likewise: the group of those that follow
 };
 
 enum class Switch : std::uint8_t {
@@ -67,28 +67,37 @@ enum class PerUnit : std::uint8_t {
     client, ///< that of ClientActiveTexture
 };
 
-/// A board's flash holds some 340 of them.
+/// A board's flash holds some 320 of them.
 struct StateRow {
-    std::uint16_t name = 0;      ///< 0: no query
-    std::uint16_t unit_step = 0; ///< bytes from one unit's value to the next one's
-    std::uint8_t count = 0;
-    Kind kind : 2 = Kind::integer; ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    std::uint16_t name = 0;
+    std::uint16_t where = 0;           ///< offset in Context, or the constant, or which function computes it
+    std::uint16_t count : 5 = 0;       ///< most_values and less
+    std::uint16_t unit_words : 11 = 0; ///< from one unit's value to the next one's, 4 bytes each
+    Kind kind : 2 = Kind::integer;     ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
     Source source : 3 = Source::constant;
     Switch toggle : 2 = Switch::none;
+    bool left_out : 1 = false; ///< of a system this build has not
     PerUnit per_unit : 2 = PerUnit::no;
     Group group : 6 = Group::none; ///< every Switch::server is in Group::enable, too
-    bool left_out : 1 = false;     ///< of a system this build has not
-    union Place {
-        /// Offset in Context, or the constant; of held bytes also their number, from bit 16.
-        std::uint32_t where = 0;
-        void (*compute)(const Context& context, GLenum name, Param* out); ///< Source::computed
-    } place;
 #if SPANGLE_MESSAGES
     const char* missing = nullptr; ///< that system
 #else
     static constexpr const char* missing = nullptr;
 #endif
+    constexpr std::uint32_t unit_step() const {
+        return unit_words * std::uint32_t{4};
+    }
 };
+
+/// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
+struct HeldRow {
+    std::uint16_t offset = 0, bytes = 0, unit_step = 0;
+    PerUnit per_unit = PerUnit::no;
+    Group group = Group::none;
+};
+
+/// Writes the values of a row that no member of the context holds.
+using Compute = void(const Context& context, GLenum name, Param* out);
 
 inline constexpr int most_values = 16;
 
@@ -100,15 +109,13 @@ const StateRow* find_switch(GLenum name);
 
 /// Every row, in any order, in two parts.
 std::array<std::span<const StateRow>, 2> all_state();
+std::span<const HeldRow> all_held();
 
 /// The bytes that a row keeps in the context, of the first unit; 0 where it keeps none.
-struct Kept {
-    std::uint32_t offset, bytes;
-};
-Kept kept_by(const StateRow& row);
+std::uint32_t kept_by(const StateRow& row);
 
-/// How many of them stand StateRow::unit_step apart.
-std::uint32_t units_of(const StateRow& row);
+/// How many of them stand a unit's step apart.
+std::uint32_t units_of(PerUnit per_unit);
 
 /// Where the value of a row that is not computed lies in its context, in bytes.
 std::size_t offset_of(const Context& context, const StateRow& row);
