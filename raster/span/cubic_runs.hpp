@@ -15,12 +15,16 @@ struct Differences {
         second += third;
     }
     SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
-    /// n pixels on.
-    void jump(std::uint32_t& v, std::uint32_t n) {
-        const std::uint32_t pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
-        v += n * first + pairs * second + triples * third;
-        first += n * second + pairs * third;
-        second += n * third;
+    /// v, n pixels on or back; few of them.
+    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t v, std::int32_t n) const {
+        const std::int32_t pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
+        return v + static_cast<std::uint32_t>(n) * first + static_cast<std::uint32_t>(pairs) * second +
+               static_cast<std::uint32_t>(triples) * third;
+    }
+    void jump(std::uint32_t& v, std::int32_t n) {
+        v = ahead(v, n);
+        first += static_cast<std::uint32_t>(n) * second + static_cast<std::uint32_t>(n * (n - 1) / 2) * third;
+        second += static_cast<std::uint32_t>(n) * third;
     }
 };
 
@@ -124,7 +128,7 @@ class CubicRuns {
             dt = through(last_.t - start.t, e0, e1);
             next_ = from + length;
         }
-        if (const auto skipped = static_cast<std::uint32_t>(x - from); skipped != 0) {
+        if (const std::int32_t skipped = x - from; skipped != 0) {
             ds.jump(s, skipped);
             dt.jump(t, skipped);
         }

@@ -286,9 +286,10 @@ template <class Case> SPANGLE_INLINE void fused_rows(Span<Fixed>& span, const Ro
     };
     enter();
     List list(span, row->first - span.x);
+    // Runs of less than a group leave most lanes dead.
     const auto lanes_pay = [&] {
         const std::int32_t x = row->first - span.x;
-        return copied || (n >= 8 && (!List::runs || list.in_lanes(list.begin(x) - x, n)));
+        return copied || (n >= 8 && (!List::runs || list.begin(x) - x >= 8));
     };
     for (;;) {
         if (!lanes_pay()) {

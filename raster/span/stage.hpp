@@ -19,8 +19,7 @@
 //   in runs.
 //   bool row(std::int32_t n), void step_row()   only if `rows` (fused lists): the next n fragments lie in one
 //                                               row of the texture; where p.row says so, step_row() steps.
-//   void jump(std::int32_t pixels)              only if `runs` (eight lanes): on or back within the run;
-//   bool in_lanes(std::int32_t run, n)          lanes pay for n fragments, `run` of them left of the run.
+//   void jump(std::int32_t pixels)              only if `runs` (eight lanes): on or back within the run.
 // With more than one lane a stage drops fragments by clearing lanes of p.live, and one with an effect honours
 // p.live. With one lane p.live need not be looked at or written: the result of operator() says it. The order
 // of the list is the order of operations of GL; a stage never writes outside pixels [begin, end).
@@ -170,15 +169,6 @@ template <class N, class... S> struct Seq : S... {
                 stage.start(span, x);
         };
         (one(static_cast<S&>(*this)), ...);
-    }
-    SPANGLE_INLINE bool in_lanes(std::int32_t run, std::int32_t n) const {
-        const auto one = [&]<class T>(const T& stage) {
-            if constexpr (T::runs)
-                return stage.in_lanes(run, n);
-            else
-                return true;
-        };
-        return (one(static_cast<const S&>(*this)) && ...);
     }
     /// Nearest end of a run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) {

@@ -36,7 +36,7 @@ template <class Runs> inline constexpr bool is_cubic = requires(Runs r) {
     r.ds.third;
 };
 
-/// A coordinate on its way: Cubic goes pixel by pixel, otherwise anywhere.
+/// A coordinate on its way.
 template <bool Cubic> struct CoordWalk {
     std::uint32_t at;
     std::conditional_t<Cubic, Differences, std::uint32_t> by;
@@ -46,12 +46,20 @@ template <bool Cubic> struct CoordWalk {
         else
             return by;
     }
-    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t steps) const { return at + steps * slope(); }
-    SPANGLE_INLINE void step(std::uint32_t steps) {
+    SPANGLE_INLINE std::uint32_t ahead(std::int32_t steps) const {
         if constexpr (Cubic)
+            return by.ahead(at, steps);
+        else
+            return straight_ahead(static_cast<std::uint32_t>(steps));
+    }
+    SPANGLE_INLINE std::uint32_t straight_ahead(std::uint32_t steps) const { return at + steps * slope(); }
+    SPANGLE_INLINE void step(std::int32_t steps) {
+        if constexpr (!Cubic)
+            at = ahead(steps);
+        else if (steps == 1)
             by.step(at);
         else
-            at += steps * by;
+            by.jump(at, steps);
     }
     SPANGLE_INLINE bool straight() const {
         if constexpr (Cubic)
@@ -59,14 +67,14 @@ template <bool Cubic> struct CoordWalk {
         else
             return true;
     }
-    SPANGLE_INLINE void step_straight(std::uint32_t steps) { at = ahead(steps); }
+    SPANGLE_INLINE void step_straight(std::uint32_t steps) { at = straight_ahead(steps); }
     /// n steps go one way, not round the texture, and leave at >> shift as it is.
     SPANGLE_INLINE bool constant(std::uint32_t n, int shift) const {
-        const auto slope = static_cast<std::int32_t>(ahead(1) - at);
-        if (straight() && slope == 0) // sprites: no product
+        const auto down = static_cast<std::int32_t>(slope());
+        if (straight() && down == 0) // sprites: no product
             return true;
-        return straight() && at >> shift == ahead(n) >> shift && // mostly not: no long product
-               numeric::mul_u32(numeric::abs_u32(slope), n) < 1u << 31;
+        return straight() && at >> shift == straight_ahead(n) >> shift && // mostly not: no long product
+               numeric::mul_u32(numeric::abs_u32(down), n) < 1u << 31;
     }
 };
 

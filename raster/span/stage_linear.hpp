@@ -53,10 +53,10 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if (p.row)
             return filter(
-                p, across_, [&](std::uint32_t) __attribute__((always_inline)) { return near_; },
+                p, s.line(), across_, [&](std::uint32_t) __attribute__((always_inline)) { return near_; },
                 [&](std::uint32_t) __attribute__((always_inline)) { return far_; });
         return filter(
-            p, Weights(t.template fractions<typename N::L>()),
+            p, s, Weights(t.template fractions<typename N::L>()),
             [&](std::uint32_t k) __attribute__((always_inline)) { return this->row_of(t.texel(k)); },
             [&](std::uint32_t k) __attribute__((always_inline)) { return this->row_of(t.next_texel(k)); });
     }
@@ -71,13 +71,14 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
     Weights across_{N::L::splat(0)};
 
     /// Row(k) is where the row of texels of lane k lies.
-    template <class Near, class Far>
-    SPANGLE_INLINE bool filter(Px<N>& p, const Weights& weights, Near near, Far far) const {
+    template <class Along, class Near, class Far>
+    SPANGLE_INLINE bool filter(Px<N>& p, const Along& along, const Weights& weights, Near near,
+                               Far far) const {
         const auto i = [&](std::uint32_t k) __attribute__((always_inline)) {
-            return s.texel(k);
+            return along.texel(k);
         };
         const auto next = [&](std::uint32_t k) __attribute__((always_inline)) {
-            return s.next_texel(k);
+            return along.next_texel(k);
         };
         const auto texels = [&](auto row, auto column) __attribute__((always_inline)) {
             return T::words([&](std::uint32_t k)
@@ -87,11 +88,11 @@ class LinearWalk : public TexelWalk<T, Unit, Runs, LinearPosition> {
         if constexpr (Dither)
             return this->environment(
                 p, {weights(texels(near, i), texels(near, next), texels(far, i), texels(far, next),
-                            s.template fractions<typename N::L>(), dither_.threshold())});
+                            along.template fractions<typename N::L>(), dither_.threshold())});
         else
             return this->environment(p, T::Colors::mix(weights, texels(near, i), texels(near, next),
                                                        texels(far, i), texels(far, next),
-                                                       s.template fractions<typename N::L>()));
+                                                       along.template fractions<typename N::L>()));
     }
 };
 

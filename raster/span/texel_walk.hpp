@@ -22,7 +22,9 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
             v_ = {};
         }
     }
-    SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const { return v_.ahead(lane) >> shift_; }
+    SPANGLE_INLINE std::uint32_t position(std::uint32_t lane = 0) const {
+        return v_.ahead(static_cast<std::int32_t>(lane)) >> shift_;
+    }
     /// Where lane 0 has its texel in the image, of which this is the row.
     SPANGLE_INLINE std::uint32_t place(const TexelAxis& column) const {
         static_assert(FractionBits == 0);
@@ -44,12 +46,20 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
         constexpr std::uint32_t mask = (1u << FractionBits) - 1;
         if constexpr (L::count == 1)
             return position() & mask;
+        else if constexpr (Cubic)
+            return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
+                return static_cast<std::uint16_t>(position(lane) & mask);
+            });
         else
-            return L::low_half(L::ramp(v_.at, v_.slope()) >> shift_) & mask;
+            return L::low_half(L::ramp(v_.at, v_.by) >> shift_) & mask;
     }
-    SPANGLE_INLINE void step(std::uint32_t pixels) {
+    /// The same where it is straight.
+    SPANGLE_INLINE TexelAxis<false, FractionBits, Aside> line() const {
+        return {log2_, shift_, {v_.at, v_.slope()}};
+    }
+    SPANGLE_INLINE void step(std::int32_t pixels) {
         if constexpr (Aside && !Cubic)
-            v_.at = numeric::sum_aside(v_.at, pixels * v_.by);
+            v_.at = numeric::sum_aside(v_.at, static_cast<std::uint32_t>(pixels) * v_.by);
         else
             v_.step(pixels);
     }
@@ -68,8 +78,11 @@ template <bool Cubic, int FractionBits, bool Aside> class TexelAxis {
     }
 
   private:
+    template <bool, int, bool> friend class TexelAxis;
     int log2_, shift_;
     CoordWalk<Cubic> v_;
+    SPANGLE_INLINE TexelAxis(int log2_size, int shift, const CoordWalk<Cubic>& v)
+        : log2_(log2_size), shift_(shift), v_(v) {}
 };
 
 /// T is a TextureFixed; positions have F::fraction_bits, and 0 lies F::origin(log2 of the size) into the
@@ -97,18 +110,8 @@ template <class T, int Unit, class Runs, class F> class TexelWalk : public T {
     }
     SPANGLE_INLINE void step() { jump(N::lanes); }
     SPANGLE_INLINE void jump(std::int32_t pixels) {
-        const auto n = static_cast<std::uint32_t>(pixels);
-        if constexpr (N::lanes > 1) {
-            s.step_straight(n);
-            t.step_straight(n);
-        } else {
-            s.step(n);
-            t.step(n);
-        }
-    }
-    /// Lanes go straight on: cubics that bend do so from run to run.
-    SPANGLE_INLINE bool in_lanes(std::int32_t run, std::int32_t n) const {
-        return run >= (is_cubic<Runs> ? n : N::lanes) && s.straight() && t.straight();
+        s.step(pixels);
+        t.step(pixels);
     }
     SPANGLE_INLINE void step_row() { s.step_straight(N::lanes); }
 
