@@ -27,13 +27,13 @@ class NumberedRamp {
     std::uint32_t at_, by_;
 };
 
-/// What is made of quotients: colours and fog with the fraction bits of the products, components whose 255ths
-/// end at bit `top`.
+/// What is made of quotients: colours and fog with the fraction bits of the products. A component that is
+/// `Whole` where it is 1 is the product of one of a texel, of which `Most` are 1, and of light, and fog's.
 template <class Products> struct LitNumbers;
 
-/// Components are those of the exact tier.
+/// Light has the bits of the exact tier.
 template <> struct LitNumbers<NearWords> {
-    static constexpr int top = color_fraction_bits + 8;
+    static constexpr int top = 30; ///< where components end
     SPANGLE_INLINE static std::uint32_t affine(std::uint32_t v) { return v >> 2; }
     SPANGLE_INLINE static std::uint32_t fog(std::int32_t v) { return numeric::saturated_after<0, 30>(v); }
     SPANGLE_INLINE static std::uint32_t rest(std::uint32_t f) { return (1u << 30) - f; }
@@ -41,37 +41,50 @@ template <> struct LitNumbers<NearWords> {
         return numeric::mul_high_u32(c, f);
     }
     SPANGLE_INLINE static std::uint32_t whole(std::uint32_t c) { return c >> 2; }
-    using Factors = ChainFactors<Exact>;
-    SPANGLE_INLINE static std::uint32_t modulated(std::uint32_t c, std::uint32_t factor) {
-        return numeric::mul_high_u32(c, factor);
+    template <std::uint32_t Whole, std::uint32_t Most>
+    SPANGLE_INLINE static std::uint32_t light(std::uint32_t share) {
+        constexpr std::uint64_t scale = (std::uint64_t{Whole} << 32) / (std::uint64_t{color_one} * Most);
+        return numeric::mul_high_u32(share, static_cast<std::uint32_t>(scale));
     }
-    SPANGLE_INLINE static std::uint32_t fog_color(std::uint32_t units) { return units << 2; }
-    SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t factor, std::uint32_t fog_color,
-                                               std::uint32_t rest) {
-        return static_cast<std::uint32_t>((numeric::mul_u32(c, factor) + numeric::mul_u32(fog_color, rest)) >>
-                                          32);
+    template <std::uint32_t Whole> SPANGLE_INLINE static std::uint32_t fog_color(std::uint32_t units) {
+        constexpr std::uint64_t scale = (std::uint64_t{Whole} << 31) / color_one; // below 8
+        return static_cast<std::uint32_t>(numeric::mul_u32(units, static_cast<std::uint32_t>(scale >> 2)) >>
+                                          27);
     }
-    /// In units of the exact tier: products round down twice; what the chain rounds takes less than 3 off, or
-    /// adds less than 1; affine colours have half a 256th of a 255th added.
-    template <bool Full, bool> SPANGLE_INLINE static std::uint32_t under(std::uint32_t patch) {
-        return (patch >> 2) + 1 + 4 + (Full ? 0 : 1u << 11);
+    /// The low word is any (NearWords).
+    SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
+        return static_cast<std::uint32_t>(
+            ((std::uint64_t{c} << 32 | fog_color) + numeric::mul_u32(fog_color, rest)) >> 32);
     }
-    template <bool> SPANGLE_INLINE static std::uint32_t over(std::uint32_t patch) {
-        return (patch >> 2) + 1 + 4;
-    }
-    /// A component in steps of 2^(32 - Bits), by one product that is rounded down (Exact::steps takes two).
-    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
-        constexpr std::uint64_t scale =
-            (((std::uint64_t{1} << Bits) - 1) << (60 - Bits - color_fraction_bits)) / 255 + 1;
-        return numeric::mul_high_u32(v << 4, static_cast<std::uint32_t>(scale));
-    }
-    /// And what a component may be off by.
-    SPANGLE_INLINE static std::uint32_t off_in_steps(std::uint32_t off) { return (off << 4) + 1; }
+    /// What a component may be off by, 2^22 or less a 255th: there by what a patch is, ...
+    SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off; }
+    /// ... where what the chain rounds takes less than 3 off in its bits, which are 4 here, and its steps
+    /// less than 1, affine colours have half a 256th of a 255th added, and a low word adds 1;
+    template <bool Full> static constexpr std::uint32_t under = 3 * 4 + (Full ? 0 : 1u << 13) + 2;
+    /// ... where the chain adds less than 1, light is rounded down before it is multiplied by `Whole`, and
+    /// again before it is by a texel's component, and fog's colour and sum are.
+    template <std::uint32_t, std::uint32_t Most, bool>
+    static constexpr std::uint32_t over = 2 * 4 + 2 * Most + 2;
 };
 
-/// Components have 8 bits, and 24 below them.
+/// Light has 8 bits, and 8 below them.
 template <> struct LitNumbers<NearHalves> {
     static constexpr int top = 32;
+    static constexpr std::uint32_t one = 255 << 8;
+    /// Whole / (one Most) as 16 bits and a shift, rounded down.
+    template <std::uint32_t Whole, std::uint32_t Most> struct Factor {
+        static constexpr std::uint64_t of = std::uint64_t{one} * Most;
+        static constexpr int bits = [] {
+            int bits = 0;
+            while ((std::uint64_t{Whole} << (bits + 1)) / of < 1u << 16)
+                ++bits;
+            return bits;
+        }();
+        static constexpr auto scale = static_cast<std::uint32_t>((std::uint64_t{Whole} << bits) / of);
+        /// Of Most times light: nothing where it is a shift.
+        static constexpr auto lost =
+            scale == 1u << bits ? 0 : static_cast<std::uint32_t>(Whole - (of * scale >> bits) + Most);
+    };
     SPANGLE_INLINE static std::uint32_t affine(std::uint32_t v) { return v >> 16; }
     SPANGLE_INLINE static std::uint32_t fog(std::int32_t v) {
         return static_cast<std::uint32_t>(numeric::clamp<std::int32_t>(v, 0, 0xFFFF));
@@ -79,26 +92,24 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t rest(std::uint32_t f) { return 0xFFFF - f; }
     SPANGLE_INLINE static std::uint32_t share(std::uint32_t c, std::uint32_t f) { return c * f >> 16; }
     SPANGLE_INLINE static std::uint32_t whole(std::uint32_t c) { return c; }
-    using Factors = HalfFactors;
-    SPANGLE_INLINE static std::uint32_t modulated(std::uint32_t c, std::uint32_t factor) {
-        return c * factor;
+    template <std::uint32_t Whole, std::uint32_t Most>
+    SPANGLE_INLINE static std::uint32_t light(std::uint32_t share) {
+        return share * Factor<Whole, Most>::scale >> Factor<Whole, Most>::bits;
     }
-    SPANGLE_INLINE static std::uint32_t fog_color(std::uint32_t units) { return (units + (1u << 11)) >> 12; }
-    /// Below 65281 2^16.
-    SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t factor, std::uint32_t fog_color,
-                                               std::uint32_t rest) {
-        return c * factor + fog_color * rest;
+    template <std::uint32_t Whole> SPANGLE_INLINE static std::uint32_t fog_color(std::uint32_t units) {
+        return light<(Whole >> 16), 1>((units + (1u << 11)) >> 12);
     }
-    template <bool, bool Fog> SPANGLE_INLINE static std::uint32_t under(std::uint32_t patch) {
-        return (LitGuess<Fog>::under + patch) << 16;
+    SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
+        return c + fog_color * rest;
     }
-    template <bool Fog> SPANGLE_INLINE static std::uint32_t over(std::uint32_t patch) {
-        return (LitGuess<Fog>::over + patch) << 16;
-    }
-    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(std::uint32_t v) {
-        return (v >> 16) * Balanced<1>::step_scale(Bits);
-    }
-    SPANGLE_INLINE static std::uint32_t off_in_steps(std::uint32_t off) { return off + (1u << 16); }
+    /// What a component may be off by, 2^16 or less a 256th of a 255th. Light and fog's colour, rounded to
+    /// these, are off by 1/2, and what the exact tier rounds away is less than 2^-10.
+    SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off << 16; }
+    template <bool> static constexpr std::uint32_t under = (1u << 15) + (1u << 6);
+    /// What `light` loses, and with fog, whose factors' sum is 1 less than 2^16, its share and its colour.
+    template <std::uint32_t Whole, std::uint32_t Most, bool Fog>
+    static constexpr std::uint32_t over = (1u << 15) + (1u << 6) + Factor<Whole, Most>::lost +
+                                          (Fog ? (2 + Factor<(Whole >> 16), 1>::lost) << 16 : 0);
 };
 
 /// A texel's number along one axis.
@@ -209,11 +220,15 @@ class LitOne : public T {
         : T(row, x), u_(row, x, row.patch.u), s_(row, x, row.patch.s, this->log2_width),
           t_(row, x, row.patch.t, this->log2_height), fog_(fog(row, x)), r_(row, x, row.patch, 0),
           g_(other(row, x, 1)), b_(other(row, x, 2)), thresholds_(row.x + x, row.y) {
-        const std::uint32_t under = off(Numbers::template under<Full, HasFog>(row.patch.under));
+        const std::uint32_t under = Numbers::of_patch(row.patch.under) + Numbers::template under<Full>;
+        constexpr std::uint32_t over5 = Numbers::template over<whole<5>, most<5>, HasFog>,
+                                over6 = Numbers::template over<whole<6>, most<6>, HasFog>;
         from_ = (Dither ? 0 : 1u << (top - 9)) - under; // which rounds to 255ths
-        range_ = under + off(Numbers::template over<HasFog>(row.patch.over));
-        for (int i = 0; i < 3; ++i)
-            fog_color_[i] = Numbers::fog_color(row.state->fragment.fog_color[i]);
+        range_ = under + Numbers::of_patch(row.patch.over) + (over5 > over6 ? over5 : over6);
+        const std::uint32_t* const fog_color = row.state->fragment.fog_color;
+        fog_color_[0] = Numbers::template fog_color<whole<5>>(fog_color[0]);
+        fog_color_[1] = Numbers::template fog_color<whole<6>>(fog_color[1]);
+        fog_color_[2] = Numbers::template fog_color<whole<5>>(fog_color[2]);
     }
     SPANGLE_INLINE void start(const LitRow<Patch>& row, std::int32_t x) {
         const Patch& patch = row.patch;
@@ -249,40 +264,44 @@ class LitOne : public T {
             green = share(g_);
             blue = share(b_);
         }
-        const std::uint32_t rest = Numbers::rest(f);
-        const auto lit = [&](std::uint32_t c, std::uint32_t factor, int k) __attribute__((always_inline)) {
-            return HasFog ? Numbers::fogged(c, factor, fog_color_[k], rest) : Numbers::modulated(c, factor);
+        const std::uint32_t rest = Numbers::rest(f), from = thresholds_.threshold(i) + from_;
+        // The least that it may be.
+        const auto lit = [&](std::uint32_t light, std::uint32_t k, int component)
+            __attribute__((always_inline)) {
+            const std::uint32_t v = light * k + from;
+            return HasFog ? Numbers::fogged(v, fog_color_[component], rest) : v;
         };
-        const std::uint32_t threshold = thresholds_.threshold(i);
-        // The least that they may be.
-        const std::uint32_t r = least<5>(lit(red, Scales::red(texel), 0), threshold),
-                            g = least<6>(lit(green, Scales::green(texel), 1), threshold),
-                            b = least<5>(lit(blue, Scales::blue(texel), 2), threshold);
-        constexpr std::uint32_t five = 0xF8u << (top - 8), six = 0xFCu << (top - 8);
-        if (((((r + range_) ^ r) | ((b + range_) ^ b)) & five) != 0 || (((g + range_) ^ g) & six) != 0)
-            [[unlikely]]
+        const std::uint32_t r = lit(Numbers::template light<whole<5>, most<5>>(red), Components::red(texel),
+                                    0),
+                            g = lit(Numbers::template light<whole<6>, most<6>>(green),
+                                    Components::green(texel), 1),
+                            b = lit(Numbers::template light<whole<5>, most<5>>(blue), Components::blue(texel),
+                                    2);
+        if ((changed<5>(r) | changed<5>(b)) != 0 || changed<6>(g) != 0) [[unlikely]]
             return false;
-        Words565<Lanes<1>, Format>::store(
-            color_plane + 2 * i, (r >> (top - 16) & 0xF800) | (g >> (top - 11) & 0x07E0) | b >> (top - 5));
+        Words565<Lanes<1>, Format>::store(color_plane + 2 * i, (r >> (step<5> - 11) & 0xF800) |
+                                                                   (g >> (step<6> - 5) & 0x07E0) |
+                                                                   b >> step<5>);
         return true;
     }
 
   private:
     using Numbers = LitNumbers<Products>;
-    using Scales = TexelScales<typename Numbers::Factors, T::texel_format == TexelFormat::rgb565>;
+    static constexpr bool is_565 = T::texel_format == TexelFormat::rgb565;
+    using Components = TexelScales<TexelComponents, is_565>;
     using Color = LitColorOne<Products, Full>;
-    using Thresholds = std::conditional_t<Dither, detail::DitherRow<Lanes<1>>, detail::NoThreshold>;
-    static constexpr int top = Dither ? 32 : Numbers::top; ///< where components that are stored end
-
-    SPANGLE_INLINE static std::uint32_t off(std::uint32_t component) {
-        return Dither ? Numbers::off_in_steps(component) : component;
-    }
+    static constexpr int top = Numbers::top;
+    using Thresholds = std::conditional_t<Dither, detail::NumberedThresholds<top - 6>, detail::NoThreshold>;
+    /// Of a texel's component, and of one that is stored in so many bits: steps that thresholds were added
+    /// to, all of them as high as those of 6 bits, or 255ths.
+    template <unsigned Bits> static constexpr std::uint32_t most = is_565 ? (1u << Bits) - 1 : 255;
     template <unsigned Bits>
-    SPANGLE_INLINE std::uint32_t least(std::uint32_t v, std::uint32_t threshold) const {
-        if constexpr (Dither)
-            return Numbers::template steps<Bits>(v) + (threshold << (27 - Bits)) + from_;
-        else
-            return v + from_;
+    static constexpr std::uint32_t whole = Dither ? ((1u << Bits) - 1) << (top - 6) : 255u << (top - 8);
+    template <unsigned Bits> static constexpr int step = top - (Dither ? 6 : static_cast<int>(Bits));
+
+    /// The bits that are stored of a component, were it as large as may be.
+    template <unsigned Bits> SPANGLE_INLINE std::uint32_t changed(std::uint32_t v) const {
+        return ((v + range_) ^ v) >> step<Bits>;
     }
     SPANGLE_INLINE static auto other(const LitRow<Patch>& row, std::int32_t x, int i) {
         if constexpr (Gray)

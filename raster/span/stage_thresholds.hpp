@@ -28,9 +28,26 @@ template <> struct DitherRow<Lanes<1>> {
     std::uint32_t row;
     SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(dither_words.at(x, y)) {}
     SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
-    /// Of the i-th fragment from here.
-    SPANGLE_INLINE std::uint32_t threshold(std::int32_t i) const { return std::rotr(row, 8 * i & 31) & 0xFF; }
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
+};
+
+/// Thresholds of a row's fragments by number, in 2^-Bits of a step.
+template <int Bits> class NumberedThresholds {
+  public:
+    SPANGLE_INLINE NumberedThresholds(std::int32_t x, std::int32_t y) : from_(rows.of[y & 3] + (x & 3)) {}
+    SPANGLE_INLINE std::uint32_t threshold(std::int32_t i) const { return from_[i & 3]; }
+
+  private:
+    struct Rows {
+        std::uint32_t of[4][7];
+        constexpr Rows() : of{} {
+            for (int y = 0; y < 4; ++y)
+                for (int x = 0; x < 7; ++x)
+                    of[y][x] = dither_threshold(dither_row(y), x) << (Bits - 5);
+        }
+    };
+    static constexpr Rows rows{};
+    const std::uint32_t* from_;
 };
 
 /// Eight columns from any of a period's first, for each row of it.

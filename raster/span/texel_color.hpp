@@ -35,6 +35,13 @@ template <class Factors, bool Is565> struct TexelScales {
     }
 };
 
+/// A component as it is.
+struct TexelComponents {
+    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return k; }
+    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return k; }
+    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return k; }
+};
+
 /// Those of the chain.
 template <class N> struct ChainFactors {
     SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return texel_factors<N>.of5[k]; }

@@ -1,9 +1,9 @@
-// Lit textures guessed by products of halves: the words of the chain's arithmetic.
+// Lit textures guessed by products: the words of the chain's arithmetic, and components within their doubt.
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "raster/span/stage_lit_store.hpp"
+#include "raster/span/stage_lit_one.hpp"
 
 namespace spangle::raster::test {
 namespace {
@@ -65,6 +65,48 @@ TEST(LitStore, FactorsAreAtMostOneTooSmall) {
     check_factors<31>();
     check_factors<63>();
     check_factors<255>();
+}
+
+template <class Products, std::uint32_t Whole, std::uint32_t Most, bool HasFog> void check_component() {
+    using Numbers = LitNumbers<Products>;
+    constexpr std::uint32_t one = 255 << 8 << Products::fraction_bits;
+    constexpr double unit = Whole / 255.;
+    const std::uint32_t whole_fog = Numbers::rest(0);
+    std::mt19937 random(1);
+    const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random()) % n; };
+    for (int i = 0; i < 200000; ++i) {
+        const std::uint32_t c = i % 4 == 0 ? one - below(2) : below(one + 1),
+                            k = i % 3 == 0 ? Most : below(Most + 1), // 1, often
+            f = i % 5 == 0 ? whole_fog - below(2) : below(whole_fog + 1), color = below(color_one + 1);
+        const double share = !HasFog || f == whole_fog ? 1 : f / (65536. * (1 << Products::fraction_bits)),
+                     light = c * 255. / one * k / Most,
+                     exact = unit * (light * share + color * (1 - share) / (1 << color_fraction_bits));
+        std::uint32_t guess =
+            Numbers::template light<Whole, Most>(HasFog ? Numbers::share(c, f) : Numbers::whole(c)) * k;
+        if (HasFog)
+            guess = Numbers::fogged(guess, Numbers::template fog_color<Whole>(color), Numbers::rest(f));
+        ASSERT_LE(guess, exact + (Numbers::template under<true>))
+            << c << ' ' << k << ' ' << f << ' ' << color;
+        ASSERT_GE(guess + (Numbers::template over<Whole, Most, HasFog>), exact)
+            << c << ' ' << k << ' ' << f << ' ' << color;
+    }
+}
+template <class Products, bool HasFog> void check_components() {
+    constexpr int top = LitNumbers<Products>::top;
+    constexpr std::uint32_t bytes = 255u << (top - 8), five = 31u << (top - 6), six = 63u << (top - 6);
+    check_component<Products, bytes, 31, HasFog>();
+    check_component<Products, bytes, 63, HasFog>();
+    check_component<Products, bytes, 255, HasFog>();
+    check_component<Products, five, 31, HasFog>();
+    check_component<Products, six, 63, HasFog>();
+    check_component<Products, five, 255, HasFog>();
+    check_component<Products, six, 255, HasFog>();
+}
+TEST(LitNumbers, ComponentsAreWithinTheirDoubt) {
+    check_components<NearWords, true>();
+    check_components<NearWords, false>();
+    check_components<NearHalves, true>();
+    check_components<NearHalves, false>();
 }
 
 } // namespace
