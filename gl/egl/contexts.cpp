@@ -103,8 +103,7 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
     Context* const context = find_context(*display, handle);
     if (context == nullptr)
         return EGL_FALSE;
-    context->destroyed = true;
-    release(*display, context);
+    destroy(*display, context);
     return succeed();
 }
 

@@ -23,7 +23,7 @@ alignas(16) unsigned char host_memory[64u << 20];
 
 template <class T> T* on_list(T* first, const void* handle) {
     for (T* object = first; object != nullptr; object = object->next)
-        if (object == handle && !object->destroyed)
+        if (object == handle && object->destroyed == nullptr)
             return object;
     return nullptr;
 }
@@ -89,18 +89,30 @@ gl::Arena& arena() {
 }
 
 void release(Display& display, Surface* surface) {
-    if (!surface->destroyed || surface->bindings != 0)
-        return;
-    unlink(display.surfaces, surface);
-    free_surface(surface);
+    if (surface->destroyed != nullptr && surface->bindings == 0)
+        surface->destroyed(display, surface);
 }
 
 void release(Display& display, Context* context) {
-    if (!context->destroyed || context->current)
-        return;
-    unlink(display.contexts, context);
-    gl::destroy_context(context->gl);
-    arena().free(context);
+    if (context->destroyed != nullptr && !context->current)
+        context->destroyed(display, context);
+}
+
+void destroy(Display& display, Surface* surface) {
+    surface->destroyed = [](Display& from, Surface* object) {
+        unlink(from.surfaces, object);
+        free_surface(object);
+    };
+    release(display, surface);
+}
+
+void destroy(Display& display, Context* context) {
+    context->destroyed = [](Display& from, Context* object) {
+        unlink(from.contexts, object);
+        gl::destroy_context(object->gl);
+        arena().free(object);
+    };
+    release(display, context);
 }
 
 } // namespace egl
@@ -166,14 +178,12 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
         // What is current stays alive until it is released (EGL 1.4, 3.2).
         for (Surface* s = display.surfaces; s != nullptr;) {
             Surface* const next = s->next;
-            s->destroyed = true;
-            release(display, s);
+            destroy(display, s);
             s = next;
         }
         for (Context* c = display.contexts; c != nullptr;) {
             Context* const next = c->next;
-            c->destroyed = true;
-            release(display, c);
+            destroy(display, c);
             c = next;
         }
         display.initialized = false;

@@ -23,6 +23,7 @@ struct Config {
 };
 
 struct RecordedFrame; // recorded_frame.hpp
+struct Display;
 
 /// What of a window is in memory, where that is not all of it.
 struct Band {
@@ -35,11 +36,16 @@ struct Band {
     std::uint32_t clear_value = 0;
 };
 
+/// What frees an object that was destroyed, once nothing holds it any more; null while it is alive. A program
+/// that destroys nothing links none of it.
+template <class T> using Free = void (*)(Display&, T*);
+
 struct Surface {
     Surface* next = nullptr;
+    Free<Surface> destroyed = nullptr;
     Config config;
     std::int32_t width = 0, height = 0;
-    bool window = false, destroyed = false;
+    bool window = false;
     bool wants_single = false;     ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
     bool back_buffered = false;    ///< SwapBuffers shows what was drawn; else Flush does
     unsigned bindings = 0;         ///< contexts it is current to
@@ -57,9 +63,10 @@ struct Surface {
 
 struct Context {
     Context* next = nullptr;
+    Free<Context> destroyed = nullptr;
     Config config;
     gl::Context* gl = nullptr;
-    bool current = false, destroyed = false;
+    bool current = false;
 };
 
 struct Display {
@@ -94,9 +101,12 @@ gl::Arena& arena();
 /// A surface's memory.
 void free_surface(Surface* surface);
 
-/// Frees the object when nothing holds it any more.
+/// Frees the object if it was destroyed and nothing holds it any more.
 void release(Display& display, Surface* surface);
 void release(Display& display, Context* context);
+/// It is no handle any more.
+void destroy(Display& display, Surface* surface);
+void destroy(Display& display, Context* context);
 
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
 raster::Surface pixels_of(Surface& surface);

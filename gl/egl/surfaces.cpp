@@ -284,7 +284,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
     if (problem == EGL_SUCCESS && wish.record != 0)
         problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
-        if (s->window && !s->destroyed)
+        if (s->window && s->destroyed == nullptr)
             problem = EGL_BAD_ALLOC; // the glass has one window
     if (problem != EGL_SUCCESS) {
         fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
@@ -342,8 +342,7 @@ EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
     Surface* const surface = find_surface(*display, handle);
     if (surface == nullptr)
         return EGL_FALSE;
-    surface->destroyed = true;
-    release(*display, surface);
+    destroy(*display, surface);
     return succeed();
 }
 
