@@ -234,17 +234,26 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
                 !indexed();
 }
 
+/// A light of (n . l) = factor.
+SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor,
+                                                  std::int64_t (&sum)[3]) {
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c)
+        sum[c] += numeric::mul_s32(diffuse[c], factor);
+}
+
 /// base + sum of (n . l) * diffuse; facing(source): n . l.
 template <class Facing>
 SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const Facing& facing) const {
     const Fold& fold = fold_[side];
     std::int64_t sum[3] = {fold.plain_base[0], fold.plain_base[1], fold.plain_base[2]};
-    for (int i = 0; i < count_; ++i) {
-        const std::int32_t factor = facing(source_[i]);
-#pragma GCC unroll 3
-        for (int c = 0; c < 3; ++c)
-            sum[c] += numeric::mul_s32(fold.diffuse[i][c], factor);
-    }
+    for (int i = 0; i < count_; ++i)
+        add_factor(fold.diffuse[i], facing(source_[i]), sum);
+    set_plain(fold, sum, out);
+}
+
+SPANGLE_RUN_INLINE void FixedLighting::set_plain(const Fold& fold, const std::int64_t (&sum)[3],
+                                                 raster::FixedVertex& out) {
 #pragma GCC unroll 3
     for (int c = 0; c < 3; ++c) {
         out.color[c] = plain_color(sum[c]);

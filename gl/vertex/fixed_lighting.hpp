@@ -103,6 +103,8 @@ class FixedLighting {
                                      raster::FixedVertex& out) const;
     void light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
                      raster::FixedVertex& out) const;
+    static void add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor, std::int64_t (&sum)[3]);
+    static void set_plain(const Fold& fold, const std::int64_t (&sum)[3], raster::FixedVertex& out);
     template <class Facing>
     SPANGLE_INLINE void add_plain(int side, raster::FixedVertex& out, const Facing& facing) const;
     void light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const;

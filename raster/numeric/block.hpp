@@ -96,23 +96,26 @@ constexpr Block to_block(Real v) {
 
 namespace detail {
 
-/// Brings N values m[i] * 2^e[i] under one exponent. The values with m = 0 have no say in it.
-template <int N, class B>
-SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {
+/// Brings n values m[i] * 2^e[i] under one exponent, which comes back. The values with m = 0 have no say in
+/// it.
+SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
+                                                    std::int32_t* out) {
     constexpr std::int32_t none = -0x10000;
     std::int32_t top = none;
-    for (int i = 0; i < N; ++i) {
+    for (int i = 0; i < n; ++i) {
         const std::int32_t own = m[i] == 0 ? none : e[i] - clz32(abs_u32(m[i]));
         if (own > top)
             top = own;
     }
-    if (top == none)
-        return {};
     top += 2; // 30 value bits: two leading zeros
-    B out;
-    for (int i = 0; i < N; ++i)
-        out.m[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
-    out.e = block_exponent(top);
+    for (int i = 0; i < n; ++i)
+        out[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
+    return top == none + 2 ? 0 : block_exponent(top);
+}
+template <int N, class B>
+SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {
+    B out{};
+    out.e = under_one(N, m, e, out.m);
     return out;
 }
 

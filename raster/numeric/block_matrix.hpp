@@ -56,50 +56,60 @@ constexpr std::int32_t width(Block v) {
 
 /// Columns (of R rows, column-major) scaled by their largest element; a column of zeros has no say and takes
 /// what the largest has.
-template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R * N]) {
-    std::int32_t widest[N], most = no_exponent;
-    for (int j = 0; j < N; ++j) {
-        widest[j] = no_exponent;
-        for (int i = 0; i < R; ++i)
-            if (a[R * j + i].m != 0 && width(a[R * j + i]) > widest[j])
-                widest[j] = width(a[R * j + i]);
-        if (widest[j] > most)
-            most = widest[j];
+SPANGLE_RUN_INLINE constexpr void set_columns(int n, int rows, const Block* a, std::int32_t* out,
+                                              std::int32_t& least, std::uint32_t& usual) {
+    std::int32_t most = no_exponent;
+    for (int j = 0; j < n; ++j) {
+        out[j] = no_exponent;
+        for (int i = 0; i < rows; ++i)
+            if (a[rows * j + i].m != 0 && width(a[rows * j + i]) > out[j])
+                out[j] = width(a[rows * j + i]);
+        if (out[j] > most)
+            most = out[j];
     }
+    const bool zeros = most == no_exponent;
+    std::int32_t lowest = zeros ? 0 : block_exponent(most);
+    if (!zeros)
+        least = lowest + 32;
+    for (int j = 0; j < n; ++j) {
+        out[j] = zeros ? 0 : block_exponent(out[j] == no_exponent ? most : out[j]);
+        lowest = out[j] < lowest ? out[j] : lowest;
+    }
+    if (!zeros)
+        usual = lowest + 253 > least ? static_cast<std::uint32_t>(lowest + 253 - least) : 0;
+}
+template <int N, int R> constexpr Columns<N> column_exponents(const Block (&a)[R * N]) {
     Columns<N> r;
-    if (most == no_exponent)
-        return r;
-    for (int j = 0; j < N; ++j)
-        r.e[j] = block_exponent(widest[j] == no_exponent ? most : widest[j]);
-    r.least = block_exponent(most) + 32;
-    std::int32_t lowest = r.e[0];
-    for (const std::int32_t e : r.e)
-        lowest = e < lowest ? e : lowest;
-    r.usual = lowest + 253 > r.least ? static_cast<std::uint32_t>(lowest + 253 - r.least) : 0;
+    set_columns(N, R, a, r.e, r.least, r.usual);
     return r;
 }
 
 /// The elements of one row, `stride` apart, under the exponents of columns and at least `exponent`: mantissas
 /// whose magnitudes stay below 2^31 together. Returns their exponent.
-template <int N>
-constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& column, std::int32_t exponent,
-                                 std::int32_t* out) {
+SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int stride,
+                                                      const std::int32_t* column, std::int32_t exponent,
+                                                      std::int32_t* out) {
     std::int32_t own = no_exponent;
-    for (int j = 0; j < N; ++j)
-        if (a[stride * j].m != 0 && width(a[stride * j]) - column.e[j] > own)
-            own = width(a[stride * j]) - column.e[j];
+    for (int j = 0; j < n; ++j)
+        if (a[stride * j].m != 0 && width(a[stride * j]) - column[j] > own)
+            own = width(a[stride * j]) - column[j];
     if (own == no_exponent) // zeros: any will do
         own = exponent == no_exponent ? 0 : exponent;
-    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: N <= 4
+    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most twice more: n <= 4
         std::uint64_t sum = 0;
-        for (int j = 0; j < N; ++j) {
+        for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];
-            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column.e[j]);
+            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column[j]);
             sum += abs_u32(out[j]);
         }
         if (sum < std::uint64_t{1} << 31)
             return block_exponent(exponent);
     }
+}
+template <int N>
+constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& column, std::int32_t exponent,
+                                 std::int32_t* out) {
+    return scale_words(N, a, stride, column.e, exponent, out);
 }
 
 /// The rows of normals under one exponent, if that costs none of them more than 4 bits.

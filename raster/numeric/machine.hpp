@@ -17,10 +17,12 @@
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
 #define SPANGLE_RUN_CALL
 #define SPANGLE_RUN_LAMBDA
+#define SPANGLE_RUN_INLINE_LAMBDA __attribute__((always_inline))
 #else
 #define SPANGLE_RUN_INLINE [[gnu::noinline]] inline
 #define SPANGLE_RUN_CALL [[gnu::noinline]]
 #define SPANGLE_RUN_LAMBDA __attribute__((noinline))
+#define SPANGLE_RUN_INLINE_LAMBDA __attribute__((noinline))
 #endif
 
 namespace spangle::numeric {

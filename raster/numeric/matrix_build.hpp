@@ -122,6 +122,11 @@ constexpr Block determinant2(Block a, Block b, Block c, Block d) {
                     : make_block(shift_right_round(p * 4, eq - ep) - q * 4, eq - 2);
 }
 
+/// Of three each.
+constexpr Block dot(const Block* a, const Block* b) {
+    return add(add(mul(a[0], b[0]), mul(a[1], b[1])), mul(a[2], b[2]));
+}
+
 } // namespace detail
 
 /// Column-major inverse transpose of the upper left 3 x 3: what normals are multiplied with (GL 1.3, 2.10.3).
@@ -145,13 +150,13 @@ constexpr NormalMatrix inverse_transpose(const Matrix& a) {
             r.at[3 * j + i] =
                 detail::determinant2(v[3 * j1 + i1], v[3 * j2 + i1], v[3 * j1 + i2], v[3 * j2 + i2]);
         }
-    const Block determinant = add(add(mul(v[0], r.at[0]), mul(v[1], r.at[1])), mul(v[2], r.at[2]));
+    const Block determinant = detail::dot(v, r.at);
     r.singular = determinant.m == 0;
     if (!r.singular)
         for (Block& c : r.at)
             c = div(c, determinant);
     // Row 3 of the inverse is column 3 of the inverse transpose.
-    r.row_scale = rsqrt(add(add(mul(r.at[6], r.at[6]), mul(r.at[7], r.at[7])), mul(r.at[8], r.at[8])));
+    r.row_scale = rsqrt(detail::dot(r.at + 6, r.at + 6));
     return r;
 }
 

@@ -21,7 +21,7 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
 }
 
 /// The same of a word, in line where nothing can saturate: |m| 2^30 is at most 2^61.
-SPANGLE_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
+SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
     const int up = exponent + 32;
     return up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
 }
@@ -88,7 +88,7 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     std::int64_t s[3], t[3], q[3], r[3] = {};
     const auto halves = state_.halves[unit];
     int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
-    const auto height = [](std::int64_t v) { return 64 - clz64(numeric::abs_u64(v)); };
+    const auto height = [](std::int64_t v) SPANGLE_RUN_LAMBDA { return 64 - clz64(numeric::abs_u64(v)); };
     for (int i = 0; i < 3; ++i) {
         const auto& c = v(i).tex[unit];
         const std::int64_t w = v(i).w_mantissa >> 1;

@@ -38,7 +38,7 @@ struct HomogeneousRow {
 
 /// s / q in repeats with 32 fraction bits, from the 61-bit product: mod 2^64 where the shift is to the left
 /// (then |s| is beyond 2^10 repeats and its fraction means nothing).
-SPANGLE_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
+SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
     if constexpr (!numeric::wide_words)
@@ -161,8 +161,8 @@ class CoordRuns {
             row_.q0 += run_.q;
             const Inverse inverse(row_.q(0), zeros_);
             // One after the other: few registers.
-            const auto along = [&](std::uint64_t & row, std::uint64_t run, std::int64_t & last,
-                                   std::uint32_t & v, std::uint32_t & dv) __attribute__((always_inline)) {
+            const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
+                                   std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
                 row += run;
                 const std::int64_t end = detail::to_repeats(unguarded(row), inverse, exponent_);
                 v = static_cast<std::uint32_t>(last);
