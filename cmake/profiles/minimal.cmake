@@ -16,10 +16,10 @@ set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
 set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
-set(SPANGLE_PRIMITIVES 0)
+set(SPANGLE_PRIMITIVES 0)       # triangles
 set(SPANGLE_SHORTCUTS 0)
 set(SPANGLE_KERNELS_INLINE 0)
 set(SPANGLE_DISPLAYS 1)
 set(SPANGLE_PACKET 2)
-set(SPANGLE_CLIP_SPARE 0)
+set(SPANGLE_CLIPPING 0)         # models stand between the near and the far plane
 set(SPANGLE_ARENA_LOG2 19)

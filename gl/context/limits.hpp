@@ -30,7 +30,10 @@
 #define SPANGLE_CLIP_SPARE 2
 #endif
 #ifndef SPANGLE_PRIMITIVES
-#define SPANGLE_PRIMITIVES 3
+#define SPANGLE_PRIMITIVES 7
+#endif
+#ifndef SPANGLE_CLIPPING
+#define SPANGLE_CLIPPING 1
 #endif
 #ifndef SPANGLE_ARGUMENTS_INLINE
 #define SPANGLE_ARGUMENTS_INLINE 1
@@ -79,9 +82,13 @@ inline constexpr unsigned usual_vertex_cache = 8192;
 inline constexpr unsigned vertex_cache =
     SPANGLE_VERTEX_CACHE != 0 ? SPANGLE_VERTEX_CACHE : usual_vertex_cache;
 
-/// What is drawn beside polygons.
-inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0;
-static_assert(SPANGLE_PRIMITIVES < 4);
+/// What is drawn beside triangles, their strips and fans.
+inline constexpr bool has_points = (SPANGLE_PRIMITIVES & 1) != 0, has_lines = (SPANGLE_PRIMITIVES & 2) != 0,
+                      has_polygons = (SPANGLE_PRIMITIVES & 4) != 0; ///< and quads
+static_assert(SPANGLE_PRIMITIVES < 8);
+
+/// Without it what a plane of the view volume would cut is an error.
+inline constexpr bool has_clipping = SPANGLE_CLIPPING != 0;
 
 using raster::line_batch;
 

@@ -49,7 +49,9 @@ void element(Context& context, std::uint32_t index) {
 /// A primitive that this build draws; else the error is set.
 bool takes(Context& context, GLenum mode) {
     const bool known = mode <= GL_POLYGON;
-    if (known && (mode == GL_POINTS ? has_points : mode > GL_LINE_STRIP || has_lines))
+    if (known && (mode == GL_POINTS       ? has_points
+                  : mode <= GL_LINE_STRIP ? has_lines
+                                          : mode < GL_QUADS || has_polygons))
         return true;
     error(context, known ? GL_INVALID_OPERATION : GL_INVALID_ENUM,
           known ? SPANGLE_TEXT("this build draws no such primitives (SPANGLE_PRIMITIVES)") : nullptr);

@@ -173,6 +173,9 @@ template <class M, class L> class Pipeline {
                                          (SPANGLE_FEATURE_CLIP_PLANES ? max_clip_planes : 0) + 2 + clip_spare,
                          cut_count = clip_vertices + clip_spare;
     static_assert(cut_count <= 32);
+    static_assert(has_clipping || !(SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POLYGON_MODE ||
+                                    SPANGLE_FEATURE_SELECTION || SPANGLE_GATHERS_POLYGONS),
+                  "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
@@ -222,8 +225,10 @@ template <class M, class L> class Pipeline {
     bool keeps_placed_ = false; ///< which of them
     std::uint32_t in_turn_ = 0; ///< vertices given by themselves since the last elements
 #endif
+#if SPANGLE_CLIPPING
     Cut cut_[cut_count];
     std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
+#endif
 #if SPANGLE_FEATURE_FEEDBACK
     typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
 #endif
@@ -328,6 +333,12 @@ template <class M, class L> class Pipeline {
     }
     bool offsets() const {
         return SPANGLE_FEATURE_POLYGON_OFFSET && offsets_;
+    }
+    bool whole_polygons() const {
+        return (SPANGLE_TWO_SIDES || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
+                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_STENCIL_SIDES ||
+                SPANGLE_FEATURE_POLYGON_OFFSET || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
+               whole_polygons_;
     }
     bool modal_lines() const {
         return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
@@ -535,6 +546,8 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] Cut& to_be_cut(Vertex& v, Cut& out);
     [[gnu::noinline]] void mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out);
     int band() const;
+    static bool to_be_clipped(unsigned flags);
+    bool refuses(unsigned flags);
     bool keeps(int plane, const Cut& v) const;
     void cut(int plane, const Cut& inside, const Cut& outside, Cut& out);
 #if SPANGLE_FEATURE_CLIP_PLANES

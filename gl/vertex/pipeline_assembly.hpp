@@ -48,6 +48,8 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         swap(1, 2);
         return triangle(*c[0], *c[2], *c[1]);
     case GL_POLYGON: {
+        if constexpr (!has_polygons)
+            return;
         if (gathers())
             return gather(*c[0]);
         if (outlined())

@@ -110,6 +110,21 @@ inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cu
 
 #endif
 
+/// Of corners: some may be beyond a plane, or have no window coordinates yet.
+template <class M, class L> inline bool Pipeline<M, L>::to_be_clipped(unsigned flags) {
+    return has_clipping && (flags & (beyond_mask | unprojected)) != 0;
+}
+
+/// True: these corners would have to be cut, which this build does not.
+template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) {
+    if (has_clipping || (flags & (beyond_mask | unprojected)) == 0)
+        return false;
+    error(*context_, GL_INVALID_OPERATION, SPANGLE_TEXT("this build cuts nothing (SPANGLE_CLIPPING)"));
+    return true;
+}
+
+#if SPANGLE_CLIPPING
+
 /// A place for a new vertex; null: all hold corners.
 template <class M, class L> inline auto Pipeline<M, L>::free_cut() -> Cut* {
     if (free_cuts_ == 0)
@@ -186,5 +201,7 @@ inline int Pipeline<M, L>::clip_polygon(Vertex** corners, Vertex** work, int roo
     }
     return n;
 }
+
+#endif
 
 } // namespace spangle::gl

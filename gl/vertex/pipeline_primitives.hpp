@@ -8,7 +8,8 @@ namespace spangle::gl {
 template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
     if constexpr (!has_points)
         return;
-    if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || !project(v))
+    if ((v.flags & outside_mask) != 0 || (planes_.any() && outside(v) != 0) || refuses(v.flags) ||
+        !project(v))
         return;
     color(v);
     draw_point(v, v.window);
@@ -114,8 +115,12 @@ template <class M, class L> void Pipeline<M, L>::seen_line(Vertex& a, Vertex& b)
 /// A line that may be beyond a plane, or whose ends may have no window coordinates yet.
 template <class M, class L> void Pipeline<M, L>::cut_line(Vertex& a, Vertex& b) {
     Vertex* ends[2] = {&a, &b};
+    if (refuses(a.flags | b.flags))
+        return;
+#if SPANGLE_CLIPPING
     if ((clip_planes(a.flags | b.flags) != 0 || planes_.any()) && !clip_line(ends))
         return;
+#endif
     if (((ends[0]->flags | ends[1]->flags) & unprojected) != 0 && (!project(*ends[0]) || !project(*ends[1])))
         return;
     draw_line(*ends[0], ends[0]->window, *ends[1], ends[1]->window, b.window);
@@ -138,7 +143,7 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
 /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
 /// goes the way of polygons.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
-    usual_triangle(a, b, c, whole_polygons_);
+    usual_triangle(a, b, c, whole_polygons());
 }
 
 template <class M, class L>
@@ -147,7 +152,9 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
     if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || whole) [[unlikely]] {
         if ((a.flags & b.flags & c.flags & outside_mask) != 0)
             return;
-        if ((any & (beyond_mask | unprojected)) != 0 || whole) {
+        if (refuses(any))
+            return;
+        if (to_be_clipped(any) || whole) {
             Vertex* const corners[3] = {&a, &b, &c};
             return polygon(corners, 3, c);
         }
@@ -166,10 +173,14 @@ SPANGLE_INLINE void Pipeline<M, L>::usual_triangle(Vertex& a, Vertex& b, Vertex&
 /// Two triangles with one facing: that of the whole quad.
 template <class M, class L>
 void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
+    if constexpr (!has_polygons)
+        return;
     const unsigned any = a.flags | b.flags | c.flags | d.flags;
     if ((a.flags & b.flags & c.flags & d.flags & outside_mask) != 0)
         return;
-    if ((any & (beyond_mask | unprojected)) != 0 || whole_polygons_) {
+    if (refuses(any))
+        return;
+    if (to_be_clipped(any) || whole_polygons()) {
         Vertex* const corners[4] = {&a, &b, &c, &d};
         return polygon(corners, 4, provoking);
     }
@@ -195,7 +206,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
         all &= corners[i]->flags;
         any |= corners[i]->flags;
     }
-    if (all != 0)
+    if (all != 0 || refuses(any))
         return;
     if (outlined())
         flag_edges(corners, n);
@@ -214,6 +225,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     std::int64_t part[clip_vertices];
     if (planes == 0)
         return visible(corners, n, provoking, part);
+#if SPANGLE_CLIPPING
     if ((any & back_known) != 0)
         for (int i = 0; i < n; ++i)
             color_back(*corners[i]);
@@ -227,6 +239,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     const int left = clip_polygon(work[0], work[1], clip_vertices, n, planes);
     if (left >= 3)
         visible(work[0], left, provoking, part, whole);
+#endif
 }
 
 template <class M, class L>

@@ -122,7 +122,8 @@ typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Ve
 
 /// More is made of its coordinates than s, t and q as they are given.
 template <class M, class L> inline bool Pipeline<M, L>::generates(int unit) const {
-    return ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
+    return (SPANGLE_FEATURE_TEXGEN || raster::has_third_coordinates) &&
+           ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
 }
 
 template <class M, class L> void Pipeline<M, L>::generated(const CurrentState& current, Vertex& v, int unit) {
@@ -151,7 +152,8 @@ template <class M, class L> unsigned Pipeline<M, L>::flags_of(const typename M::
     for (unsigned plane = 0; plane < 6; ++plane) {
         const int p = static_cast<int>(plane);
         flags |= M::distance(clip, p, 1) < 0 ? 1u << plane : 0u;
-        flags |= M::distance(clip, p, M::guard_band) < 0 ? 1u << (plane + beyond_shift) : 0u;
+        if constexpr (has_clipping) // else it is refused as it is
+            flags |= M::distance(clip, p, M::guard_band) < 0 ? 1u << (plane + beyond_shift) : 0u;
     }
     return flags;
 }
@@ -231,7 +233,7 @@ template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v,
 
 /// False: not in front, never drawn.
 template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
-    if ((v.flags & unprojected) == 0)
+    if (!has_clipping || (v.flags & unprojected) == 0) // others are refused
         return true;
     const typename M::Clip clip =
         (v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position);

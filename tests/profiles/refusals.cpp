@@ -215,7 +215,9 @@ void primitives() {
     static constexpr GLfloat corner[2] = {};
     glVertexPointer(2, GL_FLOAT, 0, corner);
     for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
-        const bool there = mode == GL_POINTS ? gl::has_points : mode > GL_LINE_STRIP || gl::has_lines;
+        const bool there = mode == GL_POINTS       ? gl::has_points
+                           : mode <= GL_LINE_STRIP ? gl::has_lines
+                                                   : mode < GL_QUADS || gl::has_polygons;
         for (const bool array : {false, true}) {
             said.clear();
             if (array)
@@ -231,6 +233,36 @@ void primitives() {
     }
 }
 
+/// One triangle, in a state that every profile draws, between these depths and so far to the right.
+bool draws_triangle(GLfloat right, GLfloat first, GLfloat last) {
+    const GLfloat corners[3][3] = {
+        {right - 0.5f, -0.5f, first}, {right + 0.5f, -0.5f, first}, {right, 0.5f, last}};
+    glVertexPointer(3, GL_FLOAT, 0, corners);
+    glDisableClientState(GL_NORMAL_ARRAY);
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    said.clear();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return drawn() > 0;
+}
+
+/// What a plane of the view volume cuts.
+void clipping() {
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    glEnable(GL_CULL_FACE);
+    check(draws_triangle(0, 0, 0.5f) && glGetError() == GL_NO_ERROR, "what is in front of the eye");
+    check(draws_triangle(1, 0, 0.5f) && glGetError() == GL_NO_ERROR, "what the window cuts");
+    check(!draws_triangle(3, 0, 0.5f) && glGetError() == GL_NO_ERROR, "what is beside the window");
+    check(!draws_triangle(0, -2, -3) && glGetError() == GL_NO_ERROR, "what is before the near plane");
+    check(draws_triangle(0, 0, -3) == gl::has_clipping, "what crosses the near plane");
+    check(gl::has_clipping ? glGetError() == GL_NO_ERROR : refused(GL_INVALID_OPERATION, "SPANGLE_CLIPPING"),
+          "clipping");
+    check(draws_triangle(0, 0, 3) == gl::has_clipping, "what crosses the far plane");
+    check(gl::has_clipping ? glGetError() == GL_NO_ERROR : refused(GL_INVALID_OPERATION, "SPANGLE_CLIPPING"),
+          "clipping");
+}
+
 } // namespace
 
 int main() {
@@ -242,6 +274,7 @@ int main() {
     textures();
     draws();
     states();
+    clipping();
     primitives();
     lights();
     // A hint for a tier that is not there is one for the config's.
