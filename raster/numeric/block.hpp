@@ -98,7 +98,7 @@ namespace detail {
 
 /// Brings n values m[i] * 2^e[i] under one exponent, which comes back. The values with m = 0 have no say in
 /// it.
-SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
+SPANGLE_RUN_INLINE constexpr std::int16_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
                                                     std::int32_t* out) {
     constexpr std::int32_t none = -0x10000;
     std::int32_t top = none;
@@ -107,10 +107,12 @@ SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m
         if (own > top)
             top = own;
     }
+    if (top == none)
+        return 0;
     top += 2; // 30 value bits: two leading zeros
     for (int i = 0; i < n; ++i)
         out[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
-    return top == none + 2 ? 0 : block_exponent(top);
+    return block_exponent(top);
 }
 template <int N, class B>
 SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std::int32_t (&e)[N]) {

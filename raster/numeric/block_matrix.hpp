@@ -136,8 +136,10 @@ template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N])
     return r;
 }
 
-/// load() of a vertex whose components are all next to nothing beside what the columns expect.
-template <int N> constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
+/// load() of a vertex whose components are all next to nothing beside what the columns expect: seldom, so
+/// never in line.
+template <int N>
+[[gnu::noinline]] constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
     std::int32_t m[N], e[N];
     for (int i = 0; i < N; ++i) {
         const Scaled s = scaled(v[i]);
