@@ -22,6 +22,7 @@ spangle_limit(CLIPPING 1 "What crosses the near or the far plane, or lies far be
 spangle_limit(LINE_BATCH 0 "Lines of elements under way at once, even; 0: what suits the processor")
 spangle_limit(DISPLAYS 4 "EGL displays at once")
 spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0: what suits the processor")
+spangle_limit(EXTENTS 1 "Surfaces tell which columns of each row were drawn; 0: for displays that are sent whole frames, others are EGL_BAD_MATCH")
 spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
 spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")
 spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")

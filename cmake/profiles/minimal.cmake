@@ -20,6 +20,7 @@ set(SPANGLE_PRIMITIVES 0)       # triangles
 set(SPANGLE_SHORTCUTS 0)
 set(SPANGLE_KERNELS_INLINE 0)
 set(SPANGLE_DISPLAYS 1)
+set(SPANGLE_EXTENTS 0)          # frames are sent whole
 set(SPANGLE_PACKET 2)
 set(SPANGLE_CLIPPING 0)         # models stand between the near and the far plane
 set(SPANGLE_ARENA_LOG2 19)

@@ -51,7 +51,8 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
         const hal::Result<hal::Frame> frame = display.native->acquire_band(first, rows);
         if (!frame.ok())
             return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
-        surface.frame = frame.value();
+        if (!take(surface, frame.value()))
+            return false;
     } else if (first == 0 && !next_frame(display, surface)) {
         return false;
     }
@@ -144,10 +145,12 @@ void show_band(Surface& surface, raster::Surface& out) {
         out.end_row = out.first_row = 0;
     if (out.accum != nullptr) // rows of a band count from its lowest one
         out.accum -= std::ptrdiff_t{4} * surface.width * out.first_row;
+#if SPANGLE_EXTENTS
     if (out.touched != nullptr && band.colors)
         out.touched -= band.first;
     if (out.extents != nullptr && !band.colors)
         out.extents = &band.extents;
+#endif
 }
 
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data) {

@@ -114,6 +114,9 @@ raster::Surface pixels_of(Surface& surface);
 /// Hands the surfaces of this thread to its context; again after a window got another buffer.
 void attach_surfaces();
 
+/// The display gave this buffer. False: it asks what is drawn there, which this build does not tell.
+bool take(Surface& surface, const hal::Frame& frame);
+
 /// Asks the display for the buffer of the next frame.
 bool next_frame(Display& display, Surface& surface);
 

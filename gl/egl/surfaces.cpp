@@ -178,14 +178,21 @@ const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
 
 } // namespace
 
+bool take(Surface& surface, const hal::Frame& frame) {
+    surface.frame = frame;
+    if (!raster::has_extents && frame.extents != nullptr)
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("this build does not tell the display what was drawn "
+                                                "(SPANGLE_EXTENTS)")) != EGL_FALSE;
+    return true;
+}
+
 bool next_frame(Display& display, Surface& surface) {
     const hal::Result<hal::Frame> frame = display.native->acquire();
     if (!frame.ok()) {
         fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
         return false;
     }
-    surface.frame = frame.value();
-    return true;
+    return take(surface, frame.value());
 }
 
 void free_surface(Surface* surface) {
@@ -237,11 +244,13 @@ raster::Surface pixels_of(Surface& surface) {
         out.color_stride = -surface.frame.stride;
         out.color = bottom_row(surface.frame.pixels, color_first / format_info(format).rows, rows,
                                surface.frame.stride);
+#if SPANGLE_EXTENTS
         out.extents = surface.frame.extents;
         out.touched = out.extents != nullptr && out.extents->rows != nullptr
                           ? out.extents->rows + (surface.height - 1)
                           : nullptr;
         out.touched_step = -1;
+#endif
     } else {
         out.color_stride = -row_bytes(format, surface.width);
         out.color = bottom_row(surface.color, 0, rows, -out.color_stride);

@@ -100,9 +100,11 @@ Surface sample_of(const Surface& s, unsigned sample) {
     out.color_stride = samples.color_stride;
     if (s.depth != nullptr)
         out.depth = s.depth + i * samples.next_depth;
+#if SPANGLE_EXTENTS
     out.extents = nullptr;
     out.touched = samples.unresolved;
     out.touched_step = 1;
+#endif
     out.samples = nullptr;
     return out;
 }

@@ -14,6 +14,7 @@
 namespace spangle::raster {
 
 inline constexpr unsigned sample_count = 4;
+static_assert(has_extents || !has_samples, "samples are resolved where something was drawn: SPANGLE_EXTENTS");
 
 /// Laid out as the surface's own planes. Depth and stencil of the first sample are the surface's.
 struct Samples {

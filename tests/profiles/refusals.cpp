@@ -7,7 +7,9 @@
 
 #include <spangle/EGL/egl.h>
 #include <spangle/GL/gl.h>
+#include <spangle/hal/display.hpp>
 #include <spangle/message.hpp>
+#include <spangle/native.hpp>
 #include <spangle/raster/fragment_state.hpp>
 
 #include "boards/scenes/models/rocket.hpp"
@@ -263,6 +265,44 @@ void clipping() {
           "clipping");
 }
 
+/// A panel that asks what of a frame was drawn, or is sent all of it.
+class Panel final : public hal::Display {
+  public:
+    explicit Panel(bool asks) : asks_(asks) { extents_.rows = rows_; }
+    hal::DisplayInfo info() const override { return {"panel", 16, height, PixelFormat::rgb565_be, true}; }
+    hal::Result<void> init() override { return {}; }
+    hal::Result<hal::Frame> acquire() override {
+        return hal::Frame{pixels_, 32, 0, asks_ ? &extents_ : nullptr};
+    }
+    hal::Result<void> present() override { return {}; }
+
+  private:
+    static constexpr std::int32_t height = 8;
+    bool asks_;
+    std::uint8_t pixels_[32 * height] = {};
+    RowSpan rows_[height];
+    RowExtents extents_{nullptr, height, false, 0};
+};
+
+void windows() {
+    for (const bool asks : {false, true}) {
+        Panel panel(asks);
+        const EGLDisplay display = eglGetDisplay(native(panel));
+        EGLConfig config = nullptr;
+        EGLint n = 0;
+        const EGLint wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        check(eglInitialize(display, nullptr, nullptr) == EGL_TRUE &&
+                  eglChooseConfig(display, wish, &config, 1, &n) == EGL_TRUE && n == 1,
+              "a config of a panel");
+        said.clear();
+        const bool there = eglCreateWindowSurface(display, config, 0, nullptr) != EGL_NO_SURFACE;
+        check(there == (raster::has_extents || !asks), "a window");
+        check(there || (eglGetError() == EGL_BAD_MATCH && said.find("SPANGLE_EXTENTS") != std::string::npos),
+              "the extents of what is drawn");
+        eglTerminate(display);
+    }
+}
+
 } // namespace
 
 int main() {
@@ -284,5 +324,8 @@ int main() {
     const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     const bool whole = raster::has_chain && raster::texture_formats == 32767;
     check(version.starts_with(whole ? "1.3 " : "1.0 "), version.c_str());
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglTerminate(display);
+    windows();
     return wrong;
 }

@@ -18,6 +18,9 @@
 #ifndef SPANGLE_LINE_BATCH
 #define SPANGLE_LINE_BATCH 0
 #endif
+#ifndef SPANGLE_EXTENTS
+#define SPANGLE_EXTENTS 1
+#endif
 #ifndef SPANGLE_FUSED_SPANS
 #define SPANGLE_FUSED_SPANS 1
 #endif
@@ -50,6 +53,8 @@ static_assert(max_texture_levels >= 1 && max_texture_levels <= 12);
 
 inline constexpr unsigned tiers = SPANGLE_TIER_SET;
 static_assert(tiers != 0 && tiers < 8);
+/// Surfaces tell what was drawn.
+inline constexpr bool has_extents = SPANGLE_EXTENTS != 0;
 inline constexpr bool has_fused_spans = SPANGLE_FUSED_SPANS != 0;
 /// Ways that are only faster.
 inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;

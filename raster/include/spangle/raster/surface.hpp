@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
+#include <spangle/raster/limits.hpp>
 
 namespace spangle::raster {
 
@@ -18,9 +19,15 @@ struct Surface {
     std::int32_t color_stride = 0; ///< bytes from GL row y to y + 1
     std::int32_t depth_stride = 0; ///< bytes from GL row y to y + 1
     std::int16_t* accum = nullptr; ///< RGBA, k / 32767, from GL row 0 on without gaps; null: there is none
+#if SPANGLE_EXTENTS
     RowExtents* extents = nullptr; ///< the same record whole, for full clears; null when nobody asks
     RowSpan* touched = nullptr;    ///< its element of GL row 0, or null when nobody asks
     std::int32_t touched_step = 0; ///< +1 or -1 elements from GL row y to y + 1
+#else
+    static constexpr RowExtents* extents = nullptr;
+    static constexpr RowSpan* touched = nullptr;
+    static constexpr std::int32_t touched_step = 0;
+#endif
     std::int32_t width = 0, height = 0;
     /// GL rows that are there, of a band; the pointers are those that row 0 would have.
     std::int32_t first_row = 0, end_row = INT32_MAX;
