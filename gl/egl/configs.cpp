@@ -58,7 +58,7 @@ EGLint visual_of(const Display& display, const Config& c) {
 
 /// EGL 1.4, table 3.1.
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
-    const FormatInfo info = format_info(c.format);
+    const FormatInfo info = format_info(c.drawn());
     constexpr EGLint largest = gl::max_viewport_dim;
     switch (name) {
     case EGL_BUFFER_SIZE:
@@ -78,11 +78,11 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_STENCIL_SIZE:
         return {true, c.depth == DepthFormat::z24s8 ? 8 : 0};
     case EGL_CONFIG_CAVEAT:
-        return {true, is_slow(c.format) ? EGL_SLOW_CONFIG : EGL_NONE};
+        return {true, is_slow(c.drawn()) ? EGL_SLOW_CONFIG : EGL_NONE};
     case EGL_CONFIG_ID:
         return {true, c.id};
     case EGL_COLOR_BUFFER_TYPE:
-        return {true, is_indexed(c.format) ? EGL_INDEX_BUFFER_SPANGLE : EGL_RGB_BUFFER};
+        return {true, is_indexed(c.drawn()) ? EGL_INDEX_BUFFER_SPANGLE : EGL_RGB_BUFFER};
     case EGL_INDEX_SIZE_SPANGLE:
         return {true, info.index_bits};
     case EGL_SURFACE_TYPE:
@@ -225,8 +225,8 @@ EGLint wish_for(const Wishes& wishes, EGLint name) {
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
 /// then the smaller buffers, then the id.
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
-    if (is_slow(a.format) != is_slow(b.format)) // caveat
-        return is_slow(b.format);
+    if (is_slow(a.drawn()) != is_slow(b.drawn())) // caveat
+        return is_slow(b.drawn());
     EGLint bits_a = 0, bits_b = 0;
     for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
         const EGLint wish = wish_for(wishes, name);

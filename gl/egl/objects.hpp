@@ -20,6 +20,9 @@ struct Config {
     DepthFormat depth{};
     bool multisampled = false;
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
+
+    /// The format of a config that exists.
+    PixelFormat drawn() const { return raster::drawn(format); }
 };
 
 struct RecordedFrame; // recorded_frame.hpp

@@ -53,11 +53,11 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
         whole = whole && wanted == (memory_of != nullptr);
         return memory_of;
     };
-    const auto color_bytes = static_cast<std::size_t>(row_bytes(config.format, width)) *
-                             static_cast<std::size_t>(stored_rows(config.format, height));
+    const auto color_bytes = static_cast<std::size_t>(row_bytes(config.drawn(), width)) *
+                             static_cast<std::size_t>(stored_rows(config.drawn(), height));
     surface->color = static_cast<std::uint8_t*>(plane(extras.color, color_bytes));
     const std::size_t samples = config.multisampled ? raster::sample_count : 1;
-    const std::size_t sample_bytes = bytes_of_sample(config.format, width, rows);
+    const std::size_t sample_bytes = bytes_of_sample(config.drawn(), width, rows);
     const std::size_t depth_bytes = pixels * static_cast<std::size_t>(bytes_per_depth(config.depth));
     surface->depth =
         static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, depth_bytes * samples));
@@ -167,7 +167,7 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
 /// The samples of the rows that are there; top row first, so that they have the stride of the surface's own
 /// planes where these have one.
 const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
-    const PixelFormat format = surface.config.format;
+    const PixelFormat format = surface.config.drawn();
     const std::int32_t stride = row_bytes(format, surface.width),
                        top = (rows.y + rows.h - 1) / format_info(format).rows;
     surface.samples.color = bottom_row(surface.sample_colors, 0, top + 1, stride);
@@ -232,13 +232,13 @@ void show_window(bool finish) {
 
 raster::Surface pixels_of(Surface& surface) {
     raster::Surface out;
-    const PixelFormat format = surface.config.format;
+    const PixelFormat format = surface.config.drawn();
     const bool bands = surface.in_bands();
     const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
                        first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);
     out.width = surface.width;
     out.height = surface.height;
-    out.format = surface.config.format;
+    out.format = format;
     out.depth_format = surface.config.depth;
     if (surface.window) { // top row first
         out.color_stride = -surface.frame.stride;

@@ -241,7 +241,7 @@ Rect drawing_rect(const Context& context) {
     if (!context.fragment_ops.scissor_test)
         return all;
     const GLint* box = context.fragment_ops.scissor_box;
-    const auto clamp = [](std::int64_t v, std::int32_t low, std::int32_t high) {
+    const auto clamp = [](std::int64_t v, std::int32_t low, std::int32_t high) SPANGLE_RUN_LAMBDA {
         return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
     };
     const std::int32_t top = all.y + all.h;

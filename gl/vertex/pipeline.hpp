@@ -72,7 +72,7 @@ template <class M, class L> class Pipeline {
         process(v);
 #endif
         attributes(current, v);
-        if (each_vertex_)
+        if (more_is_given())
             given(current, v);
         if (++held_ == full_)
             primitive();
@@ -248,11 +248,14 @@ template <class M, class L> class Pipeline {
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
             forget();
         }
-        fog_ = context.fog.fog;
-        fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
-        index_bits_ = context.drawable.index_bits;
+        if constexpr (SPANGLE_FEATURE_FOG) {
+            fog_ = context.fog.fog;
+            fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
+        }
+        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+            index_bits_ = context.drawable.index_bits;
         lit_ = context.lighting.lighting;
-        sums_ = !lit_ && sums_colors(context.lighting);
+        sums_ = SPANGLE_FEATURE_SECONDARY_COLOR && !lit_ && sums_colors(context.lighting);
         if (sums_)
             has_unlit_color_ = false;
         two_sided_ = lighting_.two_sided();
@@ -266,11 +269,13 @@ template <class M, class L> class Pipeline {
         front_is_ccw_ = polygon.front_face == GL_CCW;
         culls_[0] = culls(polygon, front_is_ccw_);
         culls_[1] = culls(polygon, !front_is_ccw_);
-        for (int side = 0; side < 2; ++side)
-            face_mode_[side] = polygon.mode[side];
         captures_ = !context.render.draws();
-        outlines_ =
-            (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
+        if constexpr (SPANGLE_FEATURE_POLYGON_MODE) {
+            for (int side = 0; side < 2; ++side)
+                face_mode_[side] = polygon.mode[side];
+            outlines_ =
+                (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
+        }
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
         const bool sampled = has_sample_buffer(context);
         multisampling_ = multisampling(context);
@@ -280,7 +285,8 @@ template <class M, class L> class Pipeline {
                        sums_ || (mode_ == GL_POLYGON && gathers());
         modal_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
                         ((mode_ == GL_POINTS || outlines_) && sizes_points(polygon));
-        offsets_ = polygon.offset_fill || polygon.offset_line || polygon.offset_point;
+        offsets_ = SPANGLE_FEATURE_POLYGON_OFFSET &&
+                   (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
         whole_polygons_ = two_sided_ || exactly_clipped() || planes_.any() || stencil_sides_;
         whole_polygons_ = whole_polygons_ || offsets() || fills_whole();
         modal_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
@@ -289,8 +295,10 @@ template <class M, class L> class Pipeline {
         stipple_.pattern = polygon.stipple_pattern;
         stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
 #endif
-        point_size_ = whole(polygon.point_size);
-        line_width_ = whole(polygon.line_width);
+        if constexpr (has_points || SPANGLE_FEATURE_POLYGON_MODE)
+            point_size_ = whole(polygon.point_size);
+        if constexpr (has_lines || SPANGLE_FEATURE_POLYGON_MODE)
+            line_width_ = whole(polygon.line_width);
     }
 
     /// No cached vertex is good any more.
@@ -333,6 +341,15 @@ template <class M, class L> class Pipeline {
     }
     bool offsets() const {
         return SPANGLE_FEATURE_POLYGON_OFFSET && offsets_;
+    }
+    bool fogs() const {
+        return SPANGLE_FEATURE_FOG && fog_;
+    }
+    bool more_is_given() const {
+        return (has_color_material || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
+                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG || SPANGLE_FEATURE_COLOR_INDEX ||
+                SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
+               each_vertex_;
     }
     bool whole_polygons() const {
         return (SPANGLE_TWO_SIDES || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||

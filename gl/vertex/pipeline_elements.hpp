@@ -9,7 +9,7 @@ template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     const ElementReader reader(context.arrays);
 #if SPANGLE_VERTEX_CACHE != 1
-    if (!each_vertex_ && reader.seldom == nullptr && reader.vertex.on())
+    if (!more_is_given() && reader.seldom == nullptr && reader.vertex.on())
         return kept_elements(context, reader, count, indices);
 #endif
     elements_in_turn(context, reader, count, indices);
@@ -202,7 +202,7 @@ template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::add_fresh(Pending& p, Vertex& v, const std::uint8_t* words) {
     read_position(words, v);
     p.fresh[p.fresh_count] = &v;
-    p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fog_);
+    p.projections.add(p.fresh_count++, transforms_, v.position, v.window, fogs());
 }
 
 /// Lines of elements, several at a time: transform, division, then what the rasterizer makes of them, so

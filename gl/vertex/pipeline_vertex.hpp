@@ -68,7 +68,7 @@ template <class M, class L> void Pipeline<M, L>::process_usual(Vertex& v, const 
 
 template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v) const {
     typename M::template Projections<1> projection;
-    projection.add(0, transforms_, v.position, v.window, fog_);
+    projection.add(0, transforms_, v.position, v.window, fogs());
     projection.finish(1);
     unsigned planes = 0;
     const bool divided = projection.divide(0, transforms_, v.position, v.window, planes);

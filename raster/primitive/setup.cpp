@@ -131,7 +131,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32
     const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
     if (has_full && span_.kind == Kind::full)
         projective_colors();
-    else if (variant.steps)
+    else if (spans_dither && variant.steps)
         stepped_colors(bits, variant.color_bias);
     else
         affine_colors<Rgb>(bits, variant.color_bias);

@@ -22,7 +22,7 @@ struct HomogeneousRow {
     SPANGLE_INLINE std::int32_t t(std::int32_t x) const { return at(x, t0, dt); }
     SPANGLE_INLINE std::int32_t q(std::int32_t x) const { return at(x, q0, dq); }
     /// Pixel x is the one it begins at.
-    SPANGLE_INLINE void begin_at(std::int32_t x) {
+    SPANGLE_RUN_INLINE void begin_at(std::int32_t x) {
         if (x == 0) // rows that nothing clips
             return;
         s0 += numeric::times(ds, x);

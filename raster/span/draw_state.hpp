@@ -113,6 +113,8 @@ struct FogConstants {
 struct Recorder; // raster/primitive/keep.hpp
 
 struct DrawState {
+    [[gnu::noinline]] DrawState() = default; ///< long
+
     FragmentState fragment; ///< as GL gave it; texture pointers must stay valid
     FogConstants fog;
     Needs needs;

@@ -205,6 +205,8 @@ struct Blending {
 inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
 
 struct FragmentState {
+    [[gnu::noinline]] constexpr FragmentState() = default; ///< long
+
     TextureUnit unit[max_texture_units];
     Colors colors = Colors::of_vertices;
     bool flat = false;       ///< colour of the provoking vertex

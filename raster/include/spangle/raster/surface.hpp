@@ -42,7 +42,8 @@ struct Surface {
     }
     /// Rows of a page of PixelFormat::mono are one.
     std::uint8_t* color_row(std::int32_t y) const {
-        return color + static_cast<std::intptr_t>(format == PixelFormat::mono ? y >> 3 : y) * color_stride;
+        return color +
+               static_cast<std::intptr_t>(drawn(format) == PixelFormat::mono ? y >> 3 : y) * color_stride;
     }
     std::uint8_t* depth_row(std::int32_t y) const {
         return depth + static_cast<std::intptr_t>(y) * depth_stride;
