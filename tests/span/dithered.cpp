@@ -33,6 +33,16 @@ TEST(Dithered, ColorsInStepsAreTheirFloor) {
         }
 }
 
+TEST(Dithered, StepsFromHalvesAreTheSame) {
+    std::mt19937 random(7);
+    for (const int component : components)
+        for (int i = 0; i < 1000000; ++i) {
+            const std::uint32_t c =
+                i < 100 ? color_one - static_cast<std::uint32_t>(i) : random() >> (1 + random() % 31);
+            ASSERT_EQ(color_in_steps<false>(c, component), color_in_steps<true>(c, component)) << c;
+        }
+}
+
 TEST(Dithered, DifferencesTakeNoMoreBits) {
     std::mt19937 random(5);
     for (const int component : components)
