@@ -2,9 +2,6 @@
 
 namespace spangle::raster {
 
-/// A loop draws paths, and they are worth their code.
-constexpr bool has_paths = has_fused_spans && has_shortcuts;
-
 template <>
 void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
                             const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {

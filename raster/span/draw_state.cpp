@@ -180,6 +180,8 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
 }
 
 void scissor_changed(DrawState& draw, const Surface& target) {
+    if constexpr (!has_paths)
+        return;
     bool walks = false;
     for (const Variant& variant : draw.variant)
         walks = walks || variant.walk != nullptr;

@@ -328,7 +328,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
 
     /// Loops over paths are for what lines are drawn with. Nothing there asks for the window's columns.
     static constexpr PathFunction walk() {
-        if constexpr (plain && !guessed && !(K.dither && K.kind == Kind::affine))
+        if constexpr (has_paths && plain && !guessed && !(K.dither && K.kind == Kind::affine))
             return &fused_paths<FusedCase>;
         else
             return nullptr;

@@ -12,6 +12,9 @@
 
 namespace spangle::raster {
 
+/// A loop draws paths, and they are worth their code.
+inline constexpr bool has_paths = has_fused_spans && has_shortcuts;
+
 /// Pixels counted from that of window (0, 0), and where a dithered colour asks for it, row & 3 in the two
 /// bits above: mod 2^32 it grows with every step to another row.
 struct PathPixels {
