@@ -11,8 +11,8 @@
 #else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
 #endif
-/// For those that a run of several pixels shares: smaller builds have one copy, whatever else is built for
-/// speed.
+/// For those that a run of several pixels, or three and four dimensions, share: smaller builds have one copy,
+/// whatever else is built for speed.
 #if SPANGLE_KERNELS_INLINE
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
 #define SPANGLE_RUN_CALL

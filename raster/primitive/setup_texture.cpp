@@ -182,7 +182,7 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     if (drawn(state_.tier) == Tier::exact || u.shift > 7)
         return false;
     // A quarter of a texel of the base level.
-    const auto within = [&](const std::int32_t v[3], int log2_size) {
+    const auto within = [&](const std::int32_t v[3], int log2_size) SPANGLE_RUN_LAMBDA {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
         return numeric::mul_u32(range + 1, q_range_) <= std::uint64_t{q_least_} << (32 - log2_size - u.shift);
     };
@@ -270,7 +270,8 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
 
 /// One colour, or three.
 SPANGLE_INLINE bool Setup<Fixed>::grays(std::uint32_t color_bits, const Vertex& painted) const {
-    const auto gray = [](const Vertex& v) { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
+    const auto gray = [](const Vertex& v)
+                          SPANGLE_RUN_LAMBDA { return v.color[0] == v.color[1] && v.color[0] == v.color[2]; };
     return color_bits == 0 ? gray(painted) : gray(v(0)) && gray(v(1)) && gray(v(2));
 }
 

@@ -93,7 +93,7 @@ struct RunBound {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
         const std::int32_t by = unguarded(row.dq);
         // What the gradients lost below their last bit is at most Q + |S| in N.
-        const auto numerator = [&](std::uint64_t dv, std::int32_t v) {
+        const auto numerator = [&](std::uint64_t dv, std::int32_t v) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
                    (std::uint64_t{1} << 31);
         };
