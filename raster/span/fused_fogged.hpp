@@ -44,31 +44,38 @@ template <class Case> class FoggedRows {
             if (k == 0)
                 fog = at(fog_, x, y, dfog);
         }
-        [[maybe_unused]] Threshold dither(first, row.y);
+        if constexpr (dithers)
+            fifths_thresholds_.b = detail::dither_numbered<27>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
-        std::int32_t i = first - last; // counted up to 0: the last index needs no register
+        std::int32_t i = 2 * (first - last); // in bytes, counted up to 0: the last index needs no register
         do {
             numeric::kept_in_memory(*this);
             const std::uint32_t z16 = z >> 16;
-            if (test(depth + 2 * i, z16)) {
+            if (test(depth + i, z16)) {
                 N::Color color;
                 const auto [texels, sixths] = numeric::load_two(tables_);
                 color.texel = texel(texels, s, t);
                 const std::uint32_t f = N::clamped_fraction(fog);
-                color.r = color.g = color.b = N::scaled(N::from_affine(light[0]), f);
+                color.r = color.g = color.b = Combine::dimmed(N::from_affine(light[0]), f);
                 if constexpr (!Case::gray) {
-                    color.g = N::scaled(N::from_affine(light[1]), f);
-                    color.b = N::scaled(N::from_affine(light[2]), f);
+                    color.g = Combine::dimmed(N::from_affine(light[1]), f);
+                    color.b = Combine::dimmed(N::from_affine(light[2]), f);
                 }
-                std::uint32_t word = combine_.word(color, f, dither.threshold(), sixths);
+                std::uint32_t word;
+                if constexpr (dithers) {
+                    const auto [fifths, thresholds] =
+                        numeric::load_two_after(color.texel, fifths_thresholds_);
+                    word = combine_.word(color, f, thresholds[i >> 1 & 3], sixths, fifths);
+                } else {
+                    word = combine_.word(color, f, 0, sixths, combine_.fifths);
+                }
                 const auto [end, by_z] = numeric::load_two_after(word, end_step_z_);
-                N::L::store(end + 2 * i, word);
+                N::L::store(end + i, word);
                 z += by_z;
             } else {
                 z += end_step_z_.b;
             }
-            dither.step();
             const auto [by_s, by_t] = numeric::load_two(step_coord_);
             s += by_s;
             t += by_t;
@@ -78,14 +85,14 @@ template <class Case> class FoggedRows {
                 if (k == 0)
                     fog += by_fog;
             }
-        } while (++i != 0);
+        } while ((i += 2) != 0);
     }
 
   private:
     using N = BalancedLit;
     static constexpr int lights = Case::gray ? 1 : 3;
-    using Threshold = std::conditional_t<Case::key.dither, detail::DitherRow<N::L>, detail::NoThreshold>;
-    using Combine = FoggedTexel<Case::key.format, true, Case::key.dither>;
+    static constexpr bool dithers = Case::key.dither;
+    using Combine = FoggedTexel<Case::key.format, true, dithers>;
     /// At column 0 of row 0 of the window, and from row to row.
     using Origin = numeric::Two<std::uint32_t, std::uint32_t>;
     using Plane = numeric::Two<std::uint8_t*, std::int32_t>;
@@ -121,8 +128,10 @@ template <class Case> class FoggedRows {
         return N::L::load(texels + 2 * (row * width + column));
     }
 
-    numeric::Two<std::uint32_t, std::uint32_t> image_;                   ///< width and height
-    numeric::Two<const std::uint8_t*, typename Combine::Sixths> tables_; ///< texels, and what they stand for
+    numeric::Two<std::uint32_t, std::uint32_t> image_;                    ///< width and height
+    numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_; ///< texels, and what they stand for
+    numeric::Two<typename Combine::Factors, const std::uint32_t*> fifths_thresholds_{Combine::fifths,
+                                                                                     nullptr};
     Combine combine_;
     numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_; ///< of the row in the colour plane
     numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];

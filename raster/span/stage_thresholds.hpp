@@ -31,22 +31,27 @@ template <> struct DitherRow<Lanes<1>> {
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
-/// Thresholds of a row's fragments by number, in 2^-Bits of a step.
+/// Thresholds of rows' fragments by number, in 2^-Bits of a step.
+template <int Bits> struct DitherNumbered {
+    std::uint32_t of[4][7];
+    constexpr DitherNumbered() : of{} {
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 7; ++x)
+                of[y][x] = dither_threshold(dither_row(y), x) << (Bits - 5);
+    }
+    SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
+        return of[y & 3] + (x & 3);
+    }
+};
+template <int Bits> inline constexpr DitherNumbered<Bits> dither_numbered;
+
 template <int Bits> class NumberedThresholds {
   public:
-    SPANGLE_INLINE NumberedThresholds(std::int32_t x, std::int32_t y) : from_(rows.of[y & 3] + (x & 3)) {}
+    SPANGLE_INLINE NumberedThresholds(std::int32_t x, std::int32_t y)
+        : from_(dither_numbered<Bits>.from(x, y)) {}
     SPANGLE_INLINE std::uint32_t threshold(std::int32_t i) const { return from_[i & 3]; }
 
   private:
-    struct Rows {
-        std::uint32_t of[4][7];
-        constexpr Rows() : of{} {
-            for (int y = 0; y < 4; ++y)
-                for (int x = 0; x < 7; ++x)
-                    of[y][x] = dither_threshold(dither_row(y), x) << (Bits - 5);
-        }
-    };
-    static constexpr Rows rows{};
     const std::uint32_t* from_;
 };
 
