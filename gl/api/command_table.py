@@ -245,11 +245,11 @@ class Family:
             c, form = C_TYPES[code], f"convert::Number::{CONVERT_AS.get(code, code)}"
             place = ", ".join(call)
             yield Entry(self, f"gl{self.name}{suffix}", leading + [(c, "param")],
-                        f"    issue_param<family::{self.name}, &shape::{self.name}>({place}, &param, {form});\n", tries + [("pvalue", None)])
+                        f"    issue_param<family::{self.name}, shape::{self.name}>({place}, &param, {form});\n", tries + [("pvalue", None)])
             if not self.data.get("scalar_only"):
                 name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
                 yield Entry(self, name, leading + [(f"const {c}*", "params")],
-                            f"    issue_params<family::{self.name}, &shape::{self.name}>({place}, params, {form}, SPANGLE_TEXT(\"{name}: null pointer\"));\n",
+                            f"    issue_params<family::{self.name}, shape::{self.name}>({place}, params, {form}, SPANGLE_TEXT(\"{name}: null pointer\"));\n",
                             tries + [("pvalues", None)])
 
     def entries_get_params(self):
@@ -258,7 +258,7 @@ class Family:
         tries = [(a.type, a) for a in self.args] + [("pname", None), ("out", None)]
         for code, suffix in self.types:
             name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
-            body = (f"    fetch_params<family::{self.name}, &shape::{self.name}>({', '.join(call)}, params, convert::Number::{CONVERT_AS.get(code, code)}, "
+            body = (f"    fetch_params<family::{self.name}, shape::{self.name}>({', '.join(call)}, params, convert::Number::{CONVERT_AS.get(code, code)}, "
                     f"SPANGLE_TEXT(\"{name}: null pointer\"));\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
 

@@ -144,6 +144,20 @@ void store_value(void* array, std::size_t index, Number type, Kind kind, Param v
 
 } // namespace
 
+} // namespace spangle::gl::convert
+
+namespace spangle::gl {
+
+Shape find_shape(const ShapeRow* rows, GLenum pname) {
+    while (rows->name != 0 && rows->name != pname)
+        ++rows;
+    return {rows->kind, rows->count};
+}
+
+} // namespace spangle::gl
+
+namespace spangle::gl::convert {
+
 /// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
 Params scalar(Shape shape, const void* value, Number type) {
     if (shape.count == 1)

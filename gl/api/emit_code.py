@@ -94,18 +94,16 @@ def shapes_header(chapters, _tokens):
     out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
            "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
     kinds = {"c": "color", "r": "real", "i": "integer"}
+    tables = {}  # families with the same parameters have one
     for _, families in chapters:
         for f in families:
             if not f.pnames:
                 continue
-            cases = {}
-            for pname in (Pname(n, t) for n, t in f.pnames.items()):
-                cases.setdefault(pname.kind + pname.count, []).append(pname.name)
-            out.append(f"\ninline Shape {f.name}(GLenum pname) {{\n    switch (pname) {{\n")
-            for text, names in cases.items():
-                out += [f"    case GL_{n}:\n" for n in names]
-                out.append(f"        return {{Kind::{kinds[text[0]]}, {text[1:]}}};\n")
-            out.append("    default:\n        return {};\n    }\n}\n")
+            pnames = (Pname(n, t) for n, t in f.pnames.items())
+            rows = "".join(f"    {{GL_{p.name}, Kind::{kinds[p.kind]}, {p.count}}},\n" for p in pnames)
+            same = tables.setdefault(rows, f.name)
+            out.append(f"\ninline constexpr const auto& {f.name} = {same};\n" if same != f.name else
+                       f"\ninline constexpr ShapeRow {f.name}[] = {{\n{rows}    {{}},\n}};\n")
     out.append("\n} // namespace spangle::gl::shape\n")
     return "".join(out)
 

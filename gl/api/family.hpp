@@ -27,4 +27,12 @@ struct Shape {
     std::uint8_t count = 0;
 };
 
+/// Of one pname; a row without a name ends those of a family.
+struct ShapeRow {
+    std::uint16_t name = 0;
+    Kind kind = Kind::real;
+    std::uint8_t count = 0;
+};
+Shape find_shape(const ShapeRow* rows, GLenum pname);
+
 } // namespace spangle::gl

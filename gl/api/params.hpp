@@ -7,50 +7,48 @@
 
 namespace spangle::gl {
 
-using ShapeOf = Shape(GLenum pname);
-
 // What stands before the pname is a target, or nothing.
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum pname, const void* value, convert::Number type) {
-    issue<F>(pname, convert::scalar(shape(pname), value, type));
+    issue<F>(pname, convert::scalar(find_shape(rows, pname), value, type));
 }
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum target, GLenum pname, const void* value, convert::Number type) {
-    issue<F>(target, pname, convert::scalar(shape(pname), value, type));
+    issue<F>(target, pname, convert::scalar(find_shape(rows, pname), value, type));
 }
 
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
     if (values == nullptr)
         return refuse_null(null_text);
-    issue<F>(pname, convert::vector(shape(pname), values, type));
+    issue<F>(pname, convert::vector(find_shape(rows, pname), values, type));
 }
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
     if (values == nullptr)
         return refuse_null(null_text);
-    issue<F>(target, pname, convert::vector(shape(pname), values, type));
+    issue<F>(target, pname, convert::vector(find_shape(rows, pname), values, type));
 }
 
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLenum pname, void* out, convert::Number type,
                                     const char* null_text) {
     if (out == nullptr)
         return refuse_null(null_text);
     Params found;
     fetch<F>(found, target, pname);
-    convert::store(shape(pname), found, out, type);
+    convert::store(find_shape(rows, pname), found, out, type);
 }
-template <class F, ShapeOf* shape>
+template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLint level, GLenum pname, void* out, convert::Number type,
                                     const char* null_text) {
     if (out == nullptr)
         return refuse_null(null_text);
     Params found;
     fetch<F>(found, target, level, pname);
-    convert::store(shape(pname), found, out, type);
+    convert::store(find_shape(rows, pname), found, out, type);
 }
 
 } // namespace spangle::gl

@@ -38,6 +38,10 @@ template <class N> class ChainBuilder {
         variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
         variant_.chain[count_] = nullptr;
     }
+    template <bool there, class S> void add_if() {
+        if constexpr (there)
+            add<S>();
+    }
     /// One of two, decided at run time.
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();

@@ -60,8 +60,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     if (!unit.on)
         return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
             key.kind == Kind::flat);
-    if (key.cubic)
-        chain.add<CoordAlong<OneRaw, 0, CubicRuns>>();
+    if (has_exact && key.cubic)
+        chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
     else
         chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
     chain.choose<

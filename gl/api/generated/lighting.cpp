@@ -15,19 +15,19 @@ extern "C" {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
-    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::f);
+    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
-    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glLightfv: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glLightfv: null pointer"));
 }
 
 void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
-    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::i);
+    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
-    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glLightiv: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glLightiv: null pointer"));
 }
 
 #endif
@@ -35,11 +35,11 @@ void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
-    issue_param<family::Light, &shape::Light>(light, pname, &param, convert::Number::x);
+    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) {
-    issue_params<family::Light, &shape::Light>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glLightxvOES: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glLightxvOES: null pointer"));
 }
 
 #endif
@@ -47,11 +47,11 @@ void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) 
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glGetLightfv: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glGetLightfv: null pointer"));
 }
 
 void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
-    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glGetLightiv: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glGetLightiv: null pointer"));
 }
 
 #endif
@@ -59,7 +59,7 @@ void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetLight, &shape::GetLight>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glGetLightxvOES: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glGetLightxvOES: null pointer"));
 }
 
 #endif
@@ -67,19 +67,19 @@ void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
-    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::f);
+    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::f, SPANGLE_TEXT("glLightModelfv: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::f, SPANGLE_TEXT("glLightModelfv: null pointer"));
 }
 
 void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
-    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::i);
+    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
-    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::i, SPANGLE_TEXT("glLightModeliv: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::i, SPANGLE_TEXT("glLightModeliv: null pointer"));
 }
 
 #endif
@@ -87,11 +87,11 @@ void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
-    issue_param<family::LightModel, &shape::LightModel>(pname, &param, convert::Number::x);
+    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::LightModel, &shape::LightModel>(pname, params, convert::Number::x, SPANGLE_TEXT("glLightModelxvOES: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::x, SPANGLE_TEXT("glLightModelxvOES: null pointer"));
 }
 
 #endif
@@ -99,19 +99,19 @@ void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
-    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::f);
+    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
-    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glMaterialfv: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glMaterialfv: null pointer"));
 }
 
 void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
-    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::i);
+    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
-    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glMaterialiv: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glMaterialiv: null pointer"));
 }
 
 #endif
@@ -119,11 +119,11 @@ void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
-    issue_param<family::Material, &shape::Material>(face, pname, &param, convert::Number::x);
+    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params) {
-    issue_params<family::Material, &shape::Material>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glMaterialxvOES: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glMaterialxvOES: null pointer"));
 }
 
 #endif
@@ -131,11 +131,11 @@ void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glGetMaterialfv: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glGetMaterialfv: null pointer"));
 }
 
 void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
-    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glGetMaterialiv: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glGetMaterialiv: null pointer"));
 }
 
 #endif
@@ -143,7 +143,7 @@ void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetMaterial, &shape::GetMaterial>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
 }
 
 #endif
@@ -191,19 +191,19 @@ void GLAPIENTRY glPointSizexOES(GLfixed size) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS
 
 void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param) {
-    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::f);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::f, SPANGLE_TEXT("glPointParameterfv: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::f, SPANGLE_TEXT("glPointParameterfv: null pointer"));
 }
 
 void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
-    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::i);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
-    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::i, SPANGLE_TEXT("glPointParameteriv: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::i, SPANGLE_TEXT("glPointParameteriv: null pointer"));
 }
 
 #endif
@@ -211,11 +211,11 @@ void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param) {
-    issue_param<family::PointParameter, &shape::PointParameter>(pname, &param, convert::Number::x);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::PointParameter, &shape::PointParameter>(pname, params, convert::Number::x, SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::x, SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
 }
 
 #endif

@@ -255,21 +255,21 @@ void GLAPIENTRY glClearStencil(GLint s) {
 }
 
 void GLAPIENTRY glPixelStoref(GLenum pname, GLfloat param) {
-    issue_param<family::PixelStore, &shape::PixelStore>(pname, &param, convert::Number::f);
+    issue_param<family::PixelStore, shape::PixelStore>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
-    issue_param<family::PixelStore, &shape::PixelStore>(pname, &param, convert::Number::i);
+    issue_param<family::PixelStore, shape::PixelStore>(pname, &param, convert::Number::i);
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
 
 void GLAPIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
-    issue_param<family::PixelTransfer, &shape::PixelTransfer>(pname, &param, convert::Number::f);
+    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
-    issue_param<family::PixelTransfer, &shape::PixelTransfer>(pname, &param, convert::Number::i);
+    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values) {
@@ -330,19 +330,19 @@ void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GL
 #if SPANGLE_FEATURE_FOG
 
 void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
-    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::f);
+    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::f, SPANGLE_TEXT("glFogfv: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::f, SPANGLE_TEXT("glFogfv: null pointer"));
 }
 
 void GLAPIENTRY glFogi(GLenum pname, GLint param) {
-    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::i);
+    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
-    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::i, SPANGLE_TEXT("glFogiv: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::i, SPANGLE_TEXT("glFogiv: null pointer"));
 }
 
 #endif
@@ -350,11 +350,11 @@ void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_FOG && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
-    issue_param<family::Fog, &shape::Fog>(pname, &param, convert::Number::x);
+    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::Fog, &shape::Fog>(pname, params, convert::Number::x, SPANGLE_TEXT("glFogxvOES: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::x, SPANGLE_TEXT("glFogxvOES: null pointer"));
 }
 
 #endif

@@ -6,331 +6,201 @@
 
 namespace spangle::gl::shape {
 
-inline Shape TexGen(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_GEN_MODE:
-        return {Kind::integer, 1};
-    case GL_OBJECT_PLANE:
-    case GL_EYE_PLANE:
-        return {Kind::real, 4};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow TexGen[] = {
+    {GL_TEXTURE_GEN_MODE, Kind::integer, 1},
+    {GL_OBJECT_PLANE, Kind::real, 4},
+    {GL_EYE_PLANE, Kind::real, 4},
+    {},
+};
 
-inline Shape GetTexGen(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_GEN_MODE:
-        return {Kind::integer, 1};
-    case GL_OBJECT_PLANE:
-    case GL_EYE_PLANE:
-        return {Kind::real, 4};
-    default:
-        return {};
-    }
-}
+inline constexpr const auto& GetTexGen = TexGen;
 
-inline Shape Light(GLenum pname) {
-    switch (pname) {
-    case GL_AMBIENT:
-    case GL_DIFFUSE:
-    case GL_SPECULAR:
-        return {Kind::color, 4};
-    case GL_POSITION:
-        return {Kind::real, 4};
-    case GL_SPOT_DIRECTION:
-        return {Kind::real, 3};
-    case GL_SPOT_EXPONENT:
-    case GL_SPOT_CUTOFF:
-    case GL_CONSTANT_ATTENUATION:
-    case GL_LINEAR_ATTENUATION:
-    case GL_QUADRATIC_ATTENUATION:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow Light[] = {
+    {GL_AMBIENT, Kind::color, 4},
+    {GL_DIFFUSE, Kind::color, 4},
+    {GL_SPECULAR, Kind::color, 4},
+    {GL_POSITION, Kind::real, 4},
+    {GL_SPOT_DIRECTION, Kind::real, 3},
+    {GL_SPOT_EXPONENT, Kind::real, 1},
+    {GL_SPOT_CUTOFF, Kind::real, 1},
+    {GL_CONSTANT_ATTENUATION, Kind::real, 1},
+    {GL_LINEAR_ATTENUATION, Kind::real, 1},
+    {GL_QUADRATIC_ATTENUATION, Kind::real, 1},
+    {},
+};
 
-inline Shape GetLight(GLenum pname) {
-    switch (pname) {
-    case GL_AMBIENT:
-    case GL_DIFFUSE:
-    case GL_SPECULAR:
-        return {Kind::color, 4};
-    case GL_POSITION:
-        return {Kind::real, 4};
-    case GL_SPOT_DIRECTION:
-        return {Kind::real, 3};
-    case GL_SPOT_EXPONENT:
-    case GL_SPOT_CUTOFF:
-    case GL_CONSTANT_ATTENUATION:
-    case GL_LINEAR_ATTENUATION:
-    case GL_QUADRATIC_ATTENUATION:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr const auto& GetLight = Light;
 
-inline Shape LightModel(GLenum pname) {
-    switch (pname) {
-    case GL_LIGHT_MODEL_AMBIENT:
-        return {Kind::color, 4};
-    case GL_LIGHT_MODEL_LOCAL_VIEWER:
-    case GL_LIGHT_MODEL_TWO_SIDE:
-    case GL_LIGHT_MODEL_COLOR_CONTROL:
-        return {Kind::integer, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow LightModel[] = {
+    {GL_LIGHT_MODEL_AMBIENT, Kind::color, 4},
+    {GL_LIGHT_MODEL_LOCAL_VIEWER, Kind::integer, 1},
+    {GL_LIGHT_MODEL_TWO_SIDE, Kind::integer, 1},
+    {GL_LIGHT_MODEL_COLOR_CONTROL, Kind::integer, 1},
+    {},
+};
 
-inline Shape Material(GLenum pname) {
-    switch (pname) {
-    case GL_AMBIENT:
-    case GL_DIFFUSE:
-    case GL_SPECULAR:
-    case GL_EMISSION:
-    case GL_AMBIENT_AND_DIFFUSE:
-        return {Kind::color, 4};
-    case GL_SHININESS:
-        return {Kind::real, 1};
-    case GL_COLOR_INDEXES:
-        return {Kind::real, 3};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow Material[] = {
+    {GL_AMBIENT, Kind::color, 4},
+    {GL_DIFFUSE, Kind::color, 4},
+    {GL_SPECULAR, Kind::color, 4},
+    {GL_EMISSION, Kind::color, 4},
+    {GL_SHININESS, Kind::real, 1},
+    {GL_AMBIENT_AND_DIFFUSE, Kind::color, 4},
+    {GL_COLOR_INDEXES, Kind::real, 3},
+    {},
+};
 
-inline Shape GetMaterial(GLenum pname) {
-    switch (pname) {
-    case GL_AMBIENT:
-    case GL_DIFFUSE:
-    case GL_SPECULAR:
-    case GL_EMISSION:
-        return {Kind::color, 4};
-    case GL_SHININESS:
-        return {Kind::real, 1};
-    case GL_COLOR_INDEXES:
-        return {Kind::real, 3};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow GetMaterial[] = {
+    {GL_AMBIENT, Kind::color, 4},
+    {GL_DIFFUSE, Kind::color, 4},
+    {GL_SPECULAR, Kind::color, 4},
+    {GL_EMISSION, Kind::color, 4},
+    {GL_SHININESS, Kind::real, 1},
+    {GL_COLOR_INDEXES, Kind::real, 3},
+    {},
+};
 
-inline Shape PointParameter(GLenum pname) {
-    switch (pname) {
-    case GL_POINT_SIZE_MIN:
-    case GL_POINT_SIZE_MAX:
-    case GL_POINT_FADE_THRESHOLD_SIZE:
-        return {Kind::real, 1};
-    case GL_POINT_DISTANCE_ATTENUATION:
-        return {Kind::real, 3};
-    case GL_POINT_SPRITE_COORD_ORIGIN:
-        return {Kind::integer, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow PointParameter[] = {
+    {GL_POINT_SIZE_MIN, Kind::real, 1},
+    {GL_POINT_SIZE_MAX, Kind::real, 1},
+    {GL_POINT_FADE_THRESHOLD_SIZE, Kind::real, 1},
+    {GL_POINT_DISTANCE_ATTENUATION, Kind::real, 3},
+    {GL_POINT_SPRITE_COORD_ORIGIN, Kind::integer, 1},
+    {},
+};
 
-inline Shape PixelStore(GLenum pname) {
-    switch (pname) {
-    case GL_UNPACK_SWAP_BYTES:
-    case GL_UNPACK_LSB_FIRST:
-    case GL_PACK_SWAP_BYTES:
-    case GL_PACK_LSB_FIRST:
-        return {Kind::real, 1};
-    case GL_UNPACK_ROW_LENGTH:
-    case GL_UNPACK_SKIP_ROWS:
-    case GL_UNPACK_SKIP_PIXELS:
-    case GL_UNPACK_ALIGNMENT:
-    case GL_UNPACK_IMAGE_HEIGHT:
-    case GL_UNPACK_SKIP_IMAGES:
-    case GL_PACK_ROW_LENGTH:
-    case GL_PACK_SKIP_ROWS:
-    case GL_PACK_SKIP_PIXELS:
-    case GL_PACK_ALIGNMENT:
-    case GL_PACK_IMAGE_HEIGHT:
-    case GL_PACK_SKIP_IMAGES:
-        return {Kind::integer, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow PixelStore[] = {
+    {GL_UNPACK_SWAP_BYTES, Kind::real, 1},
+    {GL_UNPACK_LSB_FIRST, Kind::real, 1},
+    {GL_UNPACK_ROW_LENGTH, Kind::integer, 1},
+    {GL_UNPACK_SKIP_ROWS, Kind::integer, 1},
+    {GL_UNPACK_SKIP_PIXELS, Kind::integer, 1},
+    {GL_UNPACK_ALIGNMENT, Kind::integer, 1},
+    {GL_UNPACK_IMAGE_HEIGHT, Kind::integer, 1},
+    {GL_UNPACK_SKIP_IMAGES, Kind::integer, 1},
+    {GL_PACK_SWAP_BYTES, Kind::real, 1},
+    {GL_PACK_LSB_FIRST, Kind::real, 1},
+    {GL_PACK_ROW_LENGTH, Kind::integer, 1},
+    {GL_PACK_SKIP_ROWS, Kind::integer, 1},
+    {GL_PACK_SKIP_PIXELS, Kind::integer, 1},
+    {GL_PACK_ALIGNMENT, Kind::integer, 1},
+    {GL_PACK_IMAGE_HEIGHT, Kind::integer, 1},
+    {GL_PACK_SKIP_IMAGES, Kind::integer, 1},
+    {},
+};
 
-inline Shape PixelTransfer(GLenum pname) {
-    switch (pname) {
-    case GL_MAP_COLOR:
-    case GL_MAP_STENCIL:
-    case GL_RED_SCALE:
-    case GL_RED_BIAS:
-    case GL_GREEN_SCALE:
-    case GL_GREEN_BIAS:
-    case GL_BLUE_SCALE:
-    case GL_BLUE_BIAS:
-    case GL_ALPHA_SCALE:
-    case GL_ALPHA_BIAS:
-    case GL_DEPTH_SCALE:
-    case GL_DEPTH_BIAS:
-        return {Kind::real, 1};
-    case GL_INDEX_SHIFT:
-    case GL_INDEX_OFFSET:
-        return {Kind::integer, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow PixelTransfer[] = {
+    {GL_MAP_COLOR, Kind::real, 1},
+    {GL_MAP_STENCIL, Kind::real, 1},
+    {GL_INDEX_SHIFT, Kind::integer, 1},
+    {GL_INDEX_OFFSET, Kind::integer, 1},
+    {GL_RED_SCALE, Kind::real, 1},
+    {GL_RED_BIAS, Kind::real, 1},
+    {GL_GREEN_SCALE, Kind::real, 1},
+    {GL_GREEN_BIAS, Kind::real, 1},
+    {GL_BLUE_SCALE, Kind::real, 1},
+    {GL_BLUE_BIAS, Kind::real, 1},
+    {GL_ALPHA_SCALE, Kind::real, 1},
+    {GL_ALPHA_BIAS, Kind::real, 1},
+    {GL_DEPTH_SCALE, Kind::real, 1},
+    {GL_DEPTH_BIAS, Kind::real, 1},
+    {},
+};
 
-inline Shape Fog(GLenum pname) {
-    switch (pname) {
-    case GL_FOG_MODE:
-    case GL_FOG_COORDINATE_SOURCE:
-        return {Kind::integer, 1};
-    case GL_FOG_DENSITY:
-    case GL_FOG_START:
-    case GL_FOG_END:
-    case GL_FOG_INDEX:
-        return {Kind::real, 1};
-    case GL_FOG_COLOR:
-        return {Kind::color, 4};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow Fog[] = {
+    {GL_FOG_MODE, Kind::integer, 1},
+    {GL_FOG_DENSITY, Kind::real, 1},
+    {GL_FOG_START, Kind::real, 1},
+    {GL_FOG_END, Kind::real, 1},
+    {GL_FOG_COLOR, Kind::color, 4},
+    {GL_FOG_INDEX, Kind::real, 1},
+    {GL_FOG_COORDINATE_SOURCE, Kind::integer, 1},
+    {},
+};
 
-inline Shape TexParameter(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_MIN_FILTER:
-    case GL_TEXTURE_MAG_FILTER:
-    case GL_TEXTURE_WRAP_S:
-    case GL_TEXTURE_WRAP_T:
-    case GL_TEXTURE_BASE_LEVEL:
-    case GL_TEXTURE_MAX_LEVEL:
-    case GL_TEXTURE_WRAP_R:
-    case GL_GENERATE_MIPMAP:
-    case GL_DEPTH_TEXTURE_MODE:
-    case GL_TEXTURE_COMPARE_MODE:
-    case GL_TEXTURE_COMPARE_FUNC:
-        return {Kind::integer, 1};
-    case GL_TEXTURE_BORDER_COLOR:
-        return {Kind::color, 4};
-    case GL_TEXTURE_PRIORITY:
-    case GL_TEXTURE_MIN_LOD:
-    case GL_TEXTURE_MAX_LOD:
-    case GL_TEXTURE_LOD_BIAS:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow TexParameter[] = {
+    {GL_TEXTURE_MIN_FILTER, Kind::integer, 1},
+    {GL_TEXTURE_MAG_FILTER, Kind::integer, 1},
+    {GL_TEXTURE_WRAP_S, Kind::integer, 1},
+    {GL_TEXTURE_WRAP_T, Kind::integer, 1},
+    {GL_TEXTURE_BORDER_COLOR, Kind::color, 4},
+    {GL_TEXTURE_PRIORITY, Kind::real, 1},
+    {GL_TEXTURE_MIN_LOD, Kind::real, 1},
+    {GL_TEXTURE_MAX_LOD, Kind::real, 1},
+    {GL_TEXTURE_BASE_LEVEL, Kind::integer, 1},
+    {GL_TEXTURE_MAX_LEVEL, Kind::integer, 1},
+    {GL_TEXTURE_LOD_BIAS, Kind::real, 1},
+    {GL_TEXTURE_WRAP_R, Kind::integer, 1},
+    {GL_GENERATE_MIPMAP, Kind::integer, 1},
+    {GL_DEPTH_TEXTURE_MODE, Kind::integer, 1},
+    {GL_TEXTURE_COMPARE_MODE, Kind::integer, 1},
+    {GL_TEXTURE_COMPARE_FUNC, Kind::integer, 1},
+    {},
+};
 
-inline Shape GetTexParameter(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_MIN_FILTER:
-    case GL_TEXTURE_MAG_FILTER:
-    case GL_TEXTURE_WRAP_S:
-    case GL_TEXTURE_WRAP_T:
-    case GL_TEXTURE_BASE_LEVEL:
-    case GL_TEXTURE_MAX_LEVEL:
-    case GL_TEXTURE_WRAP_R:
-    case GL_GENERATE_MIPMAP:
-    case GL_DEPTH_TEXTURE_MODE:
-    case GL_TEXTURE_COMPARE_MODE:
-    case GL_TEXTURE_COMPARE_FUNC:
-    case GL_TEXTURE_RESIDENT:
-        return {Kind::integer, 1};
-    case GL_TEXTURE_BORDER_COLOR:
-        return {Kind::color, 4};
-    case GL_TEXTURE_PRIORITY:
-    case GL_TEXTURE_MIN_LOD:
-    case GL_TEXTURE_MAX_LOD:
-    case GL_TEXTURE_LOD_BIAS:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow GetTexParameter[] = {
+    {GL_TEXTURE_MIN_FILTER, Kind::integer, 1},
+    {GL_TEXTURE_MAG_FILTER, Kind::integer, 1},
+    {GL_TEXTURE_WRAP_S, Kind::integer, 1},
+    {GL_TEXTURE_WRAP_T, Kind::integer, 1},
+    {GL_TEXTURE_BORDER_COLOR, Kind::color, 4},
+    {GL_TEXTURE_PRIORITY, Kind::real, 1},
+    {GL_TEXTURE_MIN_LOD, Kind::real, 1},
+    {GL_TEXTURE_MAX_LOD, Kind::real, 1},
+    {GL_TEXTURE_BASE_LEVEL, Kind::integer, 1},
+    {GL_TEXTURE_MAX_LEVEL, Kind::integer, 1},
+    {GL_TEXTURE_LOD_BIAS, Kind::real, 1},
+    {GL_TEXTURE_WRAP_R, Kind::integer, 1},
+    {GL_GENERATE_MIPMAP, Kind::integer, 1},
+    {GL_DEPTH_TEXTURE_MODE, Kind::integer, 1},
+    {GL_TEXTURE_COMPARE_MODE, Kind::integer, 1},
+    {GL_TEXTURE_COMPARE_FUNC, Kind::integer, 1},
+    {GL_TEXTURE_RESIDENT, Kind::integer, 1},
+    {},
+};
 
-inline Shape TexEnv(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_ENV_MODE:
-    case GL_COMBINE_RGB:
-    case GL_COMBINE_ALPHA:
-    case GL_SOURCE0_RGB:
-    case GL_SOURCE1_RGB:
-    case GL_SOURCE2_RGB:
-    case GL_SOURCE0_ALPHA:
-    case GL_SOURCE1_ALPHA:
-    case GL_SOURCE2_ALPHA:
-    case GL_OPERAND0_RGB:
-    case GL_OPERAND1_RGB:
-    case GL_OPERAND2_RGB:
-    case GL_OPERAND0_ALPHA:
-    case GL_OPERAND1_ALPHA:
-    case GL_OPERAND2_ALPHA:
-    case GL_COORD_REPLACE:
-        return {Kind::integer, 1};
-    case GL_TEXTURE_ENV_COLOR:
-        return {Kind::color, 4};
-    case GL_RGB_SCALE:
-    case GL_ALPHA_SCALE:
-    case GL_TEXTURE_LOD_BIAS:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow TexEnv[] = {
+    {GL_TEXTURE_ENV_MODE, Kind::integer, 1},
+    {GL_TEXTURE_ENV_COLOR, Kind::color, 4},
+    {GL_COMBINE_RGB, Kind::integer, 1},
+    {GL_COMBINE_ALPHA, Kind::integer, 1},
+    {GL_SOURCE0_RGB, Kind::integer, 1},
+    {GL_SOURCE1_RGB, Kind::integer, 1},
+    {GL_SOURCE2_RGB, Kind::integer, 1},
+    {GL_SOURCE0_ALPHA, Kind::integer, 1},
+    {GL_SOURCE1_ALPHA, Kind::integer, 1},
+    {GL_SOURCE2_ALPHA, Kind::integer, 1},
+    {GL_OPERAND0_RGB, Kind::integer, 1},
+    {GL_OPERAND1_RGB, Kind::integer, 1},
+    {GL_OPERAND2_RGB, Kind::integer, 1},
+    {GL_OPERAND0_ALPHA, Kind::integer, 1},
+    {GL_OPERAND1_ALPHA, Kind::integer, 1},
+    {GL_OPERAND2_ALPHA, Kind::integer, 1},
+    {GL_RGB_SCALE, Kind::real, 1},
+    {GL_ALPHA_SCALE, Kind::real, 1},
+    {GL_TEXTURE_LOD_BIAS, Kind::real, 1},
+    {GL_COORD_REPLACE, Kind::integer, 1},
+    {},
+};
 
-inline Shape GetTexEnv(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_ENV_MODE:
-    case GL_COMBINE_RGB:
-    case GL_COMBINE_ALPHA:
-    case GL_SOURCE0_RGB:
-    case GL_SOURCE1_RGB:
-    case GL_SOURCE2_RGB:
-    case GL_SOURCE0_ALPHA:
-    case GL_SOURCE1_ALPHA:
-    case GL_SOURCE2_ALPHA:
-    case GL_OPERAND0_RGB:
-    case GL_OPERAND1_RGB:
-    case GL_OPERAND2_RGB:
-    case GL_OPERAND0_ALPHA:
-    case GL_OPERAND1_ALPHA:
-    case GL_OPERAND2_ALPHA:
-    case GL_COORD_REPLACE:
-        return {Kind::integer, 1};
-    case GL_TEXTURE_ENV_COLOR:
-        return {Kind::color, 4};
-    case GL_RGB_SCALE:
-    case GL_ALPHA_SCALE:
-    case GL_TEXTURE_LOD_BIAS:
-        return {Kind::real, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr const auto& GetTexEnv = TexEnv;
 
-inline Shape GetTexLevelParameter(GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_WIDTH:
-    case GL_TEXTURE_HEIGHT:
-    case GL_TEXTURE_BORDER:
-    case GL_TEXTURE_INTERNAL_FORMAT:
-    case GL_TEXTURE_RED_SIZE:
-    case GL_TEXTURE_GREEN_SIZE:
-    case GL_TEXTURE_BLUE_SIZE:
-    case GL_TEXTURE_ALPHA_SIZE:
-    case GL_TEXTURE_LUMINANCE_SIZE:
-    case GL_TEXTURE_INTENSITY_SIZE:
-    case GL_TEXTURE_DEPTH:
-    case GL_TEXTURE_DEPTH_SIZE:
-    case GL_TEXTURE_COMPRESSED:
-    case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
-        return {Kind::integer, 1};
-    default:
-        return {};
-    }
-}
+inline constexpr ShapeRow GetTexLevelParameter[] = {
+    {GL_TEXTURE_WIDTH, Kind::integer, 1},
+    {GL_TEXTURE_HEIGHT, Kind::integer, 1},
+    {GL_TEXTURE_BORDER, Kind::integer, 1},
+    {GL_TEXTURE_INTERNAL_FORMAT, Kind::integer, 1},
+    {GL_TEXTURE_RED_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_GREEN_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_BLUE_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_ALPHA_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_LUMINANCE_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_INTENSITY_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_DEPTH, Kind::integer, 1},
+    {GL_TEXTURE_DEPTH_SIZE, Kind::integer, 1},
+    {GL_TEXTURE_COMPRESSED, Kind::integer, 1},
+    {GL_TEXTURE_COMPRESSED_IMAGE_SIZE, Kind::integer, 1},
+    {},
+};
 
 } // namespace spangle::gl::shape

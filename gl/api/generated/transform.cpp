@@ -229,27 +229,27 @@ void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
-    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::f);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::f);
 }
 
 void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
-    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glTexGenfv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glTexGenfv: null pointer"));
 }
 
 void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
-    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::i);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::i);
 }
 
 void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
-    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glTexGeniv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glTexGeniv: null pointer"));
 }
 
 void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
-    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::d);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::d);
 }
 
 void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
-    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glTexGendv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glTexGendv: null pointer"));
 }
 
 #endif
@@ -257,11 +257,11 @@ void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
-    issue_param<family::TexGen, &shape::TexGen>(coord, pname, &param, convert::Number::x);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::x);
 }
 
 void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {
-    issue_params<family::TexGen, &shape::TexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glTexGenxvOES: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glTexGenxvOES: null pointer"));
 }
 
 #endif
@@ -269,15 +269,15 @@ void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params)
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexGenfv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexGenfv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) {
-    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexGeniv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexGeniv: null pointer"));
 }
 
 void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
-    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glGetTexGendv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glGetTexGendv: null pointer"));
 }
 
 #endif
@@ -285,7 +285,7 @@ void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetTexGen, &shape::GetTexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
 }
 
 #endif
