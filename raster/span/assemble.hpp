@@ -33,7 +33,9 @@ template <class N> class ChainBuilder {
     }
     /// Another way to run it than row by row.
     void runs(RowsFunction<typename N::Policy> run) { variant_.run = reinterpret_cast<AnyFunction>(run); }
-    template <class S> void add() { add(&chain_stage<N, S>); }
+    template <class S> void add() {
+        add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>);
+    }
     void add(ChainStage<N> stage) {
         variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
         variant_.chain[count_] = nullptr;
@@ -67,7 +69,8 @@ template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& c
 }
 
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
-    using One = OneLane<N>;
+    using System = Colorless<N>;
+    using One = OneLane<System>;
     using Offset = OffsetDepthValue<One>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<One>>();
@@ -78,7 +81,8 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
         add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset>,
                   DepthGeneral<One, DepthFormat::z24s8, Offset>>(chain, key);
     else if (key.depth != Compare::always || key.depth_write)
-        add_depth<N, DepthGeneral<N, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain, key);
+        add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain,
+                                                                                                    key);
     if (key.count)
         chain.template add<Count<One>>();
 }
@@ -88,11 +92,12 @@ template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::P
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    using One = OneLane<N>;
+    using System = std::conditional_t<std::is_same_v<N, Exact>, N, Colorless<N>>; // exact runs are others
+    using One = OneLane<System>;
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds them itself
     if (key.kind < Kind::textured)
-        chain.template add<Coord<N, Unit, false>>();
+        chain.template add<Coord<System, Unit, false>>();
     else if constexpr (std::is_same_v<N, Exact>)
         chain.template choose<CoordAlong<N, Unit, DividedCoords>, Coord<N, Unit, true>>(
             divides(key.kind, key.fog));

@@ -13,24 +13,33 @@ namespace spangle::raster {
 /// A power of two, four groups of lanes where there are any.
 inline constexpr std::int32_t packet_length = host_lanes > 1 ? 4 * host_lanes : packet;
 
-/// Fragments between two stages, in groups of N::lanes. Packets start at multiples of their length from the
-/// anchor.
-template <class N> struct Packet {
-    static constexpr int lanes = N::lanes, groups = packet_length / lanes;
+/// Fragments between two stages, in groups of lanes, without their colours: what the number systems have in
+/// common. Packets start at multiples of their length from the anchor.
+template <class Lanes, class Coord, class Fog> struct PacketPlaces {
+    using L = Lanes;
+    static constexpr int lanes = L::count, groups = packet_length / lanes;
     std::uint8_t *color_plane,
         *depth_plane; ///< where fragment 0 lies, or a copy of a packet that is not full
     std::int32_t x;   ///< first pixel, counted from the anchor of the span
     std::int32_t n;   ///< fragments, 1 .. packet_length; lanes beyond them are dead
     bool alive;       ///< some fragment
     bool some_dead;   ///< some fragment of the n
-    typename N::L::Mask live[groups];
-    typename N::Color color[groups];
-    typename N::Coord coord[max_texture_units][groups];
+    typename L::Mask live[groups];
+    Coord coord[max_texture_units][groups];
     std::int32_t lod[max_texture_units][packet_length];
-    typename N::Fog fog[groups];
+    Fog fog[groups];
 };
+template <class N> using PlacesOf = PacketPlaces<typename N::L, typename N::Coord, typename N::Fog>;
 
-template <class N> using ChainStage = void (*)(Packet<N>&, const Span<typename N::Policy>&);
+template <class N> struct Packet : PlacesOf<N> { typename N::Color color[PlacesOf<N>::groups]; };
+
+template <class N> using ChainStage = void (*)(PlacesOf<N>&, const Span<typename N::Policy>&);
+
+/// Of systems with the same places one, which stages that no colour comes to are made for.
+template <class N> struct WithoutColor { using Type = N; };
+template <> struct WithoutColor<Exact> { using Type = Raw565<1>; };
+template <int Count> struct WithoutColor<Balanced<Count>> { using Type = Raw565<Count>; };
+template <class N> using Colorless = typename WithoutColor<N>::Type;
 
 namespace detail {
 
@@ -40,11 +49,11 @@ template <class S, class M> M system_of(bool (S::*)(Px<M>&) const);
 
 /// Calls move(field in Px<M>, of the packet) for fragments [i, i + M::lanes), one(...) where the packet has
 /// more lanes.
-template <unsigned Fields, class M, class N, class Move, class One>
-SPANGLE_INLINE void for_fields(Px<M>& p, Packet<N>& k, std::int32_t i, Move move, One one) {
-    const std::int32_t g = i / N::lanes, lane = i % N::lanes;
+template <unsigned Fields, class M, class K, class Move, class One>
+SPANGLE_INLINE void for_fields(Px<M>& p, K& k, std::int32_t i, Move move, One one) {
+    const std::int32_t g = i / K::lanes, lane = i % K::lanes;
     const auto field = [&](auto& fragment, auto& stored) {
-        if constexpr (M::lanes == N::lanes)
+        if constexpr (M::lanes == K::lanes)
             move(fragment, stored);
         else
             one(fragment, stored, lane);
@@ -67,9 +76,9 @@ SPANGLE_INLINE void for_fields(Px<M>& p, Packet<N>& k, std::int32_t i, Move move
 }
 
 /// `Check`: some fragment may be dead.
-template <bool Check, class M, class N, class S>
-SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
-    using L = typename N::L;
+template <bool Check, class M, class K, class S>
+SPANGLE_INLINE void run_stage(K& k, S& s, std::int32_t next) {
+    using L = typename K::L;
     const std::int32_t n = k.n, x0 = k.x;
     bool any = false, died = false;
     for (std::int32_t i = 0; i < n; i += M::lanes) {
@@ -77,8 +86,8 @@ SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
             if (x0 + i == next)
                 next = s.begin(next);
         }
-        typename L::Mask& live = k.live[i / N::lanes];
-        if (!Check || L::lane(live, i % N::lanes)) {
+        typename L::Mask& live = k.live[i / K::lanes];
+        if (!Check || L::lane(live, i % K::lanes)) {
             Px<M> p;
             p.color_plane = k.color_plane;
             p.depth_plane = k.depth_plane;
@@ -102,7 +111,7 @@ SPANGLE_INLINE void run_stage(Packet<N>& k, S& s, std::int32_t next) {
                     live = left;
                 } else if (!alive) {
                     died = true;
-                    L::kill(live, i % N::lanes);
+                    L::kill(live, i % K::lanes);
                 }
             }
         }
@@ -166,10 +175,13 @@ class PacketCopy {
 
 } // namespace detail
 
+template <class S> inline constexpr bool uses_color = ((S::in | S::out) & field_color) != 0;
+
 /// One stage (or a Seq of them) over a packet.
-template <class N, class S> void chain_stage(Packet<N>& k, const Span<typename N::Policy>& span) {
+template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
     using M = decltype(detail::system_of(&S::operator()));
     static_assert(M::lanes == N::lanes || M::lanes == 1);
+    auto& k = static_cast<std::conditional_t<uses_color<S>, Packet<N>&, PlacesOf<N>&>>(places);
     S s(span, k.x);
     std::int32_t next = 0;
     if constexpr (S::runs)

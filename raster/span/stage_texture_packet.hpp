@@ -16,11 +16,12 @@ template <class N> class PacketTexture {
     static constexpr int lanes = N::lanes;
 
   public:
-    template <int Unit> static void run(Packet<N>& k, const Span<typename N::Policy>& span) {
-        apply(k, span, Unit);
+    template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        apply(static_cast<Packet<N>&>(places), span, Unit);
     }
     /// All units that are on, when one of them combines.
-    static void combined(Packet<N>& k, const Span<typename N::Policy>& span) {
+    static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        auto& k = static_cast<Packet<N>&>(places);
         const FragmentState& state = span.state->fragment;
         Color texels[max_texture_units][Packet<N>::groups];
         for (int u = 0; u < max_texture_units; ++u)
