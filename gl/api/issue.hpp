@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "gl/api/command.hpp"
+#include "gl/context/limits.hpp"
 
 namespace spangle::gl {
 
@@ -23,14 +24,19 @@ Context* outside_begin_end(const char* refusal);
 /// 9).
 bool admit_words(Context& context, const Gated& command, const list::Word* words, std::uint32_t count);
 
-// Arguments come by value, so that they stay in registers on the way that does not come here.
-template <class... A>
-[[gnu::noinline, gnu::cold]] bool admit(const Command<A...>& command, Context& context, A... args) {
+// Arguments come by value, so that they stay in registers on the way that does not come here. In line they
+// are passed on once.
+#if SPANGLE_ARGUMENTS_INLINE
+#define SPANGLE_ADMIT [[gnu::noinline, gnu::cold]]
+#else
+#define SPANGLE_ADMIT [[gnu::always_inline]] inline
+#endif
+template <class... A> SPANGLE_ADMIT bool admit(const Command<A...>& command, Context& context, A... args) {
     const list::Words<A...> words(args...);
     return admit_words(context, command, words.at, words.count);
 }
 template <class... A>
-[[gnu::noinline, gnu::cold]] bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
+SPANGLE_ADMIT bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
     if ((context.gate & gate_compiling) != 0) {
         command.encode(context, args...);
         if (!context.list.execute)
@@ -38,6 +44,7 @@ template <class... A>
     }
     return allowed(context, command);
 }
+#undef SPANGLE_ADMIT
 
 #else
 
