@@ -89,6 +89,9 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
+/// Textures of all fragments at once; else one by one, with the same bytes.
+template <class N> inline constexpr bool by_packets = is_fixed<N>&& has_shortcuts;
+
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
 void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
@@ -112,10 +115,11 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
     if (!key.unit[Unit].on)
         return;
     add_coordinates<N, Unit>(chain, key, state);
-    if constexpr (is_fixed<N>)
+    using One = OneLane<N>;
+    if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>);
     else
-        chain.template choose<Texture2D<N, Unit, true>, Texture2D<N, Unit, false>>(
+        chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
 }
 
@@ -132,10 +136,10 @@ template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const 
         if constexpr (max_texture_units > 1)
             if (key.unit[1].on)
                 add_coordinates<N, 1>(chain, key, state);
-        if constexpr (is_fixed<N>)
+        if constexpr (by_packets<N>)
             chain.add(&PacketTexture<N>::combined);
         else
-            chain.template add<CombineUnits<N>>();
+            chain.template add<CombineUnits<OneLane<N>>>();
     }
 }
 
