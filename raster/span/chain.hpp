@@ -187,9 +187,10 @@ template <class N, class S> void chain_stage(PlacesOf<N>& places, const Span<typ
     if constexpr (S::runs)
         next = s.begin(k.x);
     // Until something died, everything lives, and stages before the first test never ask. Lanes are masked.
-    if (M::lanes == 1 && (S::kill || S::effect) && k.some_dead)
-        detail::run_stage<true, M>(k, s, next);
-    else
+    constexpr bool asks = M::lanes == 1 && (S::kill || S::effect);
+    if (asks && (k.some_dead || !has_shortcuts))
+        detail::run_stage<asks, M>(k, s, next);
+    else if constexpr (!asks || has_shortcuts)
         detail::run_stage<false, M>(k, s, next);
 }
 
