@@ -33,10 +33,15 @@ template <int Count> struct Filter565 {
 
     SPANGLE_INLINE typename N::Color operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a) const {
         const auto green = [](U16 c) { return (c >> 5) & 63; };
-        const U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a);
+        if constexpr (Count == 1 && numeric::three_operands) // four texels first, then what they become
+            numeric::begin_here();
+        U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a);
         if constexpr (Count == 1) {
-            const auto both = [](U16 c) { return c >> 11 | (c & 31) << 16; };
-            const std::uint32_t rb = five.mix(both(c00), both(c10), both(c01), both(c11), a);
+            if constexpr (!numeric::three_operands) // nor red and blue before green: few registers
+                g = numeric::factor32(g);
+            const auto both = [](U16 c) { return numeric::with_bits<16, 5>(c >> 11, c); };
+            const std::uint32_t rb =
+                numeric::factor32(five.mix(both(c00), both(c10), both(c01), both(c11), a));
             return {rb & 0xFFFF, g, rb >> 16, N::one};
         } else {
             return {five.mix(c00 >> 11, c10 >> 11, c01 >> 11, c11 >> 11, a), g,

@@ -183,7 +183,8 @@ template <int Count> struct Balanced {
             std::uint32_t factor = step_scale(Bits);
             if constexpr (!numeric::long_products) // Thumb: not the sum of shifts that it makes of a constant
                 factor = numeric::kept_in_register(factor);
-            return (v * factor + (threshold32 << (27 - Bits))) >> (32 - Bits);
+            // one mask of thresholds for all components
+            return (v * factor + (numeric::factor32(threshold32 << 22) >> (Bits - 5))) >> (32 - Bits);
         }
         return (steps<Bits>(v) + (threshold32 << (11 - Bits))) >> (16 - Bits);
     }
@@ -244,7 +245,10 @@ template <int Count> struct Raw565 {
     /// Of steps (Variant::steps), before the rest is dropped: floor(step + t), t in 32nds. 31 and 63 steps
     /// and 31/32 do not wrap; what set-up made a little less than 0 does.
     SPANGLE_INLINE static Tops dithered(const Tops& v, T threshold32) {
-        const T t = threshold32 << (6 + below), t6 = threshold32 << (5 + below);
+        T t = threshold32 << (6 + below);
+        if constexpr (Count == 1)
+            t = numeric::factor32(t);
+        const T t6 = t >> 1;
         return {v.r + t, v.g + t6, v.b + t};
     }
     SPANGLE_INLINE static Color word(const Tops& v) {

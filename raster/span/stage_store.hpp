@@ -93,6 +93,8 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             return Store<N, Format>::operator()(p);
         } else {
             std::uint8_t* const at = p.color_plane + p.bytes();
+            if constexpr (N::lanes == 1 && numeric::three_operands) // thresholds and factors take registers
+                numeric::begin_here();
             const typename L::U16 word = dithered565<N>(p.color, dither.threshold());
             if constexpr (N::lanes > 1)
                 Words565<L, Format>::store_where(p.live, at, word);

@@ -11,12 +11,14 @@ namespace spangle::raster::detail {
 /// Thresholds of the fragments of a group, in 32nds of a step, and the walk along the row.
 template <class L> struct DitherRow;
 
-/// Rows of the matrix from each column of it on.
+/// Rows of the matrix from each column of it on, its threshold in those five bits where sums of 32 steps in a
+/// word have it: one mask; where masks are no operands, one shift.
 struct DitherWords {
+    static constexpr int place = numeric::three_operands ? 22 : 27;
     std::uint32_t of[16];
     constexpr DitherWords() : of{} {
         for (int i = 0; i < 16; ++i)
-            of[i] = std::rotr(dither_row(i >> 2), 8 * (i & 3));
+            of[i] = std::rotl(dither_row(i >> 2), place - 8 * (i & 3));
     }
     SPANGLE_INLINE constexpr std::uint32_t at(std::int32_t x, std::int32_t y) const {
         return of[numeric::with_bits<2, 2>(static_cast<std::uint32_t>(x) & 3, static_cast<std::uint32_t>(y))];
@@ -27,7 +29,7 @@ inline constexpr DitherWords dither_words;
 template <> struct DitherRow<Lanes<1>> {
     std::uint32_t row;
     SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y) : row(dither_words.at(x, y)) {}
-    SPANGLE_INLINE std::uint32_t threshold() const { return row & 0xFF; }
+    SPANGLE_INLINE std::uint32_t threshold() const { return row >> DitherWords::place & 31; }
     SPANGLE_INLINE void step() { row = std::rotr(row, 8); }
 };
 
