@@ -476,7 +476,7 @@ template <class Case>
         const int together = paths.one_color ? count : 1;
         for (int first = 0; first < count; first += together) {
             cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
-            for (int i = first; i < first + together; ++i)
+            for (int left = together, i = first; left > 0; --left, ++i) // one bound, not two
                 walk(i);
         }
     } else {
