@@ -15,7 +15,7 @@ struct Packed {
     struct Color {
         std::uint32_t word; ///< 8 bits each, R in the lowest byte
         SPANGLE_INLINE std::uint32_t r() const { return word & 0xFF; }
-        SPANGLE_INLINE std::uint32_t g() const { return word >> 8 & 0xFF; }
+        SPANGLE_INLINE std::uint32_t g() const { return numeric::bit_field<8, 8>(word); }
         SPANGLE_INLINE std::uint32_t b() const { return word >> 16 & 0xFF; }
         SPANGLE_INLINE std::uint32_t a() const { return word >> 24; }
     };
