@@ -15,7 +15,7 @@ struct Packed {
     struct Color {
         std::uint32_t word; ///< 8 bits each, R in the lowest byte
         SPANGLE_INLINE std::uint32_t r() const { return word & 0xFF; }
-        SPANGLE_INLINE std::uint32_t g() const { return numeric::bit_field<8, 8>(word); }
+        SPANGLE_INLINE std::uint32_t g() const { return word >> 8 & 0xFF; }
         SPANGLE_INLINE std::uint32_t b() const { return word >> 16 & 0xFF; }
         SPANGLE_INLINE std::uint32_t a() const { return word >> 24; }
     };
@@ -59,7 +59,7 @@ struct Packed {
             const std::uint32_t a = s.a(), rest = 255 - a;
             rb =
                 (s.word & 0x00FF00FF) * a + (under >> 11 | (under & 31) << 16) * weight<5>(rest) + 0x00800080;
-            g = s.g() * a + ((under >> 5) & 63) * weight<6>(rest) + 0x80;
+            g = numeric::bit_field<8, 8>(s.word) * a + ((under >> 5) & 63) * weight<6>(rest) + 0x80;
             rb += (rb >> 8) & 0x00FF00FF; // both halves stay below 2^16
             g += g >> 8;
         }
@@ -97,7 +97,7 @@ struct PackedExact : Packed {
         };
         const std::uint32_t rest = 255 * (255 - s.a()), by5 = 31 * s.a(), by6 = 63 * s.a();
         const std::uint32_t r = steps(s.r() * by5 + (under >> 11) * rest),
-                            g = steps(s.g() * by6 + ((under >> 5) & 63) * rest),
+                            g = steps(numeric::bit_field<8, 8>(s.word) * by6 + ((under >> 5) & 63) * rest),
                             b = steps(s.b() * by5 + (under & 31) * rest);
         return r << 11 | g << 5 | b;
     }
