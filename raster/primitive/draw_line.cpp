@@ -30,8 +30,12 @@ DrawState::Area strip_area(const DrawState& state, std::int32_t width) {
 /// Who has no room to keep the vertices of strips has no vectors either.
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted) {
-    if constexpr (has_paths)
-        LineBatch<LineLanes<1>>(state, target, 1).draw(ends, n, painted);
+    if constexpr (has_paths) {
+        LineBatch<LineLanes<1>> batch(state, target, 1);
+        for (; n > Paths::size + 1; ends += Paths::size, n -= Paths::size)
+            batch.draw(ends, Paths::size + 1, painted);
+        batch.draw(ends, n, painted);
+    }
 }
 
 } // namespace spangle::raster
