@@ -194,9 +194,10 @@ def speed():
     rows = []
     for scene, sizes in found["scenes"].items():
         small, large = sizes["320x240"], sizes["800x480"]
-        rows.append([scene, f"{small['llvmpipe_us']:.0f} us", *(f"{small[tier]:.2f}" for tier in TIERS), goals.speed(scene, "balanced") or "-",
-                     f"{large['balanced']:.2f}"])
-    return f"{found['host']}\n\n" + table(["scene", "llvmpipe", *TIERS, "goal, balanced", "800x480, balanced"], rows)
+        targets = [goals.speed(scene, tier) for tier in TIERS]
+        rows.append([scene, f"{small['llvmpipe_us']:.0f} us", *(f"{small[tier]:.2f}" for tier in TIERS), " \\| ".join(str(t or "-") for t in targets),
+                     f"{100 * small['scatter']:.0f} %", f"{small['dither']:.2f} x", f"{large['balanced']:.2f}"])
+    return f"{found['host']}\n\n" + table(["scene", "llvmpipe", *TIERS, "goals", "+-", "dithered", "800x480, balanced"], rows)
 
 
 def memory():
