@@ -32,8 +32,9 @@ void draw_strip(const DrawState& state, const Surface& target, const LineEnd* en
                 const FixedVertex& painted) {
     if constexpr (has_paths) {
         LineBatch<LineLanes<1>> batch(state, target, 1);
-        for (; n > Paths::size + 1; ends += Paths::size, n -= Paths::size)
-            batch.draw(ends, Paths::size + 1, painted);
+        if constexpr (line_batch > Paths::size)
+            for (; n > Paths::size + 1; ends += Paths::size, n -= Paths::size)
+                batch.draw(ends, Paths::size + 1, painted);
         batch.draw(ends, n, painted);
     }
 }

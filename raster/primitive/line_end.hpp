@@ -24,7 +24,8 @@ constexpr Position position(const LineEnd& v) {
 /// Where the ends of strips may be for draw_strip() to take them: nowhere if it draws no lines of this state.
 DrawState::Area strip_area(const DrawState& state, std::int32_t width);
 
-/// Lines of width 1 from each of n > 1 ends to the next, all in the strip_area(), in the colour of `painted`.
+/// Lines of width 1 from each of n > 1 ends, at most line_batch + 1, to the next, all in the strip_area(), in
+/// the colour of `painted`.
 void draw_strip(const DrawState& state, const Surface& target, const LineEnd* ends, int n,
                 const FixedVertex& painted);
 
