@@ -71,7 +71,7 @@ Context* create_context(Arena& arena, const ContextConfig& config, Context* shar
         arena.free(group_memory);
         return nullptr;
     }
-    auto* const context = new (memory) Context;
+    auto* const context = new (memory) Context(); // zeroed first: what begins as 0 takes no code
     context->arena = &arena;
     context->tier = config.tier;
     context->engine = config.engine;

@@ -33,7 +33,7 @@ FixedPipeline& pipeline(Context& context) {
 #endif
 
 void OF_ENGINE construct(void* memory) {
-    new (memory) FixedPipeline;
+    new (memory) FixedPipeline();
 }
 
 void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,

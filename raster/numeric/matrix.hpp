@@ -23,8 +23,15 @@ inline constexpr int element_least = -149, element_most = 104;
 struct Matrix {
     static constexpr std::int32_t one = 1 << 30;
     static constexpr std::int8_t one_e = -30 - element_bias;
-    std::int32_t m[16] = {one, 0, 0, 0, 0, one, 0, 0, 0, 0, one, 0, 0, 0, 0, one};
-    std::int8_t e[16] = {one_e, 0, 0, 0, 0, one_e, 0, 0, 0, 0, one_e, 0, 0, 0, 0, one_e};
+    std::int32_t m[16] = {};
+    std::int8_t e[16] = {};
+
+    constexpr Matrix() {
+        for (int i = 0; i < 16; i += 5) {
+            m[i] = one;
+            e[i] = one_e;
+        }
+    }
 
     constexpr Element at(int row, int column) const { return {m[4 * column + row], e[4 * column + row]}; }
     constexpr void set(int row, int column, Element v) {
