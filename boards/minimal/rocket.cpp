@@ -82,8 +82,7 @@ void load_modelview(unsigned step) {
 }
 
 void set_up(int width, int height) {
-    static constexpr GLfixed light[] = {one / 2, one * 6 / 10, one * 8 / 10, 0},
-                             white[] = {one, one, one, one};
+    static constexpr GLfixed light[] = {one / 2, one * 6 / 10, one * 8 / 10, 0};
     static constexpr auto to_screen = projection();
     static constexpr GLfixed texels[] = {2, 0, 0,   0, 0, 2, 0, 0,
                                          0, 0, one, 0, 0, 0, 0, one}; // shorts to 0..1
@@ -98,9 +97,7 @@ void set_up(int width, int height) {
     glMatrixMode(GL_MODELVIEW);
     glLoadIdentity();
     baked::load(model::textures[0]);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
     glLightxvOES(GL_LIGHT0, GL_POSITION, light);
-    glMaterialxvOES(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, white);
     for (const GLenum system :
          {GL_TEXTURE_2D, GL_LIGHTING, GL_LIGHT0, GL_RESCALE_NORMAL, GL_DEPTH_TEST, GL_CULL_FACE})
         glEnable(system);
