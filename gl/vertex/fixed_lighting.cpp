@@ -215,7 +215,8 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
         for (int i = 0; i < count_; ++i) {
             const Source& s = source_[i];
             const std::int32_t own = times(ambient, s.ambient[c]);
-            out.ambient[i][c] = s.simple() ? 0 : own;
+            if (has_local_lights)
+                out.ambient[i][c] = s.simple() ? 0 : own;
             if (s.simple())
                 base += own;
             out.diffuse[i][c] = times(diffuse, s.diffuse[c]);
@@ -230,7 +231,7 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
             std::int64_t{out.base[c]} * (1 << plain_factor_bits) + (std::int64_t{1} << (plain_sum_bits - 31));
     }
     // Eight products with 31 bits each, and the base, stay below 2^63.
-    out.plain = all_simple_ && !out.has_specular && (!normalize_ || common_rows_) && brightest < 1u << 28 &&
+    out.plain = all_simple_ && !out.has_specular && (!normalizes() || common_rows_) && brightest < 1u << 28 &&
                 !indexed();
 }
 
@@ -304,7 +305,7 @@ bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedV
 FixedLighting::Direction FixedLighting::direction_of(const Real (&normal)[3], int side) const {
     const numeric::Block3 n = numeric::transform(normal_matrix_, normal);
     Direction out;
-    if (normalize_) {
+    if (normalizes()) {
         const numeric::Unit3 u = numeric::normalize(n);
         out = {{u.m[0], u.m[1], u.m[2]}, 30};
     } else {

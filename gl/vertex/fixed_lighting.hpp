@@ -40,9 +40,9 @@ class FixedLighting {
                               int side, raster::FixedVertex& out) {
         if (!folded_) [[unlikely]]
             fold(context);
-        if (!fold_[side].plain || (normalize_ && !light_unit(normal, side, out)))
+        if (!always_given && (!fold_[side].plain || (normalizes() && !light_unit(normal, side, out))))
             light_fully(normal, eye, side, out);
-        else if (!normalize_)
+        else if (!normalizes())
             light_given(normal, side, out);
     }
 
@@ -95,6 +95,10 @@ class FixedLighting {
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
 
+    /// All light is plain, and normals are as they are given.
+    static constexpr bool always_given = !has_specular && !has_local_lights && !has_normalize &&
+                                         !has_bright_lights && !SPANGLE_FEATURE_COLOR_INDEX;
+    bool normalizes() const { return has_normalize && normalize_; }
     bool indexed() const { return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0; }
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);

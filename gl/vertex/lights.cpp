@@ -54,6 +54,15 @@ void refuse(Context& context) {
           SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS)"));
 }
 
+/// Diffuse light, or what reflects it, that this build does not compute with (SPANGLE_LIGHT_KINDS).
+bool too_bright(const Real (&v)[4]) {
+    constexpr std::uint32_t sixteen = 0x41800000;
+    bool bright = false;
+    for (int c = 0; c < 3 && !has_bright_lights; ++c)
+        bright = bright || (v[c].bits & 0x7FFFFFFF) >= sixteen;
+    return bright;
+}
+
 /// Sets a property of the materials in `sides`; the one list of pnames that both Material and ColorMaterial
 /// name.
 void set_property(Material& m, GLenum pname, const Real (&v)[4]) {
@@ -132,6 +141,8 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
         copy(l.ambient, params);
         break;
     case GL_DIFFUSE:
+        if (too_bright(v))
+            return refuse(context);
         copy(l.diffuse, params);
         break;
     case GL_SPECULAR:
@@ -240,6 +251,8 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
     Real v[4];
     copy(v, params);
     if (!has_specular && pname == GL_SPECULAR && !is_black(v))
+        return refuse(context);
+    if ((pname == GL_DIFFUSE || pname == GL_AMBIENT_AND_DIFFUSE) && too_bright(v))
         return refuse(context);
     materials_change(context);
     for (unsigned side = 0; side < 2; ++side) {
