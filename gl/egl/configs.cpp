@@ -222,11 +222,16 @@ EGLint wish_for(const Wishes& wishes, EGLint name) {
     return 0;
 }
 
+/// Configs differ in depth and precision alone, in whose order their ids are.
+constexpr bool in_order = (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
+
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
 /// then the smaller buffers, then the id.
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
     if (is_slow(a.drawn()) != is_slow(b.drawn())) // caveat
         return is_slow(b.drawn());
+    if constexpr (in_order)
+        return a.id < b.id;
     EGLint bits_a = 0, bits_b = 0;
     for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
         const EGLint wish = wish_for(wishes, name);

@@ -87,7 +87,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
         fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreateContext: not enough memory; see spangle::memory"));
         return EGL_NO_CONTEXT;
     }
-    auto* const context = new (memory) Context;
+    auto* const context = new (memory) Context();
     context->config = found;
     context->gl = gl;
     context->next = display->contexts;

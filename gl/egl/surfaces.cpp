@@ -42,7 +42,7 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     void* const memory = a.allocate(sizeof(Surface));
     if (memory == nullptr)
         return nullptr;
-    auto* const surface = new (memory) Surface;
+    auto* const surface = new (memory) Surface();
     surface->config = config;
     surface->width = width;
     surface->height = height;

@@ -139,9 +139,13 @@ void FixedLighting::derive(const Context& context) {
     separate_ = raster::has_color_sum && state.color_control == GL_SEPARATE_SPECULAR_COLOR;
     normalize_ = context.transform.normalize;
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(context.transform);
-    normal_matrix_ = numeric::to_block_matrix(normal);
-    const std::int32_t(&row)[3] = normal_matrix_.row;
-    common_rows_ = row[0] == row[1] && row[1] == row[2];
+    if constexpr (always_given) { // what is multiplied with normals is each light's `facing`
+        normal_matrix_.column = numeric::detail::column_exponents<3, 3>(normal.at);
+    } else {
+        normal_matrix_ = numeric::to_block_matrix(normal);
+        const std::int32_t(&row)[3] = normal_matrix_.row;
+        common_rows_ = row[0] == row[1] && row[1] == row[2];
+    }
     for (int c = 0; c < 3; ++c)
         model_ambient_[c] = intensity(state.model_ambient[c]);
     count_ = 0;
