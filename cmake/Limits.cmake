@@ -21,6 +21,7 @@ spangle_limit(PRIMITIVES 7 "Sum of what is drawn beside triangles, their strips 
 spangle_limit(CLIPPING 1 "What crosses the near or the far plane, or lies far beside the window, is cut; 0: it is an error, and not drawn")
 spangle_limit(LINE_BATCH 0 "Lines of elements under way at once, even; 0: what suits the processor")
 spangle_limit(DISPLAYS 4 "EGL displays at once")
+spangle_limit(ARENA_REUSE 1 "Memory that was freed is given out again; 0: it is not, for programs that make what they need once")
 spangle_limit(ARENA_LOG2 0 "Blocks of the arena are smaller than 2^this bytes; 0: what suits the processor")
 spangle_limit(EXTENTS 1 "Surfaces tell which columns of each row were drawn; 0: for displays that are sent whole frames, others are EGL_BAD_MATCH")
 spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")

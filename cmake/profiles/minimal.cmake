@@ -23,4 +23,4 @@ set(SPANGLE_DISPLAYS 1)
 set(SPANGLE_EXTENTS 0)          # frames are sent whole
 set(SPANGLE_PACKET 2)
 set(SPANGLE_CLIPPING 0)         # models stand between the near and the far plane
-set(SPANGLE_ARENA_LOG2 19)
+set(SPANGLE_ARENA_REUSE 0)      # nothing is made anew

@@ -9,7 +9,7 @@
 namespace spangle::gl {
 
 /// A region is a row of blocks and a used one of size 0 as its end.
-struct Arena::Block {
+struct ReusingArena::Block {
     std::size_t size_and_free; ///< payload bytes, a multiple of `alignment`; bit 0: free
     Block* before;             ///< the neighbour below, null for the first of a region
     // The first bytes of a free block's payload:
@@ -31,23 +31,23 @@ namespace {
 constexpr std::size_t small_sizes = 64; ///< sizes below have their own class
 
 constexpr std::size_t round_up(std::size_t bytes) {
-    return (bytes + Arena::alignment - 1) & ~(Arena::alignment - 1);
+    return (bytes + ReusingArena::alignment - 1) & ~(ReusingArena::alignment - 1);
 }
 
 } // namespace
 
-Arena::Block* Arena::block_of(void* memory) {
+ReusingArena::Block* ReusingArena::block_of(void* memory) {
     return reinterpret_cast<Block*>(static_cast<unsigned char*>(memory) - Block::header);
 }
 
-Arena::Slot Arena::slot_of(std::size_t size) {
+ReusingArena::Slot ReusingArena::slot_of(std::size_t size) {
     if (size < small_sizes)
         return {0, static_cast<unsigned>(size / alignment)};
     const unsigned log = static_cast<unsigned>(std::bit_width(size)) - 1;
     return {log - 5, static_cast<unsigned>(size >> (log - second_bits)) & (second_count - 1)};
 }
 
-void Arena::insert(Block* block) {
+void ReusingArena::insert(Block* block) {
     const Slot slot = slot_of(block->size());
     Block*& head = free_[slot.first][slot.second];
     block->next_free = head;
@@ -59,7 +59,7 @@ void Arena::insert(Block* block) {
     second_map_[slot.first] = static_cast<std::uint8_t>(second_map_[slot.first] | 1u << slot.second);
 }
 
-void Arena::remove(Block* block) {
+void ReusingArena::remove(Block* block) {
     const Slot slot = slot_of(block->size());
     if (block->next_free != nullptr)
         block->next_free->previous_free = block->previous_free;
@@ -76,7 +76,7 @@ void Arena::remove(Block* block) {
 }
 
 /// A free block of at least `size` bytes: the head of the first class whose every block is large enough.
-Arena::Block* Arena::find(std::size_t size) const {
+ReusingArena::Block* ReusingArena::find(std::size_t size) const {
     if (size >= small_sizes)
         size += (std::size_t{1} << (static_cast<unsigned>(std::bit_width(size)) - 1 - second_bits)) - 1;
     Slot slot = slot_of(size);
@@ -93,7 +93,7 @@ Arena::Block* Arena::find(std::size_t size) const {
     return free_[slot.first][std::countr_zero(seconds)];
 }
 
-void Arena::give(void* memory, std::size_t bytes) {
+void ReusingArena::give(void* memory, std::size_t bytes) {
     const auto start = reinterpret_cast<std::uintptr_t>(memory);
     std::uintptr_t begin = (start + alignment - 1) & ~std::uintptr_t{alignment - 1};
     if (memory == nullptr || bytes <= begin - start)
@@ -108,7 +108,7 @@ void Arena::give(void* memory, std::size_t bytes) {
     }
 }
 
-void Arena::give_region(std::uintptr_t begin, std::size_t bytes) {
+void ReusingArena::give_region(std::uintptr_t begin, std::size_t bytes) {
     auto* block = reinterpret_cast<Block*>(begin);
     block->before = nullptr;
     block->set(bytes - 2 * Block::header, true);
@@ -121,7 +121,7 @@ void Arena::give_region(std::uintptr_t begin, std::size_t bytes) {
 }
 
 /// Cuts a used block down to `size` bytes when the rest can be a block of its own.
-void Arena::trim(Block* block, std::size_t size) {
+void ReusingArena::trim(Block* block, std::size_t size) {
     if (block->size() < size + Block::header + Block::smallest)
         return;
     const std::size_t rest = block->size() - size - Block::header;
@@ -134,7 +134,7 @@ void Arena::trim(Block* block, std::size_t size) {
 }
 
 /// Makes a used block free and joins it with free neighbours.
-void Arena::release(Block* block) {
+void ReusingArena::release(Block* block) {
     Block* after = block->after();
     std::size_t size = block->size();
     if (after->is_free()) {
@@ -152,7 +152,7 @@ void Arena::release(Block* block) {
     insert(first);
 }
 
-void* Arena::allocate(std::size_t bytes) {
+void* ReusingArena::allocate(std::size_t bytes) {
     if (bytes > ~std::size_t{0} / 4)
         return nullptr;
     const std::size_t size = bytes < Block::smallest ? Block::smallest : round_up(bytes);
@@ -167,7 +167,7 @@ void* Arena::allocate(std::size_t bytes) {
     return block->payload();
 }
 
-void Arena::free(void* memory) {
+void ReusingArena::free(void* memory) {
     if (memory == nullptr)
         return;
     Block* block = block_of(memory);
@@ -175,7 +175,7 @@ void Arena::free(void* memory) {
     release(block);
 }
 
-void Arena::shrink(void* memory, std::size_t bytes) {
+void ReusingArena::shrink(void* memory, std::size_t bytes) {
     Block* block = block_of(memory);
     const std::size_t size = bytes < Block::smallest ? Block::smallest : round_up(bytes);
     if (size >= block->size())
@@ -185,7 +185,7 @@ void Arena::shrink(void* memory, std::size_t bytes) {
     used_ -= before - block->size();
 }
 
-bool Arena::consistent() const {
+bool ReusingArena::consistent() const {
     std::size_t free_bytes = 0, free_blocks = 0;
     for (unsigned first = 0; first < first_count; ++first) {
         if (((first_map_ >> first & 1u) != 0) != (second_map_[first] != 0))
@@ -207,6 +207,28 @@ bool Arena::consistent() const {
         }
     }
     return free_bytes + used_ == capacity_ && (used_ != 0 || free_blocks == region_count_);
+}
+
+void GrowingArena::give(void* memory, std::size_t bytes) {
+    const auto start = reinterpret_cast<std::uintptr_t>(memory);
+    const std::size_t skipped = (0 - start) & (alignment - 1);
+    if (memory == nullptr || bytes < skipped)
+        return;
+    next_ = static_cast<unsigned char*>(memory) + skipped;
+    left_ = bytes - skipped;
+}
+
+void* GrowingArena::allocate(std::size_t bytes) {
+    if (bytes > left_)
+        return nullptr;
+    const std::size_t wanted = round_up(bytes < alignment ? alignment : bytes);
+    if (wanted > left_)
+        return nullptr;
+    unsigned char* const memory = next_;
+    next_ += wanted;
+    left_ -= wanted;
+    used_ += wanted;
+    return memory;
 }
 
 } // namespace spangle::gl

@@ -1,23 +1,24 @@
-// Memory handed over by the board, given out in bounded time: a two-level segregated fit with immediate
-// coalescing.
+// Memory handed over by the board, given out in bounded time.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "gl/context/limits.hpp"
 
 namespace spangle::gl {
 
-/// allocate, free and shrink take constant time whatever was allocated before. Exhaustion gives null and
-/// changes nothing: a caller stores the replacement first and frees the old block after.
-class Arena {
+/// A two-level segregated fit with immediate coalescing: allocate, free and shrink take constant time
+/// whatever was allocated before. Exhaustion gives null and changes nothing: a caller stores the replacement
+/// first and frees the old block after.
+class ReusingArena {
   public:
     static constexpr std::size_t alignment = 8;
 
-    Arena() = default;
-    Arena(const Arena&) = delete;
-    Arena& operator=(const Arena&) = delete;
+    ReusingArena() = default;
+    ReusingArena(const ReusingArena&) = delete;
+    ReusingArena& operator=(const ReusingArena&) = delete;
 
     /// Takes over `bytes` bytes at `memory`. May be called again: regions never merge with each other.
     void give(void* memory, std::size_t bytes);
@@ -62,5 +63,26 @@ class Arena {
     std::size_t region_count_ = 0;
     std::size_t used_ = 0, peak_ = 0, capacity_ = 0;
 };
+
+/// The same for programs that make what they need once: nothing that was freed is given out again.
+class GrowingArena {
+  public:
+    static constexpr std::size_t alignment = 8;
+
+    /// Instead of what is left of the memory before.
+    void give(void* memory, std::size_t bytes);
+    void* allocate(std::size_t bytes);
+    void free(void*) {}
+    void shrink(void*, std::size_t) {}
+    std::size_t used() const { return used_; }
+    std::size_t peak() const { return used_; }
+    std::size_t capacity() const { return used_ + left_; }
+
+  private:
+    unsigned char* next_ = nullptr;
+    std::size_t used_ = 0, left_ = 0;
+};
+
+class Arena : public std::conditional_t<reuses_memory, ReusingArena, GrowingArena> {};
 
 } // namespace spangle::gl

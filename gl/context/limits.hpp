@@ -41,6 +41,9 @@
 #ifndef SPANGLE_DISPLAYS
 #define SPANGLE_DISPLAYS 4
 #endif
+#ifndef SPANGLE_ARENA_REUSE
+#define SPANGLE_ARENA_REUSE 1
+#endif
 #ifndef SPANGLE_ARENA_LOG2
 #define SPANGLE_ARENA_LOG2 0
 #endif
@@ -98,6 +101,9 @@ using raster::line_batch;
 
 inline constexpr int most_displays = SPANGLE_DISPLAYS;
 static_assert(most_displays >= 1);
+
+/// What was freed is given out again.
+inline constexpr bool reuses_memory = SPANGLE_ARENA_REUSE != 0;
 
 /// Blocks of the arena are smaller than 2^this.
 inline constexpr unsigned arena_log2 = SPANGLE_ARENA_LOG2 != 0 ? SPANGLE_ARENA_LOG2
