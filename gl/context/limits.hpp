@@ -9,7 +9,10 @@
 #define SPANGLE_LIGHTS 8
 #endif
 #ifndef SPANGLE_LIGHT_KINDS
-#define SPANGLE_LIGHT_KINDS 63
+#define SPANGLE_LIGHT_KINDS 15
+#endif
+#ifndef SPANGLE_FULL_LIGHTING
+#define SPANGLE_FULL_LIGHTING 1
 #endif
 #ifndef SPANGLE_MODELVIEW_STACK
 #define SPANGLE_MODELVIEW_STACK 32
@@ -68,13 +71,13 @@ inline constexpr unsigned max_lights = SPANGLE_LIGHTS;
 /// What lighting does beside ambient and diffuse light from one direction for all vertices.
 inline constexpr bool has_specular = (SPANGLE_LIGHT_KINDS & 1) != 0,
                       has_local_lights = (SPANGLE_LIGHT_KINDS & 2) != 0, ///< or a viewer, or spots
-    has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0,
-                      has_normalize = (SPANGLE_LIGHT_KINDS & 16) != 0, ///< NORMALIZE
-    has_bright_lights = (SPANGLE_LIGHT_KINDS & 32) != 0;               ///< diffuse light of 16 and more
-#define SPANGLE_TWO_SIDES (SPANGLE_FEATURE_LIGHTING && (SPANGLE_LIGHT_KINDS & 4) != 0)
-static_assert(SPANGLE_LIGHT_KINDS < 64);
-static_assert(has_bright_lights || !has_color_material,
+    has_color_material = (SPANGLE_LIGHT_KINDS & 8) != 0;
+/// NORMALIZE, and diffuse colours of 16 and more.
+inline constexpr bool has_full_lighting = SPANGLE_FULL_LIGHTING != 0;
+static_assert(has_full_lighting || !has_color_material,
               "colours that materials follow may be of 16 and more");
+#define SPANGLE_TWO_SIDES (SPANGLE_FEATURE_LIGHTING && (SPANGLE_LIGHT_KINDS & 4) != 0)
+static_assert(SPANGLE_LIGHT_KINDS < 16);
 inline constexpr int max_clip_planes = 6;
 
 inline constexpr int clip_spare = SPANGLE_CLIP_SPARE;

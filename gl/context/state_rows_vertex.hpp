@@ -76,7 +76,7 @@ inline constexpr auto vertex_rows = std::to_array<WrittenRow>({
     computed(GL_TEXTURE_STACK_DEPTH, Kind::integer, 1, computed_state::depth_of_stack),
     in(Group::transform),
     STORED(GL_MATRIX_MODE, transform.matrix_mode),
-    of_feature(has_normalize, SPANGLE_TEXT("this build makes no normals unit (SPANGLE_LIGHT_KINDS)"),
+    of_feature(has_full_lighting, SPANGLE_TEXT("this build makes no normals unit (SPANGLE_FULL_LIGHTING)"),
                SWITCH(GL_NORMALIZE, transform.normalize)),
     SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
     PLANE(0),

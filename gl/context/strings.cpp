@@ -24,7 +24,7 @@ constexpr bool every_system =
 /// At least the minimum maxima of tables 6.26 to 6.28.
 constexpr bool every_limit = max_lights >= 8 && max_clip_planes >= 6 && modelview_stack_entries >= 32 &&
                              projection_stack_entries >= 2 && texture_stack_entries >= 2 &&
-                             attrib_stack_entries >= 16 && name_stack_entries >= 64 &&
+                             attrib_stack_entries >= 16 && name_stack_entries >= 64 && has_full_lighting &&
                              max_list_nesting >= 64 && texture_units >= 2 && max_texture_size >= 64 &&
                              max_3d_texture_size >= 16;
 

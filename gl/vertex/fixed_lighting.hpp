@@ -96,9 +96,9 @@ class FixedLighting {
     numeric::BlockMatrix3 normal_matrix_;
 
     /// All light is plain, and normals are as they are given.
-    static constexpr bool always_given = !has_specular && !has_local_lights && !has_normalize &&
-                                         !has_bright_lights && !SPANGLE_FEATURE_COLOR_INDEX;
-    bool normalizes() const { return has_normalize && normalize_; }
+    static constexpr bool always_given =
+        !has_specular && !has_local_lights && !has_full_lighting && !SPANGLE_FEATURE_COLOR_INDEX;
+    bool normalizes() const { return has_full_lighting && normalize_; }
     bool indexed() const { return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0; }
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);

@@ -48,17 +48,17 @@ void materials_change(Context& context) {
     context.changed(dirty_vertex);
 }
 
-/// What this build's lights do not do (SPANGLE_LIGHT_KINDS).
+/// What this build's lights do not do (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING).
 void refuse(Context& context) {
     error(context, GL_INVALID_OPERATION,
-          SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS)"));
+          SPANGLE_TEXT("this build has no such lighting (SPANGLE_LIGHT_KINDS, SPANGLE_FULL_LIGHTING)"));
 }
 
-/// Diffuse light, or what reflects it, that this build does not compute with (SPANGLE_LIGHT_KINDS).
+/// Diffuse light, or what reflects it, that this build does not compute with (SPANGLE_FULL_LIGHTING).
 bool too_bright(const Real (&v)[4]) {
     constexpr std::uint32_t sixteen = 0x41800000;
     bool bright = false;
-    for (int c = 0; c < 3 && !has_bright_lights; ++c)
+    for (int c = 0; c < 3 && !has_full_lighting; ++c)
         bright = bright || (v[c].bits & 0x7FFFFFFF) >= sixteen;
     return bright;
 }

@@ -160,4 +160,26 @@ TEST(Arena, MillionOperations) {
     EXPECT_TRUE(m.arena.consistent());
 }
 
+TEST(GrowingArena, HandsOutWhatThereIsOnce) {
+    spangle::gl::GrowingArena arena;
+    EXPECT_EQ(arena.allocate(1), nullptr);
+    alignas(8) unsigned char memory[64];
+    arena.give(memory + 3, sizeof memory - 3); // 56 bytes are left from the first aligned one on
+    EXPECT_EQ(arena.capacity(), 56u);
+    EXPECT_EQ(arena.allocate(57), nullptr);
+    EXPECT_EQ(arena.allocate(~std::size_t{0}), nullptr);
+    EXPECT_EQ(arena.used(), 0u);
+    void* const first = arena.allocate(9);
+    EXPECT_EQ(first, memory + 8);
+    void* const second = arena.allocate(0);
+    EXPECT_EQ(second, memory + 24);
+    EXPECT_EQ(arena.used(), 24u);
+    arena.free(first);
+    EXPECT_EQ(arena.allocate(32), memory + 32) << "what was freed is not given out again";
+    EXPECT_EQ(arena.allocate(0), nullptr);
+    EXPECT_EQ(arena.peak(), 56u);
+    arena.give(memory, 5);
+    EXPECT_EQ(arena.allocate(1), nullptr);
+}
+
 } // namespace

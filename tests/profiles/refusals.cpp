@@ -213,15 +213,17 @@ void lights() {
     expect(gl::has_color_material, "materials that follow colours");
     static constexpr GLfloat bright[4] = {1, 16, 1, 1}, less[4] = {15.9f, -15.9f, 15.9f, 1};
     glLightfv(GL_LIGHT0, GL_DIFFUSE, bright);
-    expect(gl::has_bright_lights, "bright lights");
+    expect(gl::has_full_lighting, "bright lights");
     glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, bright);
-    expect(gl::has_bright_lights, "materials that reflect more than they get");
+    expect(gl::has_full_lighting, "materials that reflect more than they get");
     glLightfv(GL_LIGHT0, GL_DIFFUSE, less);
     glMaterialfv(GL_FRONT, GL_DIFFUSE, less);
     glMaterialfv(GL_FRONT, GL_EMISSION, bright);
     expect(true, "other lights");
     glEnable(GL_NORMALIZE);
-    expect(gl::has_normalize, "normals that are made unit");
+    check(gl::has_full_lighting ? glGetError() == GL_NO_ERROR
+                                : refused(GL_INVALID_OPERATION, "SPANGLE_FULL_LIGHTING"),
+          "normals that are made unit");
 }
 
 void primitives() {
