@@ -71,7 +71,7 @@ template <class Case> class GatheredPacket {
             fog_.add(p, f);
         typename L::U16 word;
         if constexpr (Case::key.dither)
-            word = dithered565<N>(p.color, load(thresholds, i));
+            word = dithered565_lanes<N>(p.color, load(thresholds, i));
         else
             word = truncated565<N>(p.color);
         store(words_, i, Words565<L, Case::key.format>::ordered(word));
@@ -116,14 +116,14 @@ template <class Case> class GatheredPlanes {
         if constexpr (Case::fogged)
             Packet::store(to.fogs, i, fog_factor());
         if constexpr (Case::key.dither)
-            Packet::store(to.thresholds, i, thresholds_.threshold());
+            Packet::store(to.thresholds, i, thresholds_.word(0));
         group = {p.live, p.color_plane + p.bytes(), i};
         return true;
     }
 
   private:
     static constexpr int fog = Case::gray ? 4 : 6;
-    using Thresholds = std::conditional_t<Case::key.dither, detail::DitherRow<L>, detail::NoThreshold>;
+    using Thresholds = std::conditional_t<Case::key.dither, detail::KeptThresholds<N>, detail::NoThreshold>;
     using Planes = LanePlanes<fog + (Case::fogged ? 1 : 0)>;
 
     /// As FogFactorLanes.

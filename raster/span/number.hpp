@@ -178,6 +178,15 @@ template <int Count> struct Balanced {
     SPANGLE_INLINE static T subtract(T a, T b) { return a - L::minimum(a, b); }
     /// For `mix`: min(max(v, 0), 1), v signed with 24 fraction bits.
     SPANGLE_INLINE static T clamped_fraction(const typename L::U32& v) { return L::clamped_24_to_16(v); }
+    /// In lanes thresholds are those of steps of 2^11.
+    struct Threshold {
+        static constexpr int words = 1;
+        static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32 << 6; }
+    };
+    /// The dithered steps in the top bits.
+    template <unsigned Bits> SPANGLE_INLINE static T tops(T v, T threshold) {
+        return steps<Bits>(v) + (threshold >> (Bits - 5));
+    }
     template <unsigned Bits> SPANGLE_INLINE static T dithered(T v, T threshold32) {
         if constexpr (Count == 1) { // the whole product: 1 and the last threshold stay below 2^32
             std::uint32_t factor = step_scale(Bits);

@@ -175,12 +175,16 @@ template <int Count> struct Bytes {
 /// The bits of PackedCoarse.
 template <int Count> struct CoarseBytes : Bytes<Count> {
     using T = typename Bytes<Count>::T;
-    using Threshold = T;
+    struct Threshold {
+        static constexpr int words = 1;
+        static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32; }
+    };
     template <unsigned Bits> SPANGLE_INLINE static T over(T s, T a, T k) {
         return Coarse::over<T>(s >> (8 - Bits), Coarse::alpha<T>(a), k) << (8 - Bits);
     }
-    template <unsigned Bits> SPANGLE_INLINE static T dithered(T s, T a, T k, const Threshold& t) {
-        return Coarse::over<T>(Coarse::dithered<Bits, T>(s, t), Coarse::alpha<T>(a), k);
+    template <unsigned Bits, class Thresholds>
+    SPANGLE_INLINE static T dithered(T s, T a, T k, const Thresholds& t) {
+        return Coarse::over<T>(Coarse::dithered<Bits, T>(s, t.word(0)), Coarse::alpha<T>(a), k);
     }
 };
 
@@ -195,29 +199,29 @@ template <int Count> struct ExactBytes : Bytes<Count> {
         constexpr std::uint32_t scale = ((rest << (16 + Bits)) + unit / 2) / unit;
         const T parts = k * (L::splat(255) - a) * whole;
         const T more = (L::mul_high(parts, L::splat(scale)) + (1u << (Bits - 1))) >> Bits;
-        const T x = s * a + parts + more + 128;
-        return (x + (x >> 8)) >> 8;
+        return by_256ths(s * a + parts + more + 128);
     }
-    /// floor(65025 t), t in 32nds, in 255ths and what is left of them.
+    /// floor(65025 t) in 255ths and what is left of them, one more of each for the quotients.
     struct Threshold {
-        T whole, rest;
-        Threshold() = default;
-        SPANGLE_INLINE explicit Threshold(T threshold32)
-            : whole((threshold32 * 255) >> 5),
-              rest(L::mul_high(threshold32 << 11, L::splat(65025)) - whole * 255) {}
+        static constexpr int words = 2;
+        static constexpr std::uint32_t word(int i, std::uint32_t threshold32) {
+            const std::uint32_t t = threshold32 * 65025 >> 5;
+            return (i == 0 ? t / 255 : t % 255) + 1;
+        }
     };
     /// PackedExact's steps, floor((m s a + 255 (255 - a) k + T) / 65025): divided by 255 twice, of which 256
     /// is one and 1.
-    template <unsigned Bits> SPANGLE_INLINE static T dithered(T s, T a, T k, const Threshold& t) {
+    template <unsigned Bits, class Thresholds>
+    SPANGLE_INLINE static T dithered(T s, T a, T k, const Thresholds& t) {
         constexpr std::uint32_t m = (1u << Bits) - 1;
         const T product = s * a, high = product >> 8;
-        const T low = (high + (product & 255)) * m + t.rest;
-        return by_255(high * m + t.whole + by_255(low) + k * (L::splat(255) - a));
+        const T low = (high + (product & 255)) * m + t.word(1);
+        return by_256ths(high * m + t.word(0) + by_256ths(low) + k * (L::splat(255) - a));
     }
 
   private:
-    /// floor(v / 255), v < 2^16.
-    SPANGLE_INLINE static T by_255(T v) { return L::mul_high(v, L::splat(0x8081)) >> 7; }
+    /// floor((v + floor(v / 256)) / 256); of v + 1 it is floor(v / 255), v + 1 < 2^16.
+    SPANGLE_INLINE static T by_256ths(T v) { return L::mul_high(v, L::splat(257)); }
 };
 
 } // namespace spangle::raster

@@ -192,23 +192,22 @@ template <class N, PixelFormat Format> struct BlendBytesDithered : StageBase {
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;
     using Words = Words565<L, Format>;
-    typename N::Threshold threshold;
-    SPANGLE_INLINE BlendBytesDithered(const Span<Fixed>& s, std::int32_t x) { start(s, x); }
+    detail::KeptThresholds<N> dither;
+    SPANGLE_INLINE BlendBytesDithered(const Span<Fixed>& s, std::int32_t x) : dither(s.x + x, s.y) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const typename N::Color& s = p.color;
         if (!L::any(L::negate(L::equal(s.a, L::splat(0)))))
             return false;
         std::uint8_t* const at = p.color_plane + p.bytes();
         const typename L::U16 under = Words::load(at);
-        const typename L::U16 word =
-            pack565<N>(N::template dithered<5>(s.r, s.a, under >> 11, threshold),
-                       N::template dithered<6>(s.g, s.a, (under >> 5) & 63, threshold),
-                       N::template dithered<5>(s.b, s.a, under & 31, threshold));
+        const typename L::U16 word = pack565<N>(N::template dithered<5>(s.r, s.a, under >> 11, dither),
+                                                N::template dithered<6>(s.g, s.a, (under >> 5) & 63, dither),
+                                                N::template dithered<5>(s.b, s.a, under & 31, dither));
         Words::store(at, L::select(p.live, word, under));
         return true;
     }
     SPANGLE_INLINE void start(const Span<Fixed>& s, std::int32_t x) {
-        threshold = typename N::Threshold(detail::DitherRow<L>(s.x + x, s.y).threshold());
+        dither = detail::KeptThresholds<N>(s.x + x, s.y);
     }
 };
 

@@ -44,10 +44,19 @@ template <class N> SPANGLE_INLINE typename N::L::U16 truncated565(const typename
         return ((c.r + 128) & 0xF800) | (((c.g + 128) >> 5) & 0x07E0) | ((c.b + 128) >> 11);
     return ((N::to8(c.r) & 0xF8) << 8) | ((N::to8(c.g) & 0xFC) << 3) | (N::to8(c.b) >> 3);
 }
+/// One lane; thresholds in 32nds.
 template <class N>
 SPANGLE_INLINE typename N::L::U16 dithered565(const typename N::Color& c, typename N::L::U16 threshold32) {
     return pack565<N>(N::template dithered<5>(c.r, threshold32), N::template dithered<6>(c.g, threshold32),
                       N::template dithered<5>(c.b, threshold32));
+}
+/// The word of N::Threshold.
+template <class N>
+SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
+                                                    typename N::L::U16 threshold) {
+    return Raw565<N::lanes>::word({N::template tops<5>(c.r, threshold), N::template tops<6>(c.g, threshold),
+                                   N::template tops<5>(c.b, threshold)})
+        .word;
 }
 
 /// Dithering off, all channels written.
@@ -81,11 +90,12 @@ template <class N, PixelFormat Format> struct Store : StageBase {
 /// Ordered dithering on window coordinates (GL 1.3, 4.1.10); components of 8 bits are stored as they are.
 template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
     using L = typename N::L;
-    detail::DitherRow<L> dither;
+    using Thresholds = detail::ThresholdsOf<N>;
+    Thresholds dither;
     template <class S>
     SPANGLE_INLINE StoreDithered(const S& s, std::int32_t x) : Store<N, Format>(s, x), dither(s.x + x, s.y) {}
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
-        dither = detail::DitherRow<L>(s.x + x, s.y);
+        dither = Thresholds(s.x + x, s.y);
     }
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
@@ -95,11 +105,10 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
             std::uint8_t* const at = p.color_plane + p.bytes();
             if constexpr (N::lanes == 1 && numeric::three_operands) // thresholds and factors take registers
                 numeric::begin_here();
-            const typename L::U16 word = dithered565<N>(p.color, dither.threshold());
             if constexpr (N::lanes > 1)
-                Words565<L, Format>::store_where(p.live, at, word);
+                Words565<L, Format>::store_where(p.live, at, dithered565_lanes<N>(p.color, dither.word(0)));
             else
-                Words565<L, Format>::store(at, word);
+                Words565<L, Format>::store(at, dithered565<N>(p.color, dither.threshold()));
             return true;
         }
     }

@@ -57,45 +57,44 @@ template <int Bits> class NumberedThresholds {
     const std::uint32_t* from_;
 };
 
-/// Eight columns from any of a period's first, for each row of it.
-struct DitherColumns {
-    std::uint16_t of[4][11];
-    constexpr DitherColumns() : of{} {
-        for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 11; ++x)
-                of[y][x] = static_cast<std::uint16_t>(dither_threshold(dither_row(y), x));
-    }
+/// Thresholds as they are.
+struct ThresholdWord {
+    static constexpr int words = 1;
+    static constexpr std::uint32_t word(int, std::uint32_t threshold32) { return threshold32; }
 };
-inline constexpr DitherColumns dither_columns;
-
-/// Eight columns are two periods: nothing to walk.
-template <> struct DitherRow<Lanes<8>> {
-    Lanes<8>::U16 row;
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
-        : row(Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(dither_columns.of[y & 3] + (x & 3)))) {}
-    SPANGLE_INLINE explicit DitherRow(const Lanes<8>::U16& thresholds) : row(thresholds) {}
-    SPANGLE_INLINE Lanes<8>::U16 threshold() const { return row; }
-    SPANGLE_INLINE void step() {}
-};
-
-/// Four columns of a row and of the next one, from any column and row of a period.
-struct DitherTiles {
-    std::uint16_t of[4][4][8];
-    constexpr DitherTiles() : of{} {
-        for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 4; ++x)
+/// Words of the thresholds of groups whose first fragment is in each of the places of a period.
+template <class L, class Threshold> struct DitherGroups {
+    alignas(16) std::uint16_t of[16][Threshold::words][8];
+    constexpr DitherGroups() : of{} {
+        for (int i = 0; i < 16; ++i)
+            for (int word = 0; word < Threshold::words; ++word)
                 for (int lane = 0; lane < 8; ++lane)
-                    of[y][x][lane] =
-                        static_cast<std::uint16_t>(dither_threshold(dither_row(y + lane / 4), x + lane % 4));
+                    of[i][word][lane] = static_cast<std::uint16_t>(
+                        Threshold::word(word, dither_threshold(dither_row((i >> 2) + lane / L::columns),
+                                                               i + lane % L::columns)));
     }
 };
-inline constexpr DitherTiles dither_tiles;
+template <class L, class Threshold> inline constexpr DitherGroups<L, Threshold> dither_groups;
 
-/// Four columns are one.
-template <> struct DitherRow<Lanes<two_rows>> : DitherRow<Lanes<8>> {
-    SPANGLE_INLINE DitherRow(std::int32_t x, std::int32_t y)
-        : DitherRow<Lanes<8>>(
-              Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(dither_tiles.of[y & 3][x & 3]))) {}
+/// Eight columns, as four of two rows, are whole periods: nothing to walk.
+template <class L, class Threshold> class DitherGroup {
+  public:
+    SPANGLE_INLINE DitherGroup(std::int32_t x, std::int32_t y) {
+        const auto place = (static_cast<std::uint32_t>(y) & 3) << 2 | (static_cast<std::uint32_t>(x) & 3);
+        const auto& words = dither_groups<L, Threshold>.of[place];
+        for (int i = 0; i < Threshold::words; ++i)
+            word_[i] = Lanes<8>::load(reinterpret_cast<const std::uint8_t*>(words[i]));
+    }
+    SPANGLE_INLINE typename L::U16 word(int i) const { return word_[i]; }
+
+  private:
+    typename L::U16 word_[Threshold::words];
+};
+
+template <int Count> struct DitherRow<Lanes<Count>> : DitherGroup<Lanes<Count>, ThresholdWord> {
+    using DitherRow::DitherGroup::DitherGroup;
+    SPANGLE_INLINE typename Lanes<Count>::U16 threshold() const { return this->word(0); }
+    SPANGLE_INLINE void step() {}
 };
 
 /// The same that knows where it is, for stages that walk from row to row.
@@ -105,6 +104,15 @@ template <class L> struct DitherPlace : DitherRow<L> {
         : DitherRow<L>(column, line), x(column), y(line) {}
     SPANGLE_INLINE void next_row() { *this = DitherPlace(x, y + L::rows); }
 };
+
+/// Thresholds of a group as a system of numbers adds them.
+template <class N> struct KeptThresholds : DitherGroup<typename N::L, typename N::Threshold> {
+    using KeptThresholds::DitherGroup::DitherGroup;
+    SPANGLE_INLINE const KeptThresholds& threshold() const { return *this; }
+    SPANGLE_INLINE void step() {}
+};
+template <class N>
+using ThresholdsOf = std::conditional_t<(N::lanes > 1), KeptThresholds<N>, DitherRow<typename N::L>>;
 
 /// In place of either, where nothing is dithered.
 struct NoThreshold {

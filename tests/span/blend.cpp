@@ -118,6 +118,14 @@ TEST(Over, DitheredPackedHasTheSameBits) {
             }
 }
 
+/// What lanes keep of one threshold.
+template <class Numbers> struct Kept {
+    std::uint32_t threshold32;
+    std::uint32_t word(int i) const { return Numbers::Threshold::word(i, threshold32); }
+};
+using ExactKept = Kept<ExactBytes<1>>;
+using CoarseKept = Kept<CoarseBytes<1>>;
+
 /// Exact, dithered, is floor(v + t) of the quotient itself; so are the others.
 template <unsigned Bits> void dithered_exact() {
     for (std::uint32_t s = 0; s < 256; ++s)
@@ -130,7 +138,7 @@ template <unsigned Bits> void dithered_exact() {
                     const std::uint32_t want = Exact::dithered<Bits>(v, t),
                                         got = PackedExact::over(c, under, t);
                     ASSERT_EQ(Bits == 5 ? got >> 11 : (got >> 5) & 63, want) << s << " " << a << " " << k;
-                    ASSERT_EQ(ExactBytes<1>::dithered<Bits>(s, a, k, ExactBytes<1>::Threshold(t)), want)
+                    ASSERT_EQ(ExactBytes<1>::dithered<Bits>(s, a, k, ExactKept{t}), want)
                         << s << " " << a << " " << k;
                 }
             }
@@ -177,7 +185,7 @@ template <unsigned Bits> int coarse_dithered() {
             for (std::uint32_t k = 0; k <= most; ++k) {
                 const double steps = (s * a * most / 255. + (255. - a) * k) / 255;
                 for (std::uint32_t t = 1; t < 32; t += 2) {
-                    const auto got = static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, a, k, t));
+                    const auto got = static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, a, k, CoarseKept{t}));
                     worst = std::max(worst, std::abs(got - static_cast<int>(steps + t / 32.)));
                     if (a == 0) {
                         EXPECT_EQ(got, static_cast<int>(k));
@@ -198,7 +206,7 @@ template <unsigned Bits> void solid_dithered() {
     for (std::uint32_t s = 0; s < 256; ++s) {
         int sum = 0;
         for (std::uint32_t t = 1; t < 32; t += 2)
-            sum += static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, 255, most - s / 8, t));
+            sum += static_cast<int>(CoarseBytes<1>::dithered<Bits>(s, 255, most - s / 8, CoarseKept{t}));
         EXPECT_NEAR(sum / 16., s * most / 255., 3 / 16.) << s;
         if (s == 0 || s == 255) {
             EXPECT_EQ(sum, static_cast<int>(s / 255 * most * 16));
@@ -218,7 +226,7 @@ TEST(Coarse, DitheredPackedHasTheSameBits) {
                 for (std::uint32_t t = 1; t < 32; t += 2) {
                     const std::uint32_t g = (s * 5 + a + t) & 255, b = 255 - s, r5 = k & 31, b5 = 31 - r5;
                     const auto over = [&]<unsigned Bits>(std::uint32_t c, std::uint32_t under) {
-                        return CoarseBytes<1>::dithered<Bits>(c, a, under, t);
+                        return CoarseBytes<1>::dithered<Bits>(c, a, under, CoarseKept{t});
                     };
                     const std::uint32_t want = over.operator()<5>(s, r5) << 11 |
                                                over.operator()<6>(g, k) << 5 | over.operator()<5>(b, b5);
