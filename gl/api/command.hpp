@@ -56,11 +56,14 @@ template <class... A> const Word* play_words(Context& context, const Word* words
 /// A record of these arguments.
 void write(Context& context, const Player& player, const Word* words, std::uint32_t count);
 
-/// The arguments as words of a record.
+/// The arguments as words of a record, behind room for its player.
 template <class... A> struct Words {
-    Word at[(Codec<A>::most + ... + 0u) + 1]; // of a command without arguments, too
+    Word record[player_words + (Codec<A>::most + ... + 0u)];
     std::uint32_t count = 0;
-    explicit Words(A... args) { ((Codec<A>::store(at + count, args), count += Codec<A>::words(args)), ...); }
+    explicit Words(A... args) {
+        ((Codec<A>::store(at() + count, args), count += Codec<A>::words(args)), ...);
+    }
+    Word* at() { return record + player_words; }
 };
 
 } // namespace list
@@ -88,8 +91,8 @@ namespace list {
 
 template <class... A>
 void record_words(Context& context, const Command<A...>& command, std::type_identity_t<A>... args) {
-    const Words<A...> words(args...);
-    write(context, command, words.at, words.count);
+    Words<A...> words(args...);
+    write(context, command, words.at(), words.count);
 }
 template <class F, class... A> inline void record_words(Context& context, const A&... args) {
     record_words(context, command<F>, args...);

@@ -1,5 +1,7 @@
 #include "gl/api/issue.hpp"
 
+#include <cstring>
+
 namespace spangle::gl {
 
 namespace {
@@ -32,6 +34,31 @@ bool admit_words(Context& context, const Gated& command, const list::Word* words
     }
     return allowed(context, command);
 }
+
+#if !SPANGLE_ARGUMENTS_INLINE
+void issue_words(const Gated& command, list::Word* words, std::uint32_t count) {
+    Context* const context = current_context();
+    if (context == nullptr)
+        return;
+    if ((context->gate & gate_compiling) != 0) {
+        list::write(*context, command, words, count);
+        if (!context->list.execute)
+            return;
+    }
+    const list::Player* const player = &command;
+    std::memcpy(words - list::player_words, &player, sizeof player);
+    command.play(*context, words);
+}
+
+Step next_step(Context* context, const Gated& command, Step done) {
+    if (context == nullptr || done == Step::run)
+        return Step::none;
+    if (done == Step::none && (context->gate & gate_compiling) != 0)
+        return Step::record;
+    return (done == Step::none || context->list.execute) && allowed(*context, command) ? Step::run
+                                                                                       : Step::none;
+}
+#endif
 #endif
 
 Context* outside_begin_end(const char* refusal) {

@@ -32,8 +32,8 @@ bool admit_words(Context& context, const Gated& command, const list::Word* words
 #define SPANGLE_ADMIT [[gnu::always_inline]] inline
 #endif
 template <class... A> SPANGLE_ADMIT bool admit(const Command<A...>& command, Context& context, A... args) {
-    const list::Words<A...> words(args...);
-    return admit_words(context, command, words.at, words.count);
+    list::Words<A...> words(args...);
+    return admit_words(context, command, words.at(), words.count);
 }
 template <class... A>
 SPANGLE_ADMIT bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
@@ -54,6 +54,37 @@ template <class... A> inline bool admit(const Gated& command, Context& context, 
 
 #endif
 
+#if SPANGLE_FEATURE_LISTS && !SPANGLE_ARGUMENTS_INLINE
+
+/// Records and plays what stands in `words`, behind room for the player.
+void issue_words(const Gated& command, list::Word* words, std::uint32_t count);
+
+/// What lists play is played at once. Commands of as many words share this, whatever their types.
+template <class... A> [[gnu::noinline]] void issue_arguments(const Gated& command, A... args) {
+    list::Words<A...> words(args...);
+    issue_words(command, words.at(), words.count);
+}
+template <class... A>
+inline void issue_command(const Command<A...>& command, std::type_identity_t<A>... args) {
+    if constexpr ((std::is_reference_v<A> || ...))
+        issue_arguments<A...>(command, args...);
+    else
+        issue_arguments(command, list::word_of<A>(args)...);
+}
+
+/// What is done with arguments next.
+enum class Step : std::uint8_t { none, record, run };
+Step next_step(Context* context, const Gated& command, Step done);
+
+template <class... A>
+[[gnu::noinline]] void issue_command(const EncodedCommand<A...>& command, std::type_identity_t<A>... args) {
+    Context* const context = current_context();
+    for (Step step = Step::none; (step = next_step(context, command, step)) != Step::none;)
+        (step == Step::record ? command.encode : command.run)(*context, args...);
+}
+
+#else
+
 /// Arguments lie where the family's function takes them.
 template <template <class...> class Kind, class... A>
 [[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
@@ -64,6 +95,8 @@ template <template <class...> class Kind, class... A>
         return;
     command.run(*context, args...);
 }
+
+#endif
 
 template <class F, class... A> inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {

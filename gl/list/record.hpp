@@ -74,6 +74,14 @@ template <> struct Codec<const Params&> {
     static std::uint32_t stored(const Word* from) { return 1 + *from; }
 };
 
+/// An argument that takes one.
+template <class T> Word word_of(T value) {
+    static_assert(Codec<T>::most == 1);
+    Word word;
+    Codec<T>::store(&word, value);
+    return word;
+}
+
 /// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
 /// between Begin and End unless it is allowed there.
 void record_error(Context& context, GLenum code, bool inside);
