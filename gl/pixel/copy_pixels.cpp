@@ -21,7 +21,7 @@ namespace {
 /// here they are no groups.
 struct BufferGroups : GroupSource {
     BufferGroups(const Context& context, GLint left, GLint bottom, GLsizei width, GLsizei height)
-        : GroupSource{fill_groups<BufferGroups>, inside(left, width, 0, context.drawable.read.area().w),
+        : GroupSource{group_of<BufferGroups>, inside(left, width, 0, context.drawable.read.area().w),
                       inside(bottom, height, context.drawable.read.area().y, context.drawable.read.area().h)},
           surface(read_surface(context)), x(left), y(bottom), transfer(context.pixel_mode) {}
 

@@ -16,7 +16,7 @@ namespace {
 struct ClientGroups : GroupSource {
     ClientGroups(const Context& context, const PixelLayout& layout, GLsizei width, GLsizei height,
                  const void* pixels)
-        : GroupSource{fill_groups<ClientGroups>, {0, width}, {0, height}}, colors(context, layout),
+        : GroupSource{group_of<ClientGroups>, {0, width}, {0, height}}, colors(context, layout),
           groups(layout, context.pixel_store.unpack), transfer(context.pixel_mode),
           rows(image_rows(context.pixel_store.unpack, layout, width)),
           first(static_cast<const unsigned char*>(pixels) + rows.skip) {}

@@ -2,6 +2,8 @@
 
 #if SPANGLE_FEATURE_DRAW_PIXELS || SPANGLE_FEATURE_BITMAPS
 
+#include <cstring>
+
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/rectangle.hpp"
@@ -38,6 +40,51 @@ bool raster_position_draws(Context& context, [[maybe_unused]] GLenum token) {
 #if SPANGLE_FEATURE_DRAW_PIXELS
 
 namespace {
+
+/// A group as the words of a fragment.
+void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m,
+             std::uint32_t (&out)[4]) {
+    const Group group = source.group(source, form, n, m);
+    const Component* const value = group.color.value;
+    switch (form) {
+    case RowForm::color:
+        for (int c = 0; c < 4; ++c)
+            out[c] = color_units_of(value[c]);
+        return;
+    case RowForm::words:
+        out[0] = code_of(value[0], 8) >> 3 << 11 | code_of(value[1], 8) >> 2 << 5 | code_of(value[2], 8) >> 3;
+        return;
+    case RowForm::index:
+        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+            out[0] = index_units(group.index, format_info(PixelFormat::index8).index_bits);
+        return;
+    case RowForm::depth:
+        out[0] = steps_of(value[0], raster::depth_one);
+        return;
+    case RowForm::stencil:
+        out[0] = static_cast<std::uint8_t>(rounded(group.index));
+    }
+}
+
+/// Row m, `count` fragments along `n`. A group that covers several fragments is looked at once.
+void fill_row(const GroupSource& source, RowForm form, std::int32_t m, ZoomAxis::Walk n, std::int32_t count,
+              RectangleRow& out) {
+    std::uint32_t words[4] = {};
+    std::int32_t last = -1;
+    for (std::int32_t i = 0; i < count; ++i, n.step()) {
+        if (n.group() != last)
+            convert(source, form, n.group(), m, words);
+        last = n.group();
+        if (form == RowForm::depth)
+            out.depth[i] = words[0];
+        else if (form == RowForm::words)
+            out.words[i] = static_cast<std::uint16_t>(words[0]);
+        else if (form == RowForm::stencil)
+            out.stencil[i] = static_cast<std::uint8_t>(words[0]);
+        else
+            std::memcpy(out.color + 4 * i, words, sizeof words);
+    }
+}
 
 /// Chunks of columns, and the rows of each: a row of groups is filled once for all the rows of fragments that
 /// it covers.
@@ -77,7 +124,7 @@ class Rectangle {
             if (order_.from_top)
                 m = y_.from(y);
             if (m.group() != filled)
-                source_.fill(source_, form_, m.group(), n, count, row_);
+                fill_row(source_, form_, m.group(), n, count, row_);
             filled = m.group();
             put(y, x, count, row_);
             m.step();
