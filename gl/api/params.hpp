@@ -7,14 +7,48 @@
 
 namespace spangle::gl {
 
-// What stands before the pname is a target, or nothing.
+/// A command and its pnames.
+template <class C> struct ParamFamily {
+    const C* command;
+    const ShapeRow* rows;
+};
+template <class F, const auto& rows>
+inline constexpr ParamFamily<std::remove_const_t<decltype(command<F>)>> params_of{&command<F>, rows};
+
+// What families share. What stands before the pname is a target, or nothing.
+template <class C>
+[[gnu::noinline]] void issue_value(const ParamFamily<C>& family, GLenum pname, const void* value,
+                                   convert::Number type) {
+    issue_command(*family.command, pname, convert::scalar(find_shape(family.rows, pname), value, type));
+}
+template <class C>
+[[gnu::noinline]] void issue_value(const ParamFamily<C>& family, GLenum target, GLenum pname,
+                                   const void* value, convert::Number type) {
+    issue_command(*family.command, target, pname,
+                  convert::scalar(find_shape(family.rows, pname), value, type));
+}
+template <class C>
+[[gnu::noinline]] void issue_values(const ParamFamily<C>& family, GLenum pname, const void* values,
+                                    convert::Number type) {
+    issue_command(*family.command, pname, convert::vector(find_shape(family.rows, pname), values, type));
+}
+template <class C>
+[[gnu::noinline]] void issue_values(const ParamFamily<C>& family, GLenum target, GLenum pname,
+                                    const void* values, convert::Number type) {
+    issue_command(*family.command, target, pname,
+                  convert::vector(find_shape(family.rows, pname), values, type));
+}
+
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum pname, const void* value, convert::Number type) {
-    issue<F>(pname, convert::scalar(find_shape(rows, pname), value, type));
+    if constexpr (F::listing == Listing::never)
+        issue<F>(pname, convert::scalar(find_shape(rows, pname), value, type));
+    else
+        issue_value(params_of<F, rows>, pname, value, type);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum target, GLenum pname, const void* value, convert::Number type) {
-    issue<F>(target, pname, convert::scalar(find_shape(rows, pname), value, type));
+    issue_value(params_of<F, rows>, target, pname, value, type);
 }
 
 template <class F, const auto& rows>
@@ -22,24 +56,33 @@ template <class F, const auto& rows>
                                     const char* null_text) {
     if (values == nullptr)
         return refuse_null(null_text);
-    issue<F>(pname, convert::vector(find_shape(rows, pname), values, type));
+    issue_values(params_of<F, rows>, pname, values, type);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
     if (values == nullptr)
         return refuse_null(null_text);
-    issue<F>(target, pname, convert::vector(find_shape(rows, pname), values, type));
+    issue_values(params_of<F, rows>, target, pname, values, type);
+}
+
+/// What answers the queries of a family.
+using Answer = void(Context& context, GLenum target, GLenum pname, Params& out);
+[[gnu::noinline]] inline void fetch_values(Answer* answer, const ShapeRow* rows, const char* refusal,
+                                           GLenum target, GLenum pname, void* out, convert::Number type) {
+    Params found;
+    if (Context* context = outside_begin_end(refusal); context != nullptr)
+        answer(*context, target, pname, found);
+    convert::store(find_shape(rows, pname), found, out, type);
 }
 
 template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLenum pname, void* out, convert::Number type,
                                     const char* null_text) {
+    static_assert(F::listing == Listing::never && !F::inside);
     if (out == nullptr)
         return refuse_null(null_text);
-    Params found;
-    fetch<F>(found, target, pname);
-    convert::store(find_shape(rows, pname), found, out, type);
+    fetch_values(F::run, rows, F::refusal, target, pname, out, type);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLint level, GLenum pname, void* out, convert::Number type,
