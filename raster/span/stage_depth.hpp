@@ -55,7 +55,8 @@ template <class N> struct OffsetDepthValue : DepthValue<N> {
     static_assert(N::lanes == 1);
     std::int64_t offset;
     SPANGLE_INLINE OffsetDepthValue(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), offset(s.state->primitive->depth_offset) {}
+        : DepthValue<N>(s, x), offset(s.state->fragment.depth_offset ? s.state->primitive->depth_offset : 0) {
+    }
     SPANGLE_INLINE std::uint32_t word() const {
         return static_cast<std::uint32_t>(
             numeric::clamp<std::int64_t>(offset + this->z.at, 0, INT64_C(0xFFFFFFFF)));
