@@ -1,5 +1,6 @@
 // What a build says of its limits, and that lower ones change no picture. The same tests run in a build whose
 // limits are as low as a board with 8 KB of memory has them (CMakeLists.txt).
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -201,6 +202,55 @@ TEST_F(Limits, ArgumentsArriveWhole) {
     glLoadMatrixf(nullptr);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
 }
+
+#if SPANGLE_FEATURE_LISTS && SPANGLE_FEATURE_STIPPLE
+/// What a list takes word by word, and what has an encoder of its own.
+TEST_F(Limits, ListsTakeAndRunEachKindOfCommand) {
+    using Box = std::array<GLint, 4>;
+    const std::array<GLubyte, 128> none{};
+    std::array<GLubyte, 128> pattern;
+    for (std::size_t i = 0; i < pattern.size(); ++i)
+        pattern[i] = static_cast<GLubyte>(5 * i + 1);
+    const auto box = [] {
+        Box at{};
+        glGetIntegerv(GL_SCISSOR_BOX, at.data());
+        return at;
+    };
+    const auto stipple = [] {
+        std::array<GLubyte, 128> bits{};
+        glGetPolygonStipple(bits.data());
+        return bits;
+    };
+    for (const GLenum mode : {GLenum{GL_COMPILE}, GLenum{GL_COMPILE_AND_EXECUTE}}) {
+        glScissor(0, 0, 1, 1);
+        glPolygonStipple(none.data());
+        glNewList(1, mode);
+        glScissor(3, 4, 5, 6);
+        glPolygonStipple(pattern.data());
+        glEndList();
+        const bool ran = mode == GL_COMPILE_AND_EXECUTE;
+        EXPECT_EQ(box(), (ran ? Box{3, 4, 5, 6} : Box{0, 0, 1, 1}));
+        EXPECT_EQ(stipple(), ran ? pattern : none);
+        glScissor(0, 0, 1, 1);
+        glPolygonStipple(none.data());
+        glCallList(1);
+        EXPECT_EQ(box(), (Box{3, 4, 5, 6}));
+        EXPECT_EQ(stipple(), pattern);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+    glBegin(GL_POINTS);
+    glScissor(0, 0, 1, 1);
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
+    glBegin(GL_POINTS);
+    glPolygonStipple(none.data());
+    glEnd();
+    EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION});
+    EXPECT_EQ(box(), (Box{3, 4, 5, 6}));
+    EXPECT_EQ(stipple(), pattern);
+    glDeleteLists(1, 1);
+}
+#endif
 
 TEST_F(Limits, ClippedPictureIsTheSame) {
     view();
