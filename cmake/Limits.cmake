@@ -17,6 +17,7 @@ spangle_limit(TEXTURE_STACK 2 "Entries of the texture matrix stack of each unit"
 spangle_limit(NAME_STACK 64 "Entries of the name stack of selection")
 spangle_limit(LIST_NESTING 64 "Display lists that call each other")
 spangle_limit(VERTEX_CACHE 0 "Vertices of arrays kept for indices that come again; 1: none; 0: 80 in firmware, 8192 elsewhere")
+spangle_limit(ARRAY_TYPES 5247 "Sum of 2^(type - GL_BYTE) over the types of the components of vertex arrays")
 spangle_limit(CLIP_SPARE 2 "Corners kept for polygons that are not convex while they are clipped")
 spangle_limit(PRIMITIVES 7 "Sum of what is drawn beside triangles, their strips and fans: points 1, lines 2, quads and polygons 4")
 spangle_limit(CLIPPING 1 "What crosses the near or the far plane, or lies far beside the window, is cut; 0: it is an error, and not drawn")

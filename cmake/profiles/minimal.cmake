@@ -15,6 +15,7 @@ set(SPANGLE_FULL_LIGHTING 0)    # normals are unit as they are given
 set(SPANGLE_MODELVIEW_STACK 2)
 set(SPANGLE_PROJECTION_STACK 1)
 set(SPANGLE_TEXTURE_STACK 1)
+set(SPANGLE_ARRAY_TYPES 4)       # shorts
 set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
 set(SPANGLE_PRIMITIVES 0)       # triangles

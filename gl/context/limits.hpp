@@ -44,6 +44,9 @@
 #ifndef SPANGLE_DISPLAYS
 #define SPANGLE_DISPLAYS 4
 #endif
+#ifndef SPANGLE_ARRAY_TYPES
+#define SPANGLE_ARRAY_TYPES 5247
+#endif
 #ifndef SPANGLE_ARENA_REUSE
 #define SPANGLE_ARENA_REUSE 1
 #endif
@@ -99,6 +102,17 @@ static_assert(SPANGLE_PRIMITIVES < 8);
 
 /// Without it what a plane of the view volume would cut is an error.
 inline constexpr bool has_clipping = SPANGLE_CLIPPING != 0;
+
+/// Types of the components of arrays, by their tokens, GL_BYTE and up.
+inline constexpr unsigned array_types = SPANGLE_ARRAY_TYPES, first_array_type = 0x1400;
+static_assert(array_types != 0 && (array_types & ~5247u) == 0);
+constexpr bool has_array_type(unsigned token) {
+    return token - first_array_type < 13 && (array_types >> (token - first_array_type) & 1) != 0;
+}
+/// The type of an array. Where a build has one only the compiler knows it.
+constexpr unsigned array_type(unsigned token) {
+    return raster::one_of(array_types, token - first_array_type) + first_array_type;
+}
 
 using raster::line_batch;
 

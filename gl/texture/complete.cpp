@@ -55,7 +55,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
 
 /// Of all faces.
 int usable_levels(const TextureObject& texture) {
-    if (texture.kind == TextureKind::cube && !is_cube_complete(texture))
+    if (there(texture.kind) == TextureKind::cube && !is_cube_complete(texture))
         return 0;
     const int count = usable_levels(texture, 0);
     for (unsigned face = 1; face < texture.faces(); ++face)
@@ -67,14 +67,18 @@ int usable_levels(const TextureObject& texture) {
 /// The first texel inside the border.
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
+    if (!raster::spans_sample_any) // nor borders
+        return image.texels;
     return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
            shape.border_along(0) * texel_size(shape.format);
 }
 
 raster::TextureLevel view_of(const LevelImage& image) {
     const LevelShape& shape = image.shape;
-    return {inner_texels(image), static_cast<std::uint16_t>(shape.inner(0)),
-            static_cast<std::uint16_t>(shape.inner(1)), image.stride};
+    const auto side = [&](unsigned axis) {
+        return raster::spans_sample_any ? static_cast<std::uint16_t>(shape.inner(axis)) : shape.size[axis];
+    };
+    return {inner_texels(image), side(0), side(1), image.stride};
 }
 
 raster::Wrap wrap_of(GLenum mode) {
@@ -107,7 +111,7 @@ void set_filters(const TextureObject& texture, raster::Texture& view) {
 }
 
 raster::TextureShape shape_of(TextureKind kind) {
-    switch (kind) {
+    switch (there(kind)) {
     case TextureKind::one:
         return raster::TextureShape::line;
     case TextureKind::three:
@@ -146,10 +150,11 @@ void set_depth(const TextureParameters& p, raster::Texture& view) {
 
 void set_format(const TextureObject& texture, const LevelImage& base, raster::Texture& view) {
     const LevelShape& shape = base.shape;
-    view.format = shape.format;
-    view.base = base_format_of(shape.format, shape.internal_format);
-    view.palette = base.palette;
-    if (base.palette != nullptr)
+    view.format = raster::sampled(shape.format);
+    view.base = base_format_of(view.format, shape.internal_format);
+    if (raster::spans_sample_any)
+        view.palette = base.palette;
+    if (raster::spans_sample_any && base.palette != nullptr)
         view.palette_format = palette_format_of(shape.internal_format);
     view.compares = false;
 #if SPANGLE_FEATURE_DEPTH_TEXTURES
@@ -188,13 +193,15 @@ void build(const TextureObject& texture) {
     for (int l = 0; l < count; ++l)
         view.level[l] = view_of(*texture.level[parameters.base_level + l]);
     view.shape = shape_of(texture.kind);
-    view.depth = static_cast<std::uint16_t>(base.shape.inner(2));
+    if (raster::spans_sample_any)
+        view.depth = static_cast<std::uint16_t>(base.shape.inner(2));
     set_faces(texture, view);
     set_format(texture, base, view);
     view.wrap_s = wrap_of(parameters.wrap[0]);
     // An axis that is not there repeats its one texel.
     view.wrap_t = base.shape.dimensions > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
-    view.wrap_r = wrap_of(parameters.wrap[2]);
+    if (raster::spans_sample_any)
+        view.wrap_r = wrap_of(parameters.wrap[2]);
     set_filters(texture, view);
     view.border_texels = base.shape.border;
     if (!raster::spans_sample_any)

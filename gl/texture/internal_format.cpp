@@ -119,7 +119,7 @@ bool texel_format_of(GLint& internal_format, PixelFormat surface, TexelFormat& o
 }
 
 BaseFormat base_format_of(TexelFormat format, GLenum internal_format) {
-    switch (format) {
+    switch (raster::sampled(format)) {
     case TexelFormat::a8:
         return BaseFormat::alpha;
     case TexelFormat::i8:
@@ -147,7 +147,7 @@ bool is_depth(TexelFormat format) {
 }
 
 unsigned texel_size(TexelFormat format) {
-    return static_cast<unsigned>(raster::texel_bytes(format));
+    return static_cast<unsigned>(raster::texel_bytes(raster::sampled(format)));
 }
 
 ColorBits texel_bits(TexelFormat format) {

@@ -25,6 +25,13 @@ constexpr std::size_t index_of(TextureKind kind) {
 inline constexpr bool texture_kind_is_there[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
                                                               SPANGLE_FEATURE_TEXTURE_3D != 0,
                                                               SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0};
+/// The kind of a texture there is. Where a build has one only the compiler knows it.
+constexpr TextureKind there(TextureKind kind) {
+    unsigned set = 0;
+    for (unsigned k = 0; k < texture_kinds; ++k)
+        set |= texture_kind_is_there[k] ? 1u << k : 0u;
+    return raster::one_of(set, kind);
+}
 constexpr std::size_t kinds_before(std::size_t kind) {
     std::size_t before = 0;
     for (std::size_t k = 0; k < kind; ++k)
@@ -33,7 +40,7 @@ constexpr std::size_t kinds_before(std::size_t kind) {
 }
 /// How many of width, height and depth an image has; the others are 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
-    return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
+    return there(kind) == TextureKind::one ? 1 : there(kind) == TextureKind::three ? 3 : 2;
 }
 
 /// Border included; all zero is GL's initial texture array.
@@ -104,7 +111,7 @@ struct TextureObject {
     const LevelImage* image(unsigned face, GLint l) const {
         return const_cast<TextureObject*>(this)->image(face, l);
     }
-    unsigned faces() const { return kind == TextureKind::cube ? cube_faces : 1; }
+    unsigned faces() const { return there(kind) == TextureKind::cube ? cube_faces : 1; }
 };
 
 /// The object of a cube map: its first member, so that a pointer to one is a pointer to the other.

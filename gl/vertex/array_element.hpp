@@ -24,7 +24,9 @@ class ArrayReader {
     unsigned components() const { return on() ? components_ : 0; }
 
     /// Elements are so many aligned floats: words().
-    bool is_floats(unsigned count) const { return aligned_floats_ && components_ == count; }
+    bool is_floats(unsigned count) const {
+        return has_array_type(GL_FLOAT) && aligned_floats_ && components_ == count;
+    }
     SPANGLE_INLINE const std::uint8_t* words(std::uint32_t index) const { return base_ + stride_ * index; }
     static std::uint32_t word(const std::uint8_t* at, int i) {
         std::uint32_t bits;
@@ -42,7 +44,7 @@ class ArrayReader {
     /// Components of an element; those beyond the array's size keep what `out` holds.
     template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
         const std::uint8_t* const at = base_ + stride_ * index;
-        if (!aligned_floats_)
+        if (!has_array_type(GL_FLOAT) || !aligned_floats_)
             return convert(at, out);
         out[0] = float_at(at);
         if (components_ < 2)

@@ -41,7 +41,7 @@ template <class T> T read(const std::uint8_t* at) {
 /// A component as a number (vertices, texture coordinates) or as a fraction (colours, normals: GL 1.3,
 /// table 2.6).
 Real component(const std::uint8_t* at, GLenum type, bool normalized) {
-    switch (type) {
+    switch (array_type(type)) {
     case GL_FLOAT:
         return numeric::from_float_bits(read<std::uint32_t>(at));
     case GL_DOUBLE:
@@ -72,6 +72,9 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
 /// in buffers (GL 3.0, 2.8).
 void point(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride,
            const void* pointer) {
+    if (!has_array_type(type))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("this build has no arrays of this type (SPANGLE_ARRAY_TYPES)"));
     BufferObject* const buffer = context.array_bindings.array_buffer;
     if (bound_vertex_array(context) != 0 && buffer == nullptr && pointer != nullptr)
         return error(context, GL_INVALID_OPERATION,
@@ -110,14 +113,14 @@ bool is_signed_type(GLenum type) {
 ArrayReader::ArrayReader(const ClientArray& array, bool normalized)
     : base_(array.enabled ? static_cast<const std::uint8_t*>(array.pointer) : nullptr), type_(array.type),
       components_(static_cast<std::uint8_t>(array.size)), normalized_(normalized) {
-    const unsigned bytes = bytes_of(array.type);
+    const unsigned bytes = bytes_of(array_type(array.type));
     stride_ = array.stride != 0 ? static_cast<std::size_t>(array.stride) : std::size_t{bytes} * components_;
-    aligned_floats_ =
-        type_ == GL_FLOAT && ((reinterpret_cast<std::uintptr_t>(base_) | stride_) & (sizeof(float) - 1)) == 0;
+    aligned_floats_ = has_array_type(GL_FLOAT) && type_ == GL_FLOAT &&
+                      ((reinterpret_cast<std::uintptr_t>(base_) | stride_) & (sizeof(float) - 1)) == 0;
 }
 
 void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
-    const unsigned bytes = bytes_of(type_);
+    const unsigned bytes = bytes_of(array_type(type_));
     for (unsigned c = 0; c < components_; ++c)
         out[c] = component(at + std::size_t{c} * bytes, type_, normalized_);
 }
@@ -218,6 +221,7 @@ void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei st
 #endif
 
 #if SPANGLE_FEATURE_POLYGON_MODE
+static_assert(has_array_type(GL_UNSIGNED_BYTE), "edge flags are bytes");
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
     if (stride < 0)
         return error(context, GL_INVALID_VALUE);

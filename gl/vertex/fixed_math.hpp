@@ -702,10 +702,11 @@ struct FixedMath {
     }
 
     static bool is_identity(const numeric::Matrix& m) {
-        const numeric::Matrix one = numeric::Matrix();
-        for (int i = 0; i < 16; ++i)
-            if (m.m[i] != one.m[i] || (m.m[i] != 0 && m.e[i] != one.e[i]))
+        for (int i = 0; i < 16; ++i) {
+            const std::int32_t wanted = i % 5 == 0 ? numeric::Matrix::one : 0;
+            if (m.m[i] != wanted || (wanted != 0 && m.e[i] != numeric::Matrix::one_e))
                 return false;
+        }
         return true;
     }
 

@@ -58,6 +58,9 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
         pointer != nullptr)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("a vertex array object asks for arrays in buffers"));
+    if (!has_array_type(GL_FLOAT) || !has_array_type(GL_UNSIGNED_BYTE))
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("this build has no arrays of floats and bytes (SPANGLE_ARRAY_TYPES)"));
     const Format& f = formats[format - GL_V2F];
     const GLsizei step = stride != 0 ? stride : f.stride;
     ArraysState& arrays = context.arrays;

@@ -21,15 +21,16 @@ UnitKey unit_key(const TextureUnit& unit) {
     key.on = true;
     const Texture& texture = *unit.texture;
     const TextureLevel& image = texture.level[0];
-    const bool packed = image.stride == static_cast<std::uint32_t>(image.width * texel_bytes(texture.format));
-    key.general = !is_common(texture.format) || texture.shape > TextureShape::plane ||
+    const TexelFormat format = sampled(texture.format);
+    const bool packed = image.stride == static_cast<std::uint32_t>(image.width * texel_bytes(format));
+    key.general = !is_common(format) || texture.shape > TextureShape::plane ||
                   !is_power_of_two(image.width) || !is_power_of_two(image.height) ||
                   texture.mip != MipFilter::none || texture.mag != texture.min ||
                   texture.wrap_s != Wrap::repeat || texture.wrap_t != Wrap::repeat ||
                   texture.border_texels != 0 || !packed || unit.env == TexEnv::combine;
     if (key.general)
         return key;
-    key.texels = texture.format;
+    key.texels = format;
     key.base = texture.base;
     key.filter = texture.mag;
     key.env = unit.env;

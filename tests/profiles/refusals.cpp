@@ -227,8 +227,8 @@ void lights() {
 }
 
 void primitives() {
-    static constexpr GLfloat corner[2] = {};
-    glVertexPointer(2, GL_FLOAT, 0, corner);
+    static constexpr GLshort corner[2] = {};
+    glVertexPointer(2, GL_SHORT, 0, corner);
     for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
         const bool there = mode == GL_POINTS       ? gl::has_points
                            : mode <= GL_LINE_STRIP ? gl::has_lines
@@ -248,16 +248,28 @@ void primitives() {
     }
 }
 
+/// Arrays whose components have a type that the build leaves out.
+void arrays() {
+    static constexpr GLdouble nothing[4] = {};
+    for (const GLenum type : {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED}) {
+        said.clear();
+        glVertexPointer(3, type, 0, nothing);
+        check(gl::has_array_type(type) ? glGetError() == GL_NO_ERROR
+                                       : refused(GL_INVALID_OPERATION, "SPANGLE_ARRAY_TYPES"),
+              "a type of arrays");
+    }
+}
+
 /// One triangle, in a state that every profile draws, between these depths and so far to the right.
 bool draws_triangle(GLfloat right, GLfloat first, GLfloat last) {
     const GLfloat corners[3][3] = {
         {right - 0.5f, -0.5f, first}, {right + 0.5f, -0.5f, first}, {right, 0.5f, last}};
-    glVertexPointer(3, GL_FLOAT, 0, corners);
-    glDisableClientState(GL_NORMAL_ARRAY);
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     said.clear();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBegin(GL_TRIANGLES);
+    for (const GLfloat(&corner)[3] : corners)
+        glVertex3fv(corner);
+    glEnd();
     return drawn() > 0;
 }
 
@@ -328,6 +340,7 @@ int main() {
     draws();
     states();
     clipping();
+    arrays();
     primitives();
     lights();
     // A hint for a tier that is not there is one for the config's.
