@@ -134,7 +134,8 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
                     SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
                                  "depth buffer or multisample buffer than the surface's"));
     // What is recorded is drawn by the fixed policy, later.
-    const bool records = draw_surface->band.record != nullptr || read_surface->band.record != nullptr;
+    const bool records =
+        SPANGLE_HAS_RECORDS && (draw_surface->band.record != nullptr || read_surface->band.record != nullptr);
     if (records && (draw_surface != read_surface ||
                     precision_of(context->config.precision).engine != &spangle::gl::fixed_engine))
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglMakeCurrent: a window with a record is drawn to and read "

@@ -21,6 +21,7 @@ struct Config {
     bool multisampled = false;
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
 
+    bool has_samples() const { return raster::has_samples && multisampled; }
     /// The format of a config that exists.
     PixelFormat drawn() const { return raster::drawn(format); }
 };

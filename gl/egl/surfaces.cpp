@@ -56,22 +56,23 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     const auto color_bytes = static_cast<std::size_t>(row_bytes(config.drawn(), width)) *
                              static_cast<std::size_t>(stored_rows(config.drawn(), height));
     surface->color = static_cast<std::uint8_t*>(plane(extras.color, color_bytes));
-    const std::size_t samples = config.multisampled ? raster::sample_count : 1;
-    const std::size_t sample_bytes = bytes_of_sample(config.drawn(), width, rows);
+    const std::size_t samples = config.has_samples() ? raster::sample_count : 1;
+    const std::size_t sample_bytes = raster::has_samples ? bytes_of_sample(config.drawn(), width, rows) : 0;
     const std::size_t depth_bytes = pixels * static_cast<std::size_t>(bytes_per_depth(config.depth));
     surface->depth =
         static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, depth_bytes * samples));
-    surface->sample_colors = static_cast<std::uint8_t*>(plane(config.multisampled, sample_bytes * samples));
+    surface->sample_colors = static_cast<std::uint8_t*>(plane(config.has_samples(), sample_bytes * samples));
     surface->samples.next_color = static_cast<std::ptrdiff_t>(sample_bytes);
     surface->samples.next_depth = static_cast<std::ptrdiff_t>(depth_bytes);
     surface->unresolved =
-        static_cast<RowSpan*>(plane(config.multisampled, static_cast<std::size_t>(rows) * sizeof(RowSpan)));
-    surface->accum = static_cast<std::int16_t*>(plane(extras.accum, pixels * (4 * accum_bits / 8)));
+        static_cast<RowSpan*>(plane(config.has_samples(), static_cast<std::size_t>(rows) * sizeof(RowSpan)));
+    surface->accum = static_cast<std::int16_t*>(
+        plane(SPANGLE_FEATURE_ACCUM && extras.accum, pixels * (4 * accum_bits / 8)));
     if (!whole || !make_record(extras.record, surface->band)) {
         free_surface(surface);
         return nullptr;
     }
-    for (std::int32_t y = 0; config.multisampled && y < rows; ++y)
+    for (std::int32_t y = 0; config.has_samples() && y < rows; ++y)
         new (surface->unresolved + y) RowSpan;
     return surface;
 }
@@ -262,7 +263,7 @@ raster::Surface pixels_of(Surface& surface) {
     out.accum = surface.accum;
     if (bands)
         show_band(surface, out);
-    if (surface.config.multisampled)
+    if (surface.config.has_samples())
         out.samples = &show_samples(surface, out.area());
     return out;
 }
