@@ -31,6 +31,7 @@ spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8
 spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")
 spangle_limit(SHORTCUTS 1 "Ways of their own for small triangles, thin lines, and strips of elements; 0: less code, the same bytes")
 spangle_limit(KERNELS_INLINE 1 "Code that is built for size (-Os) has kernels in line, too; 0: where the compiler finds that smaller")
+spangle_limit(SEED_TABLES 1 "What reciprocals and roots begin with is looked up in tables of 1.3 KB; 0: it is computed, the same numbers")
 spangle_limit(ARGUMENTS_INLINE 1 "Entry points convert their arguments themselves; 0: less code where programs call most of them")
 spangle_limit(CHAIN 1 "What draws the states that have no loop of their own; 0: they are errors")
 spangle_limit(COLOR_FORMATS 1023 "Sum of 2^PixelFormat over the formats that are drawn on")

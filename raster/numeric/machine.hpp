@@ -25,7 +25,14 @@
 #define SPANGLE_RUN_INLINE_LAMBDA __attribute__((noinline))
 #endif
 
+#ifndef SPANGLE_SEED_TABLES
+#define SPANGLE_SEED_TABLES 1
+#endif
+
 namespace spangle::numeric {
+
+/// What reciprocals and roots begin with is looked up, else it is computed: the same numbers.
+inline constexpr bool has_seed_tables = SPANGLE_SEED_TABLES != 0;
 
 /// Registers hold 64 bits. Decides between forms of equal results.
 inline constexpr bool wide_words = sizeof(void*) > 4;

@@ -13,19 +13,23 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// Q1.15 of 1/a at the middle of each of the 256 intervals of [1/2, 1): 2^25 / (513 + 2i), rounded.
+/// Q1.15 of 1/a at the middle of the i-th of the 256 intervals of [1/2, 1): 2^25 / (513 + 2i), rounded.
+constexpr std::uint16_t reciprocal_near(std::uint32_t i) {
+    return static_cast<std::uint16_t>(((1u << 26) / (513 + 2 * i) + 1) / 2);
+}
 struct ReciprocalTable {
     std::uint16_t at[256];
     constexpr ReciprocalTable() : at{} {
         for (std::uint32_t i = 0; i < 256; ++i)
-            at[i] = static_cast<std::uint16_t>(((1u << 26) / (513 + 2 * i) + 1) / 2);
+            at[i] = reciprocal_near(i);
     }
 };
 inline constexpr ReciprocalTable reciprocal_table;
 
 /// Q2.30 from the table alone, relative error <= 2^-8.99.
 SPANGLE_INLINE constexpr std::uint32_t reciprocal_seed(std::uint32_t a) {
-    return std::uint32_t{reciprocal_table.at[(a >> 23) & 255]} << 15;
+    const std::uint32_t i = (a >> 23) & 255;
+    return std::uint32_t{has_seed_tables ? reciprocal_table.at[i] : reciprocal_near(i)} << 15;
 }
 
 } // namespace detail

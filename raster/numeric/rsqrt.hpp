@@ -18,17 +18,25 @@ constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
     return root;
 }
 
-/// Q1.15 of 1/sqrt(a) at the middle of each 2^-9 of [1/4, 1): a = (257 + 2i) / 1024.
+/// Q1.15 of 1/sqrt(a) at the middle of the i-th 2^-9 of [1/4, 1): a = (257 + 2i) / 1024.
+constexpr std::uint16_t rsqrt_near(std::uint32_t i) {
+    const std::uint32_t d = 257 + 2 * i, high = (1u << 31) / d;
+    const std::uint64_t square =
+        (std::uint64_t{high} << 11) + (((1u << 31) - high * d) << 11) / d; // 2^42 / d
+    return static_cast<std::uint16_t>((integer_sqrt(square) + 1) / 2);     // of Q.32 of 1/a
+}
 struct RsqrtTable {
     std::uint16_t at[384];
     constexpr RsqrtTable() : at{} {
-        for (std::uint32_t i = 0; i < 384; ++i) {
-            const std::uint64_t square = (std::uint64_t{1} << 42) / (257 + 2 * i); // Q.32 of 1/a
-            at[i] = static_cast<std::uint16_t>((integer_sqrt(square) + 1) / 2);
-        }
+        for (std::uint32_t i = 0; i < 384; ++i)
+            at[i] = rsqrt_near(i);
     }
 };
 inline constexpr RsqrtTable rsqrt_table;
+
+SPANGLE_INLINE constexpr std::uint32_t rsqrt_seed(std::uint32_t i) {
+    return has_seed_tables ? rsqrt_table.at[i] : rsqrt_near(i);
+}
 
 } // namespace detail
 
@@ -38,10 +46,10 @@ inline constexpr int rsqrt_1_accuracy = 173, rsqrt_accuracy = 299;
 /// One Newton step: Q2.30 of 1/sqrt(a), a in [2^30, 2^32) standing for [1/4, 1). Relative error in [-2^-17.3,
 /// 2^-29].
 SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
-    const std::uint32_t seed = detail::rsqrt_table.at[(a >> 23) - 128]; // Q1.15
-    const std::uint32_t square = seed * seed;                           // Q2.30, exact
-    const std::uint32_t product = mul_high_u32(a, square);              // Q2.30, near 1
-    return mul_by_half(0xC0000000u - product, seed);                    // seed * (3 - a seed^2) / 2
+    const std::uint32_t seed = detail::rsqrt_seed((a >> 23) - 128); // Q1.15
+    const std::uint32_t square = seed * seed;                       // Q2.30, exact
+    const std::uint32_t product = mul_high_u32(a, square);          // Q2.30, near 1
+    return mul_by_half(0xC0000000u - product, seed);                // seed * (3 - a seed^2) / 2
 }
 
 /// Two Newton steps: Q2.30 of 1/sqrt(a), in (1, 2] as (2^30, 2^31]. Relative error <= 2^-29.9.
