@@ -34,6 +34,7 @@ spangle_limit(KERNELS_INLINE 1 "Code that is built for size (-Os) has kernels in
 spangle_limit(SEED_TABLES 1 "What reciprocals and roots begin with is looked up in tables of 1.3 KB; 0: it is computed, the same numbers")
 spangle_limit(ARGUMENTS_INLINE 1 "Entry points convert their arguments themselves; 0: less code where programs call most of them")
 spangle_limit(CHAIN 1 "What draws the states that have no loop of their own; 0: they are errors")
+spangle_limit(AFFINE_TEXTURES 1 "Coordinates of textures are affine where that is within the bounds of the tier; 0: they are divided there, too, so pictures may be others within these bounds")
 spangle_limit(COLOR_FORMATS 1023 "Sum of 2^PixelFormat over the formats that are drawn on")
 spangle_limit(DEPTH_FORMATS 7 "Sum of 2^DepthFormat over the depth buffers there are")
 spangle_limit(TEXTURE_FORMATS 32767 "Sum of 2^TexelFormat over the formats of textures")

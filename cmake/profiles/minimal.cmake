@@ -19,6 +19,7 @@ set(SPANGLE_ARRAY_TYPES 4)       # shorts
 set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
 set(SPANGLE_PRIMITIVES 0)       # triangles
+set(SPANGLE_AFFINE_TEXTURES 0)  # those of models that are baked never are
 set(SPANGLE_SHORTCUTS 0)
 set(SPANGLE_KERNELS_INLINE 0)
 set(SPANGLE_SEED_TABLES 0)

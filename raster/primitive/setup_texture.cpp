@@ -63,7 +63,8 @@ struct Repeats {
 void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     const auto &a = v(0).tex[unit], &b = v(1).tex[unit], &c = v(2).tex[unit];
     // Three coordinates are divided at every fragment.
-    u.homogeneous = state_.needs.r[unit] || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0;
+    u.homogeneous =
+        !has_affine_textures || state_.needs.r[unit] || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0;
     if (u.homogeneous)
         return load_homogeneous(unit, u);
     const auto halves = state_.halves[unit];
@@ -168,7 +169,7 @@ static bool stays_inside(const std::int32_t (&fog)[3], const Interpolant<std::ui
 }
 
 bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const {
-    if (u.homogeneous)
+    if (!has_affine_textures || u.homogeneous)
         return false;
     // The affine form of clamped coordinates does not saturate: 7 repeats on both sides must do.
     const auto& placed = span_.unit[unit];
@@ -261,7 +262,7 @@ SPANGLE_INLINE Kind Setup<Fixed>::choose_kind(const UnitValues units[], bool sam
         if (has_textures && needs.unit[i] && !unit_affine(i, units[i], same_w))
             return Kind::textured;
     if (!has_fog || !needs.fog)
-        return Kind::affine;
+        return has_affine_textures ? Kind::affine : Kind::textured;
     const std::uint64_t four = drawn(state_.tier) == Tier::exact ? 1u << 5 : 1u << 17; // of f: 2^-22; 2^-9
     const bool affine = span_.fog_exponent == -24 && (same_w || drawn(state_.tier) == Tier::fast ||
                                                       bounded(range_of(fog[0], fog[1], fog[2]), four));

@@ -201,6 +201,8 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (kind == Kind::textured && plain)
             continue;
+        if (!has_affine_textures && kind == Kind::affine && draw.needs.any_unit())
+            continue;
         if (!has_chain && kind == Kind::full && drawn(state.tier) == Tier::fast)
             continue; // whose colours and fog are affine
         draw.guesses = choose_span(draw.variant[i], key, state);

@@ -30,6 +30,9 @@
 #ifndef SPANGLE_CHAIN
 #define SPANGLE_CHAIN 1
 #endif
+#ifndef SPANGLE_AFFINE_TEXTURES
+#define SPANGLE_AFFINE_TEXTURES 1
+#endif
 #ifndef SPANGLE_TEXTURE_FORMATS
 #define SPANGLE_TEXTURE_FORMATS 32767
 #endif
@@ -61,6 +64,8 @@ inline constexpr bool has_shortcuts = SPANGLE_SHORTCUTS != 0;
 /// Without it a state that has no fused span is an error.
 inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
 static_assert(has_chain || has_fused_spans);
+/// Without it coordinates of textures are divided wherever they are drawn.
+inline constexpr bool has_affine_textures = SPANGLE_AFFINE_TEXTURES != 0;
 
 /// Fragments between two stages of the chain, where lanes do not ask for more, and most rows that a primitive
 /// hands to its span function at once. They lie on the stack.
