@@ -30,7 +30,7 @@ struct Extras {
 
 /// Of so many rows, wherever they begin: pages of eight may be one more.
 std::size_t bytes_of_sample(PixelFormat format, std::int32_t width, std::int32_t rows) {
-    const std::int32_t shared = format_info(format).rows, most = (rows + 2 * shared - 2) / shared;
+    const std::int32_t shared = raster::drawn_info(format).rows, most = (rows + 2 * shared - 2) / shared;
     return static_cast<std::size_t>(row_bytes(format, width)) * static_cast<std::size_t>(most);
 }
 
@@ -243,7 +243,7 @@ raster::Surface pixels_of(Surface& surface) {
     out.depth_format = surface.config.depth;
     if (surface.window) { // top row first
         out.color_stride = -surface.frame.stride;
-        out.color = bottom_row(surface.frame.pixels, color_first / format_info(format).rows, rows,
+        out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
                                surface.frame.stride);
 #if SPANGLE_EXTENTS
         out.extents = surface.frame.extents;

@@ -140,7 +140,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.tier = state.tier;
     draw.format = target.format;
     // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target, of indices and 8 bits a unit.
-    const bool units = format_info(drawn(target.format)).green_bits == 8 || drawn_indexed(target.format);
+    const bool units = drawn_info(target.format).green_bits == 8 || drawn_indexed(target.format);
     draw.four_color_tolerances = drawn(state.tier) == Tier::exact  ? color_one >> 17
                                  : drawn(state.tier) == Tier::fast ? UINT32_MAX
                                  : units                           ? 1u << color_fraction_bits
@@ -148,7 +148,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     const Key key = make_key(state, target, Kind::affine);
     draw.depth_format = key.depth_format;
     draw.color_bytes =
-        drawn_narrow(target.format) ? std::uint8_t{0} : format_info(drawn(target.format)).bytes_per_pixel;
+        drawn_narrow(target.format) ? std::uint8_t{0} : drawn_info(target.format).bytes_per_pixel;
     draw.depth_bytes = key.depth_format == DepthFormat::none  ? 0
                        : key.depth_format == DepthFormat::z16 ? 2
                                                               : 4;

@@ -57,7 +57,7 @@ bool source_alpha(BlendFactor f) {
 }
 
 bool has_alpha(PixelFormat format) {
-    return format_info(drawn(format)).alpha_bits != 0;
+    return drawn_info(format).alpha_bits != 0;
 }
 
 void blend_key(Key& key, const FragmentState& state) {

@@ -135,7 +135,7 @@ struct Pixel {
 Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::uint32_t threshold) {
     if (drawn_indexed(format))
         return {{static_cast<std::uint8_t>(stored_index(color[0], dither, threshold)), 0, 0, 0}};
-    const FormatInfo info = format_info(drawn(format));
+    const FormatInfo info = drawn_info(format);
     const std::uint32_t r = stored_component(color[0], info.red_bits, dither, threshold);
     const std::uint32_t g = stored_component(color[1], info.green_bits, dither, threshold);
     const std::uint32_t b = stored_component(color[2], info.blue_bits, dither, threshold);
@@ -162,7 +162,7 @@ Pixel mask_of(PixelFormat format, std::uint8_t channels) {
 
 /// The pixels of row y from column x on.
 Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std::int32_t y) {
-    const std::int32_t bytes = format_info(drawn(s.format)).bytes_per_pixel;
+    const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel;
     Pattern p;
     p.period = bytes == 3 ? 48 : 16;
     const std::uint32_t row = dither_row(y);
@@ -175,9 +175,7 @@ Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std
 }
 
 bool writes_all(PixelFormat format, std::uint8_t channels) {
-    const std::uint8_t needed = drawn_indexed(format)                        ? 0xFF
-                                : format_info(drawn(format)).alpha_bits != 0 ? 0xF
-                                                                             : 0x7;
+    const std::uint8_t needed = drawn_indexed(format) ? 0xFF : drawn_info(format).alpha_bits != 0 ? 0xF : 0x7;
     return (channels & needed) == needed;
 }
 
@@ -248,9 +246,9 @@ void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
 }
 
 void clear_wide(const Surface& s, const ClearRequest& r) {
-    const std::int32_t bytes = format_info(drawn(s.format)).bytes_per_pixel, row_bytes = r.area.w * bytes;
+    const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel, row_bytes = r.area.w * bytes;
     const bool all = writes_all(s.format, r.channels),
-               dithers = r.dither && format_info(drawn(s.format)).red_bits < 8;
+               dithers = r.dither && drawn_info(s.format).red_bits < 8;
     const Pixel mask = mask_of(s.format, r.channels);
     std::uint8_t* const first = s.color_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * bytes;
     if (all && !dithers) {
@@ -312,7 +310,7 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
 /// itself. Of 16 bits: each component summed over the sixteen thresholds, which grows with every pixel that
 /// changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
-    const FormatInfo info = format_info(drawn(s.format));
+    const FormatInfo info = drawn_info(s.format);
     if (info.red_bits == 8) {
         const Pixel p = pack(s.format, r.color, false, 0);
         const std::uint32_t alpha = info.alpha_bits != 0 ? p.byte[3] : 0u;

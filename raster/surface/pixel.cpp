@@ -7,7 +7,7 @@ namespace spangle::raster {
 namespace {
 
 std::uint8_t* color_at(const Surface& s, std::int32_t x, std::int32_t y) {
-    return s.color_row(y) + static_cast<std::intptr_t>(x) * format_info(drawn(s.format)).bytes_per_pixel;
+    return s.color_row(y) + static_cast<std::intptr_t>(x) * drawn_info(s.format).bytes_per_pixel;
 }
 
 // Depth words are in host order; bytes are copied because a plane may start anywhere.
@@ -46,8 +46,7 @@ std::uint32_t word_of(PixelFormat format, const std::uint32_t k[4]) {
 StoredColor read_color(const Surface& s, std::int32_t x, std::int32_t y) {
     if (drawn_narrow(s.format))
         return read_narrow(s, x, y);
-    return unpack_pixel(drawn(s.format),
-                        load_bytes(color_at(s, x, y), format_info(drawn(s.format)).bytes_per_pixel));
+    return unpack_pixel(drawn(s.format), load_bytes(color_at(s, x, y), drawn_info(s.format).bytes_per_pixel));
 }
 
 void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32_t count, StoredColor* out) {
@@ -56,7 +55,7 @@ void read_color_row(const Surface& s, std::int32_t x, std::int32_t y, std::int32
             out[i] = read_narrow(s, x + i, y);
         return;
     }
-    const unsigned bytes = format_info(drawn(s.format)).bytes_per_pixel;
+    const unsigned bytes = drawn_info(s.format).bytes_per_pixel;
     const std::uint8_t* p = color_at(s, x, y);
     for (std::int32_t i = 0; i < count; ++i, p += bytes)
         out[i] = unpack_pixel(drawn(s.format), load_bytes(p, bytes));
@@ -90,7 +89,7 @@ void write_color(const Surface& s, std::int32_t x, std::int32_t y, const std::ui
         return store_narrow(s.format, s.color_row(y), x, y, word_of(s.format, k));
     const std::uint32_t v = pack_pixel(drawn(s.format), k);
     std::uint8_t* p = color_at(s, x, y);
-    for (unsigned i = 0; i < format_info(drawn(s.format)).bytes_per_pixel; ++i)
+    for (unsigned i = 0; i < drawn_info(s.format).bytes_per_pixel; ++i)
         p[i] = static_cast<std::uint8_t>(v >> (8 * i));
 }
 

@@ -121,6 +121,15 @@ template <class E> constexpr E one_of(unsigned set, E value) {
 constexpr PixelFormat drawn(PixelFormat format) {
     return one_of(color_formats, format);
 }
+namespace detail {
+inline constexpr FormatInfo only_info = format_info(drawn(PixelFormat{}));
+}
+/// Of the format of a surface, likewise.
+constexpr FormatInfo drawn_info(PixelFormat format) {
+    if constexpr ((color_formats & (color_formats - 1)) == 0)
+        return detail::only_info;
+    return format_info(format);
+}
 constexpr bool drawn_narrow(PixelFormat format) {
     return has_narrow_formats && (!has_wide_formats || is_narrow(format));
 }
