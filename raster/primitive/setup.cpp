@@ -126,39 +126,55 @@ void Setup<Fixed>::steep_colors(std::uint32_t bias) {
     });
 }
 
-/// Colours that differ in `bits`.
-template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
-    const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
-    if (has_full && span_.kind == Kind::full)
-        projective_colors();
-    else if (spans_dither && variant.steps)
-        stepped_colors(bits, variant.color_bias);
-    else
-        affine_colors<Rgb>(bits, variant.color_bias);
+void Setup<Fixed>::steep_steps(std::uint32_t bias) {
+    each_step([&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
+        add_steep(at, (first << color_up) + bias, d1, d2, color_up);
+    });
 }
 
-/// Only red, green and blue are dithered. Their differences take no more bits than they did.
-void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
-    const auto add = [&](int i, auto plane) __attribute__((always_inline)) {
+/// Colours that differ in `bits`.
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::varying_colors(std::uint32_t bits) {
+    if (has_full && span_.kind == Kind::full)
+        projective_colors();
+    else
+        window_colors<Rgb>(bits, 0);
+}
+
+/// The same affine in the window, so much less.
+template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_t bits, std::uint32_t less) {
+    const Variant& variant = state_.variant[static_cast<unsigned>(span_.kind)];
+    const std::uint32_t bias = variant.color_bias - less;
+    if (!spans_dither || !variant.steps)
+        affine_colors<Rgb>(bits, bias);
+    else if constexpr (Rgb)
+        stepped_colors(bits, bias);
+    else
+        stepped_colors_apart(bits, bias);
+}
+
+/// add(plane, first value, differences) of what is dithered: red, green and blue.
+template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
         const std::uint32_t s0 = color_in_steps(v(0).color[i], i), s1 = color_in_steps(v(1).color[i], i),
                             s2 = color_in_steps(v(2).color[i], i);
-        plane(span_.color_value[i], (s0 << color_up) + bias, static_cast<std::int32_t>(s1 - s0),
-              static_cast<std::int32_t>(s2 - s0));
-    };
+        add(span_.color_value[i], s0, static_cast<std::int32_t>(s1 - s0), static_cast<std::int32_t>(s2 - s0));
+    }
+}
+
+/// Their differences take no more bits than they did.
+SPANGLE_INLINE void Setup<Fixed>::stepped_colors(std::uint32_t bits, std::uint32_t bias) {
     const Coefficients& by = this->by();
     const auto lift = static_cast<std::uint32_t>(32 + color_up - by.exponent);
     if (liftable(bits, lift)) [[likely]] {
-#pragma GCC unroll 3
-        for (int i = 0; i < 3; ++i)
-            add(i, [&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
-                add_lifted(at, first, d1, d2, lift, by);
-            });
-        return;
+        return each_step([&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) __attribute__((
+            always_inline)) { add_lifted(at, (first << color_up) + bias, d1, d2, lift, by); });
     }
-    for (int i = 0; i < 3; ++i)
-        add(i, [&](auto& at, std::uint32_t first, std::int32_t d1, std::int32_t d2) {
-            add_steep(at, first, d1, d2, color_up);
-        });
+    steep_steps(bias);
+}
+
+void Setup<Fixed>::stepped_colors_apart(std::uint32_t bits, std::uint32_t bias) {
+    stepped_colors(bits, bias);
 }
 
 template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_t bits, std::uint32_t bias) {
@@ -183,14 +199,11 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
         return divided_colors();
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
+    // Steps are no more than the 255ths are, and rounded to 2^-20 of them.
     const std::uint32_t off = error + lost;
-    const Variant& variant = state_.variant[static_cast<unsigned>(Kind::full)];
-    if (variant.steps) // which are no more than the 255ths are, and rounded to 2^-20 of them
-        stepped_colors(bits, variant.color_bias - off);
-    else
-        affine_colors<true>(bits, variant.color_bias - off);
     span_.guess.doubt(2 * off);
     span_.guess.project = &project;
+    window_colors<true>(bits, off);
 }
 
 void Setup<Fixed>::constant_colors(const Vertex& painted) {

@@ -121,7 +121,11 @@ template <> class Setup<Fixed> {
     template <bool Rgb> void varying_colors(std::uint32_t bits);
     template <bool Rgb = false, class F> void each_color(F add) const;
     void steep_colors(std::uint32_t bias);
+    template <class F> void each_step(F add) const;
+    void steep_steps(std::uint32_t bias);
     void stepped_colors(std::uint32_t bits, std::uint32_t bias);
+    void stepped_colors_apart(std::uint32_t bits, std::uint32_t bias);
+    template <bool Rgb> void window_colors(std::uint32_t bits, std::uint32_t less);
     void projective_colors();
     void guessed_colors(std::uint32_t bits);
     void divided_colors();
