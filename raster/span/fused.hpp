@@ -187,6 +187,14 @@ SPANGLE_INLINE void fused_plain_row(Span<Fixed>& span, const Row& row,
     fused_loop<false, typename Case::template System<1>>(list, at, row.first - row.last, 0);
 }
 
+template <class Case>
+SPANGLE_INLINE void fused_narrow_plain_rows(Span<Fixed>& span, const Row* row, const Row* end) {
+    const typename Case::Pattern pattern(span.flat_word);
+    do
+        fused_plain_row<Case>(span, *row, pattern);
+    while (++row != end);
+}
+
 /// Lists that ask for rows of texels, along the whole of a row.
 template <class List> inline constexpr bool takes_rows = List::rows && !List::runs;
 
@@ -366,10 +374,10 @@ template <class Case, int Wide = host_lanes>
         if constexpr (Wide == 8 && Case::wide)
             if (span.state->fragment.scissor.w >= 8)
                 return fused_plain_rows<Case>(span, row, end);
-        const typename Case::Pattern pattern(span.flat_word);
-        do
-            fused_plain_row<Case>(span, *row, pattern);
-        while (++row != end);
+        if constexpr (Case::patterned)
+            if (!PatchOfRows::are_many(row, end, Case::Few::most + 1))
+                return fused_narrow_plain_rows<typename Case::Few>(span, row, end);
+        fused_narrow_plain_rows<Case>(span, row, end);
     } else if constexpr (Case::apart) {
         do {
             enter_fused<Case>(span, *row);

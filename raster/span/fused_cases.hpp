@@ -124,10 +124,11 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                                                                  std::is_same_v<N, CoarseBytes<8>>);
     template <class N>
     using Test = std::conditional_t<tested, Depth<N, DepthFormat::z16, K.depth, K.depth_write>, None<N, 0>>;
-    enum class Walk { rows, paths, tiles };
+    enum class Walk { rows, few, paths, tiles };
     /// Colours come as they are stored.
     template <int L, Walk By>
-    static constexpr bool in_pattern = patterned && (L == 1 || (L == 8 && By == Walk::rows));
+    static constexpr bool in_pattern = patterned &&
+                                       ((L == 1 && By != Walk::few) || (L == 8 && By == Walk::rows));
     template <int L, Walk By = Walk::rows> struct Stages {
         using N = std::conditional_t<
             raw, Raw565<L>,
@@ -151,14 +152,13 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                     !K.dither, FlatWord<L>,
                     std::conditional_t<
                         By == Walk::paths, PathPattern,
-                        std::conditional_t<
-                            L == 1, RowPattern,
-                            std::conditional_t<in_pattern<L, By>, FlatDitheredRows, FlatDithered<L>>>>>>{};
+                        std::conditional_t<!in_pattern<L, By>, FlatDithered<L>,
+                                           std::conditional_t<L == 1, RowPattern, FlatDitheredRows>>>>>{};
             else if constexpr (is_guessed(K))
                 return std::type_identity<GouraudGuessed<L, K.dither>>{};
             else if constexpr (raw && K.dither)
-                return std::type_identity<
-                    std::conditional_t<L == 8 && By == Walk::rows, GouraudDitheredRow, GouraudDithered<L>>>{};
+                return std::type_identity<std::conditional_t<L == 8 && By == Walk::rows, GouraudDitheredRow,
+                                                             GouraudDithered<L, RowFractions<L>>>>{};
             else if constexpr (Gray)
                 return std::type_identity<std::conditional_t<full, GouraudGrayDivided<N>, GouraudGray<N>>>{};
             else if constexpr (K.color && full && Apart)
@@ -265,6 +265,15 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// The words of its fragments, as they are stored, and those of paths.
     using Pattern = std::conditional_t<patterned, DitherRows<swaps>, NoPattern>;
     using LanePattern = std::conditional_t<patterned, DitherLaneRows<K.format>, NoPattern>;
+    /// So few that a pattern of their colour costs more than their words.
+    struct Few {
+        static constexpr Key key = K;
+        static constexpr bool tested = FusedCase::tested, patterned = false;
+        static constexpr std::int32_t most = 11;
+        using Pattern = NoPattern;
+        template <int> using System = Raw565<1>;
+        template <int> using List = typename Stages<1, Walk::few>::List;
+    };
     /// Few fragments cost more one by one than eight with copies of what is stored.
     static constexpr bool heavy = laned && (!raw || filters_words(K)) && (textured || K.blend || K.fog);
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.

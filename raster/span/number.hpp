@@ -251,15 +251,16 @@ template <int Count> struct Raw565 {
         else
             return {L::high_half(r), L::high_half(g), L::high_half(b)};
     }
-    /// Of steps (Variant::steps), before the rest is dropped: floor(step + t), t in 32nds. 31 and 63 steps
-    /// and 31/32 do not wrap; what set-up made a little less than 0 does.
-    SPANGLE_INLINE static Tops dithered(const Tops& v, T threshold32) {
-        T t = threshold32 << (6 + below);
+    /// Of steps (Variant::steps), before the rest is dropped: floor(step + t), t as a fraction of five bits'
+    /// steps. 31 and 63 steps and 31/32 do not wrap; what set-up made a little less than 0 does.
+    SPANGLE_INLINE static Tops dithered(const Tops& v, T t) {
         if constexpr (Count == 1)
             t = numeric::factor32(t);
         const T t6 = t >> 1;
         return {v.r + t, v.g + t6, v.b + t};
     }
+    /// That of a threshold in 32nds.
+    SPANGLE_INLINE static T fraction5(T threshold32) { return threshold32 << (6 + below); }
     SPANGLE_INLINE static Color word(const Tops& v) {
         return {(v.r >> below & 0xF800) | ((v.g >> (below + 5)) & 0x07E0) | (v.b >> (below + 11))};
     }

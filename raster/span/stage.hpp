@@ -112,6 +112,13 @@ template <class L> class Ramp {
     /// Its first lane's, in all.
     SPANGLE_INLINE void start(const typename L::U32& first) { at = first + offset_; }
     SPANGLE_INLINE void step() { at += by_; }
+    /// The same in lists whose planes alone are more words than Thumb's first eight registers.
+    SPANGLE_INLINE void step_aside() {
+        if constexpr (L::count == 1)
+            at = numeric::sum_aside(at, by_);
+        else
+            step();
+    }
     SPANGLE_INLINE void next_row() { at += row_; }
 
   private:

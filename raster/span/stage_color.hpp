@@ -95,9 +95,9 @@ template <int Count> struct Gouraud<Raw565<Count>, false> : StageBase {
         return true;
     }
     SPANGLE_INLINE void step() {
-        r.step();
-        g.step();
-        b.step();
+        r.step_aside();
+        g.step_aside();
+        b.step_aside();
     }
     SPANGLE_INLINE void next_row() {
         r.next_row();

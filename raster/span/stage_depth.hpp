@@ -46,7 +46,12 @@ template <class N> struct DepthValue : StageBase {
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
     /// The code of 24 bits (one lane).
     SPANGLE_INLINE std::uint32_t code24() const { return z.at >> 8; }
-    SPANGLE_INLINE void step() { z.step(); }
+    SPANGLE_INLINE void step() {
+        if constexpr (is_raw<N>)
+            z.step_aside();
+        else
+            z.step();
+    }
     SPANGLE_INLINE void next_row() { z.next_row(); }
 };
 

@@ -1,50 +1,88 @@
 // Smooth colours of which nothing but five and six dithered bits is stored.
 #pragma once
 
+#include "raster/span/rows.hpp"
 #include "raster/span/stage_color.hpp"
 #include "raster/span/stage_thresholds.hpp"
 
 namespace spangle::raster {
 
-/// Smooth colours as the bits that are stored of them. Dither: counted in steps by set-up (Variant::steps),
-/// so that floor(step + t) is one sum.
-template <int Count, bool Dither> struct GouraudTops : Gouraud<Raw565<Count>, false> {
+/// Thresholds of fragments as Raw565::fraction5: walked,
+template <class N> struct WalkedFractions : detail::DitherPlace<typename N::L> {
+    template <class S>
+    SPANGLE_INLINE WalkedFractions(const S& s, std::int32_t x)
+        : detail::DitherPlace<typename N::L>(s.x + x, s.y) {}
+    SPANGLE_INLINE typename N::T of(const Px<N>&) const { return N::fraction5(this->threshold()); }
+};
+/// or found by their number, where masks are no operands and a rotation takes a register.
+template <class N> class NumberedFractions {
+  public:
+    SPANGLE_INLINE NumberedFractions(const PlaneRow& row, std::int32_t)
+        : from_(numeric::factor32(detail::dither_numbered<27>.from(row.counted_from, row.y))) {}
+    SPANGLE_INLINE std::uint32_t of(const Px<N>& p) const {
+        std::uint32_t t;
+        const std::uint32_t bytes = numeric::factor32(static_cast<std::uint32_t>(p.twice) << 29) >> 28;
+        __builtin_memcpy(
+            &t, __builtin_assume_aligned(reinterpret_cast<const unsigned char*>(from_) + bytes, sizeof t),
+            sizeof t);
+        return t;
+    }
+    SPANGLE_INLINE void step() {}
+
+  private:
+    const std::uint32_t* from_;
+};
+/// or none.
+template <class N> struct NoFractions {
+    template <class S> SPANGLE_INLINE NoFractions(const S&, std::int32_t) {}
+    SPANGLE_INLINE void step() {}
+    SPANGLE_INLINE void next_row() {}
+};
+
+/// Of a list over rows, each of which has its own.
+template <int Count>
+using RowFractions = std::conditional_t<Count == 1 && !numeric::three_operands,
+                                        NumberedFractions<Raw565<Count>>, WalkedFractions<Raw565<Count>>>;
+
+/// Smooth colours as the bits that are stored of them. Dithered, they are counted in steps by set-up
+/// (Variant::steps), so that floor(step + t) is one sum.
+template <int Count, class Fractions> struct GouraudTops : Gouraud<Raw565<Count>, false> {
     using N = Raw565<Count>;
     using Base = Gouraud<N, false>;
-    using Place = std::conditional_t<Dither, detail::DitherPlace<typename N::L>, detail::NoThreshold>;
-    [[no_unique_address]] Place dither;
+    static constexpr bool dithers = !std::is_same_v<Fractions, NoFractions<N>>;
+    [[no_unique_address]] Fractions fractions;
 
-    template <class S>
-    SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), dither(s.x + x, s.y) {}
-    SPANGLE_INLINE typename N::Tops tops() const {
-        if constexpr (Dither && Count == 1) // sums before a test of depth, and its code, take registers
+    template <class S> SPANGLE_INLINE GouraudTops(const S& s, std::int32_t x) : Base(s, x), fractions(s, x) {}
+    SPANGLE_INLINE typename N::Tops tops(const Px<N>& p) const {
+        if constexpr (dithers && Count == 1) // sums before a test of depth, and its code, take registers
             numeric::begin_here();
         const typename N::Tops v = N::tops(this->r.at, this->g.at, this->b.at);
-        if constexpr (Dither)
-            return N::dithered(v, dither.threshold());
+        if constexpr (dithers)
+            return N::dithered(v, fractions.of(p));
         else
             return v;
     }
     SPANGLE_INLINE void step() {
         Base::step();
-        dither.step();
+        fractions.step();
     }
     SPANGLE_INLINE void next_row() {
         Base::next_row();
-        dither.next_row();
+        fractions.next_row();
     }
     template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
         Base::start(s, x);
-        dither = Place(s.x + x, s.y);
+        fractions = Fractions(s, x);
     }
 };
 
-template <int Count> struct GouraudDithered : GouraudTops<Count, true> {
+template <int Count, class Fractions = WalkedFractions<Raw565<Count>>>
+struct GouraudDithered : GouraudTops<Count, Fractions> {
     using N = Raw565<Count>;
     template <class S>
-    SPANGLE_INLINE GouraudDithered(const S& s, std::int32_t x) : GouraudTops<Count, true>(s, x) {}
+    SPANGLE_INLINE GouraudDithered(const S& s, std::int32_t x) : GouraudTops<Count, Fractions>(s, x) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        p.color = N::joined(this->tops());
+        p.color = N::joined(this->tops(p));
         return true;
     }
 };

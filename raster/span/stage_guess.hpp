@@ -14,15 +14,18 @@ std::uint32_t divided_word(Span<Fixed>& span, std::int32_t x, std::int32_t y);
 /// Span::guess says where a step may lie between the affine colour and the divided one. Eight lanes look at
 /// sixteen bits of it and leave it to others to divide (Px::open, divide_open): a loop that calls keeps
 /// nothing in registers. Dithered colours are counted in steps (Variant::steps), and a threshold moves both.
-template <int Count, bool Dither> struct GouraudGuessed : GouraudTops<Count, Dither> {
+template <int Count, bool Dither>
+using GuessedTops =
+    GouraudTops<Count, std::conditional_t<Dither, RowFractions<Count>, NoFractions<Raw565<Count>>>>;
+template <int Count, bool Dither> struct GouraudGuessed : GuessedTops<Count, Dither> {
     using N = Raw565<Count>;
     using L = typename N::L;
 
     template <class S>
     SPANGLE_INLINE GouraudGuessed(const S& at, std::int32_t x)
-        : GouraudTops<Count, Dither>(at, x), here_{at}, limit_(at.planes.guess) {}
+        : GuessedTops<Count, Dither>(at, x), here_{at}, limit_(at.planes.guess) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        const typename N::Tops v = this->tops();
+        const typename N::Tops v = this->tops(p);
         if constexpr (Count == 1) {
             if (v.r << 5 >= limit_.open5 || v.g << 6 >= limit_.open6 || v.b << 5 >= limit_.open5)
                 [[unlikely]] {

@@ -35,14 +35,21 @@ template <> struct DitherRow<Lanes<1>> {
 
 /// Thresholds of rows' fragments by number, in 2^-Bits of a step.
 template <int Bits> struct DitherNumbered {
-    std::uint32_t of[4][7];
+    std::uint32_t of[4 * 8];
     constexpr DitherNumbered() : of{} {
-        for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 7; ++x)
-                of[y][x] = dither_threshold(dither_row(y), x) << (Bits - 5);
+        for (int i = 0; i < 4 * 8; ++i)
+            of[i] = dither_threshold(dither_row(i >> 3), i) << (Bits - 5);
     }
+    template <bool Masks = numeric::three_operands>
     SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
-        return of[y & 3] + (x & 3);
+        if constexpr (Masks)
+            return of + (y & 3) * 8 + (x & 3);
+        // Bytes: two shifts for each.
+        const auto low2 = [](std::int32_t v, int up) {
+            return numeric::factor32(static_cast<std::uint32_t>(v) << 30) >> (30 - up);
+        };
+        return reinterpret_cast<const std::uint32_t*>(reinterpret_cast<const unsigned char*>(of) +
+                                                      (low2(y, 5) + low2(x, 2)));
     }
 };
 template <int Bits> inline constexpr DitherNumbered<Bits> dither_numbered;

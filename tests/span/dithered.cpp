@@ -72,7 +72,7 @@ TEST(Dithered, SumsAreStepsAndThresholds) {
                                    std::ldexp(1, -bits) +
                                t / 32.0)));
             };
-            const One::Tops sums = One::dithered(One::tops(r, g, b), t);
+            const One::Tops sums = One::dithered(One::tops(r, g, b), One::fraction5(t));
             const std::uint32_t steps = step(r, 27) << 11 | step(g, 26) << 5 | step(b, 27);
             ASSERT_EQ(One::word(sums).word, steps) << r << ' ' << g << ' ' << b << ' ' << t;
             ASSERT_EQ(One::joined(sums).word, steps) << r << ' ' << g << ' ' << b << ' ' << t;
@@ -87,9 +87,28 @@ TEST(Dithered, StepsStay) {
                                                       levels(component));
             const std::uint32_t v = color_in_steps(c, component) << (24 - color_fraction_bits);
             for (std::uint32_t t = 1; t < 32; t += 2) {
-                const std::uint32_t word = Raw565<1>::word(Raw565<1>::dithered({v, v, v}, t)).word;
+                const std::uint32_t word =
+                    Raw565<1>::word(Raw565<1>::dithered({v, v, v}, Raw565<1>::fraction5(t))).word;
                 const std::uint32_t of[] = {word >> 11, (word >> 5) & 63, word & 31};
                 ASSERT_EQ(of[component], k) << component << ' ' << t;
+            }
+        }
+}
+
+/// Where fragments are counted up to the end of their row.
+TEST(Dithered, FractionsByNumber) {
+    Span<Fixed> span{};
+    Px<Raw565<1>> p;
+    for (std::int32_t y = -5; y < 5; ++y)
+        for (std::int32_t end = -5; end < 5; ++end) {
+            const auto& numbered = detail::dither_numbered<27>;
+            ASSERT_EQ(numbered.from<false>(end, y), numbered.from<true>(end, y));
+            const NumberedFractions<Raw565<1>> fractions(PlaneRow{span, nullptr, nullptr, end - 8, y, end},
+                                                         0);
+            for (std::int32_t i = -8; i < 0; ++i) {
+                p.twice = 2 * i;
+                ASSERT_EQ(fractions.of(p), Raw565<1>::fraction5(dither_threshold(dither_row(y), end + i)))
+                    << end << ' ' << y << ' ' << i;
             }
         }
 }
