@@ -70,6 +70,14 @@ inline constexpr bool three_operands = false;
 inline constexpr bool three_operands = true;
 #endif
 
+/// The high half of a product of a word and a signed half is added to another by one instruction. Decides
+/// between forms of equal results.
+#if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
+inline constexpr bool adds_products = true;
+#else
+inline constexpr bool adds_products = false;
+#endif
+
 /// An instruction puts bits of one word into another. Decides between forms of equal results.
 #if defined(__thumb2__)
 inline constexpr bool inserts_bits = true;

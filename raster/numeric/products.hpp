@@ -246,6 +246,18 @@ SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int
                                      static_cast<std::uint32_t>(mul_high_rounded(a, b)));
 }
 
+/// to + a b / 2^16 of products below 2^32, b < 2^15.
+SPANGLE_INLINE constexpr std::uint32_t add_product(std::uint32_t to, std::uint32_t a, std::uint32_t b) {
+#if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
+    if (!std::is_constant_evaluated()) {
+        std::uint32_t r;
+        asm("smlawb %0, %1, %2, %3" : "=r"(r) : "r"(a), "r"(b), "r"(to)); // NOLINT(hicpp-no-assembler)
+        return r;
+    }
+#endif
+    return to + (a * b >> 16);
+}
+
 struct Product128 {
     std::uint64_t high, low;
 };

@@ -87,15 +87,15 @@ SPANGLE_INLINE constexpr std::uint32_t high_half_here(std::uint32_t v) {
     return v >> 16;
 }
 
-/// v without v mod 2^16. Where there is an instruction, a mask would take a register in each loop.
-SPANGLE_INLINE constexpr std::uint32_t without_low_half(std::uint32_t v) {
+/// v without v mod 2^Bits. Where there is an instruction, a mask would take a register in each loop.
+template <int Bits> SPANGLE_INLINE constexpr std::uint32_t without_low(std::uint32_t v) {
 #if defined(__thumb2__)
     if (!std::is_constant_evaluated()) {
-        asm("bfc %0, #0, #16" : "+r"(v)); // NOLINT(hicpp-no-assembler)
+        asm("bfc %0, #0, %1" : "+r"(v) : "I"(Bits)); // NOLINT(hicpp-no-assembler)
         return v;
     }
 #endif
-    return v & 0xFFFF0000;
+    return v >> Bits << Bits;
 }
 
 /// v is read where it is used, not held in registers: for loops with more words than Thumb has registers,

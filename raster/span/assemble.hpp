@@ -125,6 +125,15 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
         chain.template choose<Texture2D<One, Unit, true>, Texture2D<One, Unit, false>>(
             wants_lod(*state.unit[Unit].texture));
 }
+/// counts_steps(): unit 0, which has no levels.
+template <class N>
+void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
+    add_coordinates<N, 0>(chain, key, state);
+    if constexpr (by_packets<N>)
+        chain.add(&PacketTexture<N>::run_steps);
+    else
+        chain.template add<Texture2D<OneLane<N>, 0, false, true>>();
+}
 
 template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     if (!key.combine) {
@@ -159,6 +168,9 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     else if (key.blend)
         chain.template choose<BlendAlpha<Words, Format>, Blend<One, Stored<One, Format>>>(
             !key.blend_general && key.blending == blend_over);
+    if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
+        if (counts_steps(key))
+            return chain.template add<StoreSteps<Words, Format>>();
     if (key.masked || key.logic)
         chain.template add<StoreMerged<One, Format>>();
     else
@@ -215,8 +227,9 @@ template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& ke
 template <class N> void add_fogged_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
     add_fog_coordinate(chain, key);
     chain.template add<FogLight<N>>();
-    add_unit<N, 0>(chain, key, state);
-    chain.template add<FogShare<N>>();
+    const bool steps = counts_steps(key);
+    steps ? add_unit_in_steps<N>(chain, key, state) : add_unit<N, 0>(chain, key, state);
+    chain.template choose<FogShare<N, true>, FogShare<N>>(steps);
 }
 
 /// On a surface of indices.

@@ -68,7 +68,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     static_assert(fusible(K));
     static constexpr bool textured = K.unit[0].on;
     template <class N>
-    using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env>;
+    using Image = TextureFixed<N, 0, K.unit[0].texels, K.unit[0].base, K.unit[0].filter, K.unit[0].env,
+                               counts_steps(K)>;
     /// What texels that light is multiplied by are loaded as.
     static constexpr bool words_565 = K.unit[0].texels == TexelFormat::rgb565,
                           loads_rgb = words_565 || K.unit[0].texels == TexelFormat::rgb888;
@@ -203,7 +204,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
             if constexpr (!K.fog || stores_light<L>)
                 return std::type_identity<None<N, 3>>{};
             else if constexpr (fogs_light(K))
-                return std::type_identity<std::conditional_t<(L > 1), FogShareLanes<N>, FogShare<N>>>{};
+                return std::type_identity<std::conditional_t<(L > 1), FogShareLanes<N, counts_steps(K)>,
+                                                             FogShare<N, counts_steps(K)>>>{};
             else if constexpr (stores_fogged<L>)
                 return std::type_identity<FogCoordinate>{};
             else
@@ -232,6 +234,8 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
                 return std::type_identity<FoggedStore<K.format, K.dither>>{};
             else if constexpr (stores_light<L>)
                 return std::type_identity<FoggedLightStore<K.format, words_565, K.dither>>{};
+            else if constexpr (counts_steps(K))
+                return std::type_identity<StoreSteps<N, K.format>>{};
             else if constexpr (K.dither && !K.coarse)
                 return std::type_identity<StoreDithered<N, K.format>>{};
             else
@@ -327,7 +331,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
         using Test = FusedCase::Test<N>;
         using Texture = TexelLanes<Image<N>>;
         using Fog = std::conditional_t<fogged, FogFactorLanes<N>, None<N, 0>>;
-        using FogColor = std::conditional_t<fogged, FogShare<N>, None<N, 0>>;
+        using FogColor = std::conditional_t<fogged, FogShare<N, counts_steps(K)>, None<N, 0>>;
     };
     using PathStages = typename Stages<1, Walk::paths>::List;
     template <int L> using TileList = typename Stages<L, Walk::tiles>::List;

@@ -45,7 +45,7 @@ template <class Case> class FoggedRows {
                 fog = at(fog_, x, y, dfog);
         }
         if constexpr (dithers)
-            fifths_thresholds_.b = detail::dither_numbered<27>.from(last, row.y);
+            thresholds_ = detail::dither_numbered<Combine::threshold_bits>.from(last, row.y);
         end_step_z_.a = place(color_, row.y, last);
         std::uint8_t* const depth = place(depth_, row.y, last);
         std::int32_t i = 2 * (first - last); // in bytes, counted up to 0: the last index needs no register
@@ -53,22 +53,20 @@ template <class Case> class FoggedRows {
             numeric::kept_in_memory(*this);
             const std::uint32_t z16 = z >> 16;
             if (test(depth + i, z16)) {
-                N::Color color;
-                const auto [texels, sixths] = numeric::load_two(tables_);
-                color.texel = texel(texels, s, t);
-                const std::uint32_t f = N::clamped_fraction(fog);
-                color.r = color.g = color.b = Combine::dimmed(N::from_affine(light[0]), f);
-                if constexpr (!Case::gray) {
-                    color.g = Combine::dimmed(N::from_affine(light[1]), f);
-                    color.b = Combine::dimmed(N::from_affine(light[2]), f);
-                }
                 std::uint32_t word;
-                if constexpr (dithers) {
-                    const auto [fifths, thresholds] =
-                        numeric::load_two_after(color.texel, fifths_thresholds_);
-                    word = combine_.word(color, f, thresholds[i >> 1 & 3], sixths, fifths);
+                if constexpr (dithers) { // in the order that takes the fewest registers
+                    std::uint32_t at = texel(s, t);
+                    const std::uint32_t f = numeric::later(N::clamped_fraction(fog), at);
+                    typename Combine::Shares shares = combine_.shares(f, thresholds_[i >> 1 & 3]);
+                    at = numeric::later(at, shares.g);
+                    at = numeric::later(at, shares.r);
+                    const auto [texels, sixths] = numeric::load_two_after(shares.b, tables_);
+                    word = combine_.word(lit(light, f, N::L::load(texels + 2 * at)), shares, sixths, fifths_);
                 } else {
-                    word = combine_.word(color, f, 0, sixths, combine_.fifths);
+                    const auto [texels, sixths] = numeric::load_two(tables_);
+                    const std::uint32_t at = texel(s, t);
+                    const std::uint32_t word565 = N::L::load(texels + 2 * at), f = N::clamped_fraction(fog);
+                    word = combine_.word(lit(light, f, word565), f, sixths, combine_.fifths);
                 }
                 const auto [end, by_z] = numeric::load_two_after(word, end_step_z_);
                 N::L::store(end + i, word);
@@ -121,17 +119,29 @@ template <class Case> class FoggedRows {
         }
         return true;
     }
-    SPANGLE_INLINE std::uint32_t texel(const std::uint8_t* texels, std::uint32_t s, std::uint32_t t) const {
+    /// Where it lies, from the first on.
+    SPANGLE_INLINE std::uint32_t texel(std::uint32_t s, std::uint32_t t) const {
         const auto [width, height] = numeric::load_two(image_);
         const auto column = static_cast<std::uint32_t>(std::uint64_t{s} * width >> 32),
                    row = static_cast<std::uint32_t>(std::uint64_t{t} * height >> 32);
-        return N::L::load(texels + 2 * (row * width + column));
+        return row * width + column;
+    }
+    SPANGLE_INLINE static N::Color lit(const std::uint32_t (&light)[lights], std::uint32_t f,
+                                       std::uint32_t texel) {
+        N::Color color;
+        color.texel = texel;
+        color.r = color.g = color.b = N::scaled(N::from_affine(light[0]), f);
+        if constexpr (!Case::gray) {
+            color.g = N::scaled(N::from_affine(light[1]), f);
+            color.b = N::scaled(N::from_affine(light[2]), f);
+        }
+        return color;
     }
 
     numeric::Two<std::uint32_t, std::uint32_t> image_;                    ///< width and height
     numeric::Two<const std::uint8_t*, typename Combine::Factors> tables_; ///< texels, and what they stand for
-    numeric::Two<typename Combine::Factors, const std::uint32_t*> fifths_thresholds_{Combine::fifths,
-                                                                                     nullptr};
+    typename Combine::Factors fifths_ = Combine::fifths;
+    const std::uint32_t* thresholds_ = nullptr;
     Combine combine_;
     numeric::Two<std::uint8_t*, std::uint32_t> end_step_z_; ///< of the row in the colour plane
     numeric::Two<std::uint32_t, std::uint32_t> step_coord_, step_light_[lights];

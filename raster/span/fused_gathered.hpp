@@ -70,7 +70,9 @@ template <class Case> class GatheredPacket {
         if constexpr (Case::fogged)
             fog_.add(p, f);
         typename L::U16 word;
-        if constexpr (Case::key.dither)
+        if constexpr (counts_steps(Case::key))
+            word = steps565<N>(p.color, load(thresholds, i) >> 1);
+        else if constexpr (Case::key.dither)
             word = dithered565_lanes<N>(p.color, load(thresholds, i));
         else
             word = truncated565<N>(p.color);

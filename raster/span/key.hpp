@@ -87,4 +87,11 @@ constexpr bool fogs_light(const Key& key) {
            !key.color_sum;
 }
 
+/// Dithered, nothing but sums follows MODULATE: texels and the fog's colour are counted in steps of the
+/// target, so that thresholds are one more of them.
+constexpr bool counts_steps(const Key& key) {
+    return fogs_light(key) && key.dither && key.unit[0].base != BaseFormat::alpha && !key.blend &&
+           !key.masked && !key.logic;
+}
+
 } // namespace spangle::raster

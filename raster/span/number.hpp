@@ -206,6 +206,18 @@ template <int Count> struct Balanced {
     template <unsigned Bits> SPANGLE_INLINE static T steps(T v) {
         return L::mul_high(v, L::splat(step_scale(Bits)));
     }
+    /// The same of 2^(15 - bits), for signed halves.
+    template <unsigned Bits> SPANGLE_INLINE static constexpr T steps15(T v) {
+        constexpr std::uint32_t scale = (((1u << Bits) - 1) << 15 << (16 - Bits)) / one + 1;
+        if constexpr (Count == 1)
+            return (v * scale) >> 16;
+        else
+            return L::mul_high(v, L::splat(scale));
+    }
+    /// A colour that is to be stored in 5, 6 and 5 bits.
+    SPANGLE_INLINE static Color in_steps(const Color& c) {
+        return {steps15<5>(c.r), steps15<6>(c.g), steps15<5>(c.b), c.a};
+    }
 };
 
 /// Blending of the fast tier, SRC_ALPHA, ONE_MINUS_SRC_ALPHA: steps of the target, alpha in 32nds.

@@ -63,8 +63,15 @@ template <class N> struct FogLight : StageBase {
         return true;
     }
 };
-template <class N> struct FogShare : Fog<N> {
-    using Fog<N>::Fog;
+/// Steps: of a texel that is counted in steps (counts_steps()).
+template <class N, bool Steps = false> struct FogShare : Fog<N> {
+    template <class S> SPANGLE_INLINE FogShare(const S& s, std::int32_t x) : Fog<N>(s, x) {
+        if constexpr (Steps) {
+            this->r = N::template steps15<5>(this->r);
+            this->g = N::template steps15<6>(this->g);
+            this->b = N::template steps15<5>(this->b);
+        }
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return add(p, N::clamped_fraction(p.fog)); }
     SPANGLE_INLINE bool add(Px<N>& p, typename N::T f) const {
         const typename N::T rest = 65535 - f;
@@ -104,8 +111,8 @@ template <class N> struct FogLightLanes : FogFactorLanes<N> {
         return FogLight<N>::dim(p, p.fog_factor);
     }
 };
-template <class N> struct FogShareLanes : FogShare<N> {
-    using FogShare<N>::FogShare;
+template <class N, bool Steps> struct FogShareLanes : FogShare<N, Steps> {
+    using FogShare<N, Steps>::FogShare;
     SPANGLE_INLINE bool operator()(Px<N>& p) const { return this->add(p, p.fog_factor); }
 };
 

@@ -16,91 +16,118 @@ struct BalancedLit : Balanced<1> {
     };
 };
 
-/// What becomes of light that fog has dimmed, of a texel and of fog's factor. Sums are made in the high
-/// halves of words.
-template <PixelFormat Format, bool Is565, bool Dither> class FoggedTexel {
+/// What becomes of light that fog has dimmed, of a texel and of fog's factor. Dithered, all of it is counted
+/// in steps (counts_steps()). Low: sums are made in low halves, not in high ones; the same bits.
+template <PixelFormat Format, bool Is565, bool Dither,
+          bool Low = Dither && (numeric::adds_products || !numeric::long_products)>
+class FoggedTexel {
+    /// 15 bits, which in a high half end one higher.
+    static constexpr int steps = !Dither ? 0 : Low ? 1 : 2;
+
   public:
     using N = BalancedLit;
     template <class S>
-    SPANGLE_INLINE explicit FoggedTexel(const S& s)
-        : g_(N::from_units(s.state->fragment.fog_color[1])),
-          r_(N::from_units(s.state->fragment.fog_color[0])),
-          b_(N::from_units(s.state->fragment.fog_color[2])) {}
+    SPANGLE_INLINE explicit FoggedTexel(const S& s) : FoggedTexel(FogShare<Balanced<1>, Dither>(s, 0)) {}
     /// What a texel R5 G6 B5 multiplies green by, and red and blue.
     using Factors = const std::uint16_t*;
-    static constexpr Factors sixths = texel_factors<Balanced<1>>.of6, fifths = texel_factors<Balanced<1>>.of5;
-    /// What fog leaves of a light's component, as word() takes it.
-    SPANGLE_INLINE static std::uint32_t dimmed(std::uint32_t light, std::uint32_t f) {
-        return in_words ? numeric::without_low_half(light * f) : N::scaled(light, f);
+    static constexpr Factors sixths = texel_factors<Balanced<1>, steps>.of6,
+                             fifths = texel_factors<Balanced<1>, steps>.of5;
+    static constexpr int threshold_bits = Low ? 10 : 27; ///< of a step
+    /// Fog's shares, with thresholds.
+    struct Shares {
+        std::uint32_t g, r, b;
+    };
+    SPANGLE_INLINE Shares shares(std::uint32_t f, std::uint32_t threshold) const {
+        const std::uint32_t factor = Share::of(f);
+        return {g_.of_fog(factor, threshold >> 1), r_.of_fog(factor, threshold),
+                b_.of_fog(factor, threshold)};
     }
-    SPANGLE_INLINE static std::uint32_t dimmed(std::uint32_t light) { return in_words ? light << 16 : light; }
-    /// As stored; what is above 16 bits is not. Thresholds: in 2^-27 of a step.
-    SPANGLE_INLINE std::uint32_t word(const N::Color& light, std::uint32_t f,
-                                      [[maybe_unused]] std::uint32_t threshold, [[maybe_unused]] Factors of6,
-                                      [[maybe_unused]] Factors of5) const {
-        std::uint32_t texel = light.texel, rest = Share::of(f);
+    /// As stored; what is above 16 bits is not. From light and fog.
+    SPANGLE_INLINE std::uint32_t word(const N::Color& light, std::uint32_t f, Factors of6,
+                                      Factors of5) const {
+        std::uint32_t texel = light.texel;
         const std::uint32_t by = Is565 ? of6[texel >> 5 & 63] : Scales::green(texel);
-        std::uint32_t g = g_.template under<6>(light.g, by, rest, threshold);
+        std::uint32_t g = Share::sum(g_.of_fog(f, 0), light.g, by);
         texel = numeric::later(texel, g);
-        rest = numeric::later(rest, g);
-        std::uint32_t r =
-            r_.template under<5>(light.r, Is565 ? of5[texel >> 11] : Scales::red(texel), rest, threshold);
+        f = numeric::later(f, g);
+        std::uint32_t r = Share::sum(r_.of_fog(f, 0), light.r, Is565 ? of5[texel >> 11] : Scales::red(texel));
         texel = numeric::later(texel, r);
-        rest = numeric::later(rest, r);
-        std::uint32_t b =
-            b_.template under<5>(light.b, Is565 ? of5[texel & 31] : Scales::blue(texel), rest, threshold);
-        using Words = Words565<N::L, Format>;
+        f = numeric::later(f, r);
+        std::uint32_t b = Share::sum(b_.of_fog(f, 0), light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
+        return joined_high(r, g, b);
+    }
+    /// The same, dithered.
+    SPANGLE_INLINE static std::uint32_t word(const N::Color& light, const Shares& shares, Factors of6,
+                                             Factors of5) {
+        std::uint32_t texel = light.texel;
+        std::uint32_t g = Share::sum(shares.g, light.g, Is565 ? of6[texel >> 5 & 63] : Scales::green(texel));
+        texel = numeric::later(texel, g);
+        std::uint32_t r = Share::sum(shares.r, light.r, Is565 ? of5[texel >> 11] : Scales::red(texel));
+        texel = numeric::later(texel, r);
+        std::uint32_t b = Share::sum(shares.b, light.b, Is565 ? of5[texel & 31] : Scales::blue(texel));
+        return Low ? joined_low(r, g, b) : joined_high(r, g, b);
+    }
+
+  private:
+    using Words = Words565<N::L, Format>;
+    using Scales = ChainScales<Balanced<1>, Is565, steps>;
+    SPANGLE_INLINE explicit FoggedTexel(const FogShare<Balanced<1>, Dither>& fog)
+        : g_(fog.g), r_(fog.r), b_(fog.b) {}
+
+    SPANGLE_INLINE static std::uint32_t joined_high(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
         if constexpr (numeric::inserts_bits) { // in the high half, of which a byte swap leaves the low one
             const std::uint32_t high = numeric::with_bits<16, 5>((r & 0xF8000000) | g >> 5, b >> 27);
             return Words::swaps ? __builtin_bswap32(high) : high >> 16;
         }
-        const std::uint32_t low = ((r >> 27) << 6 | g >> 26) << 5 | b >> 27;
-        return Words::swaps ? N::L::swap_bytes(low) : low;
+        const std::uint32_t word = ((r >> 27) << 6 | g >> 26) << 5 | b >> 27;
+        return Words::swaps ? N::L::swap_bytes(word) : word;
+    }
+    SPANGLE_INLINE static std::uint32_t joined_low(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
+        if constexpr (numeric::inserts_bits) { // likewise
+            const std::uint32_t high = numeric::with_bits<16, 5>((r << 17 & 0xF8000000) | g << 12, b >> 10);
+            return Words::swaps ? __builtin_bswap32(high) : high >> 16;
+        }
+        const std::uint32_t word = ((r >> 10) << 6 | g >> 9) << 5 | b >> 10;
+        return Words::swaps ? N::L::swap_bytes(word) : word;
     }
 
-  private:
-    static constexpr bool in_words = Dither && numeric::long_products;
     /// The fog's share is 65535 - f times its colour; what rounds the sum to 255ths comes with it.
-    class Halves {
+    class HighShare {
       public:
-        SPANGLE_INLINE explicit Halves(std::uint32_t color)
-            : color_whole_{color, numeric::factor32(color * 0xFFFF + (Dither ? 0 : 128u << 16))} {}
+        SPANGLE_INLINE explicit HighShare(std::uint32_t color) : HighShare(color << (lowest - 16), 0) {}
         SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) { return f; }
-        /// No low half, no carry: both are rounded down.
-        template <unsigned Bits>
-        SPANGLE_INLINE std::uint32_t under(std::uint32_t light, std::uint32_t by, std::uint32_t f,
-                                           [[maybe_unused]] std::uint32_t threshold) const {
+        /// No bits below those of the sum, no carry: both products are rounded down.
+        SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t f, [[maybe_unused]] std::uint32_t threshold) const {
             const auto [color, whole] = numeric::load_two(color_whole_);
-            const std::uint32_t sum = light * by + numeric::without_low_half(whole - color * f);
-            return Dither ? (sum >> 16) * N::step_scale(Bits) + (threshold >> (Bits - 5)) : sum;
+            const std::uint32_t share = numeric::without_low<lowest>(whole - color * f);
+            return Dither ? share + threshold : share;
+        }
+        SPANGLE_INLINE static std::uint32_t sum(std::uint32_t share, std::uint32_t light, std::uint32_t by) {
+            return light * by + share;
         }
 
       private:
+        static constexpr int lowest = Dither ? 17 : 16;
+        SPANGLE_INLINE HighShare(std::uint32_t color, int)
+            : color_whole_{color, numeric::factor32(color * 0xFFFF + (Dither ? 0 : 128u << 16))} {}
         numeric::Two<std::uint32_t, std::uint32_t> color_whole_; ///< whole: the share where f is 0
     };
-    /// Of light in the high half, dithered.
-    class Words {
+    /// Of the fog's share; products end in the low half.
+    class LowShare {
       public:
-        SPANGLE_INLINE explicit Words(std::uint32_t color) : color_(color << 16) {}
-        SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) {
-            return numeric::kept_in_register(0xFFFF - f);
+        SPANGLE_INLINE explicit LowShare(std::uint32_t color) : color_(color) {}
+        SPANGLE_INLINE static std::uint32_t of(std::uint32_t f) { return ~f & 0xFFFF; }
+        SPANGLE_INLINE std::uint32_t of_fog(std::uint32_t rest, std::uint32_t threshold) const {
+            return numeric::add_product(threshold, rest, color_);
         }
-        /// A product of halves lies in the middle of one of words; to its low one, that ends in 16 zeros,
-        /// less than 2^16 are added.
-        template <unsigned Bits>
-        SPANGLE_INLINE std::uint32_t under(std::uint32_t light, std::uint32_t by, std::uint32_t rest,
-                                           std::uint32_t threshold) const {
-            // No register of their own for factors (factor32).
-            const std::uint64_t share = std::uint64_t{color_} * rest >> 32,
-                                sum = (share << 32 | by) + std::uint64_t{light} * by;
-            return static_cast<std::uint32_t>(sum >> 32) * N::step_scale(Bits) + (threshold >> (Bits - 5));
+        SPANGLE_INLINE static std::uint32_t sum(std::uint32_t share, std::uint32_t light, std::uint32_t by) {
+            return numeric::add_product(share, light, by);
         }
 
       private:
         std::uint32_t color_;
     };
-    using Share = std::conditional_t<in_words, Words, Halves>;
-    using Scales = TexelScales<ChainFactors<Balanced<1>>, Is565>;
+    using Share = std::conditional_t<Low, LowShare, HighShare>;
 
     Share g_, r_, b_; ///< in the order in which they are read
 };
@@ -113,22 +140,28 @@ template <PixelFormat Format, bool Is565, bool Dither> class FoggedLightStore : 
     static constexpr bool effect = true;
 
     template <class S>
-    SPANGLE_INLINE FoggedLightStore(const S& s, std::int32_t x) : texel_(s), dither_(s.x + x, s.y) {}
-    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) { dither_ = Row(s.x + x, s.y); }
-    SPANGLE_INLINE void step() { dither_.step(); }
+    SPANGLE_INLINE FoggedLightStore(const S& s, std::int32_t) : texel_(s), thresholds_(s.counted_from, s.y) {}
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t) {
+        thresholds_ = Thresholds(s.counted_from, s.y);
+    }
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         const std::uint32_t f = N::clamped_fraction(p.fog);
-        const N::Color c = {texel_.dimmed(p.color.r), texel_.dimmed(p.color.g), texel_.dimmed(p.color.b),
-                            p.color.a, p.color.texel};
-        N::L::store(p.color_plane + p.bytes(),
-                    texel_.word(c, f, dither_.threshold() << 22, texel_.sixths, texel_.fifths));
+        std::uint32_t word;
+        if constexpr (Dither)
+            word = texel_.word(p.color, texel_.shares(f, thresholds_.threshold(p.bytes() >> 1)),
+                               texel_.sixths, texel_.fifths);
+        else
+            word = texel_.word(p.color, f, texel_.sixths, texel_.fifths);
+        N::L::store(p.color_plane + p.bytes(), word);
         return true;
     }
 
   private:
-    using Row = std::conditional_t<Dither, detail::DitherRow<N::L>, detail::NoThreshold>;
-    FoggedTexel<Format, Is565, Dither> texel_;
-    [[no_unique_address]] Row dither_;
+    using Texel = FoggedTexel<Format, Is565, Dither>;
+    using Thresholds =
+        std::conditional_t<Dither, detail::NumberedThresholds<Texel::threshold_bits>, detail::NoThreshold>;
+    Texel texel_;
+    [[no_unique_address]] Thresholds thresholds_; ///< from the fragment on that the list counts from
 };
 
 } // namespace spangle::raster

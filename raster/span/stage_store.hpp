@@ -58,6 +58,12 @@ SPANGLE_INLINE typename N::L::U16 dithered565_lanes(const typename N::Color& c,
                                    N::template tops<5>(c.b, threshold)})
         .word;
 }
+/// Of components counted in steps (Balanced::in_steps), thresholds in those of five bits.
+template <class N>
+SPANGLE_INLINE typename N::L::U16 steps565(const typename N::Color& c, typename N::L::U16 threshold) {
+    const typename N::L::U16 r = c.r + threshold, g = c.g + (threshold >> 1), b = c.b + threshold;
+    return ((r & 0x7C00) << 1) | ((g >> 4) & 0x07E0) | (b >> 10);
+}
 
 /// Dithering off, all channels written.
 template <class N, PixelFormat Format> struct Store : StageBase {
@@ -111,6 +117,28 @@ template <class N, PixelFormat Format> struct StoreDithered : Store<N, Format> {
                 Words565<L, Format>::store(at, dithered565<N>(p.color, dither.threshold()));
             return true;
         }
+    }
+    SPANGLE_INLINE void step() { dither.step(); }
+};
+
+/// The same of what is counted in steps (counts_steps()).
+template <class N, PixelFormat Format> struct StoreSteps : StageBase {
+    static constexpr unsigned in = field_color;
+    static constexpr bool effect = true;
+    using L = typename N::L;
+    detail::DitherRow<L> dither;
+    template <class S> SPANGLE_INLINE StoreSteps(const S& s, std::int32_t x) : dither(s.x + x, s.y) {}
+    template <class S> SPANGLE_INLINE void start(const S& s, std::int32_t x) {
+        dither = detail::DitherRow<L>(s.x + x, s.y);
+    }
+    SPANGLE_INLINE bool operator()(Px<N>& p) const {
+        std::uint8_t* const at = p.color_plane + p.bytes();
+        const typename L::U16 word = steps565<N>(p.color, dither.threshold() << 5);
+        if constexpr (N::lanes > 1)
+            Words565<L, Format>::store_where(p.live, at, word);
+        else
+            Words565<L, Format>::store(at, word);
+        return true;
     }
     SPANGLE_INLINE void step() { dither.step(); }
 };

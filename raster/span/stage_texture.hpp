@@ -141,8 +141,9 @@ template <class N> struct TextureFunction {
     }
 };
 
-/// One image, REPEAT, one filter, all known, rows packed: the same bytes as Texture2D.
-template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env>
+/// One image, REPEAT, one filter, all known, rows packed: the same bytes as Texture2D. Steps: MODULATE, by
+/// N::in_steps().
+template <class N, int Unit, TexelFormat Texels, BaseFormat Base, Filter F, TexEnv Env, bool Steps = false>
 struct TextureFixed : StageBase {
     static constexpr unsigned in = field_color | field_coord << Unit, out = field_color;
     using System = N;
@@ -230,7 +231,7 @@ struct TextureFixed : StageBase {
         Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
     /// Factors by table: what `environment` would make of the texel.
     SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
-        constexpr const auto& factors = texel_factors<N>;
+        constexpr const auto& factors = texel_factors<N, Steps>;
         const std::uint32_t word = Lanes<1>::load(texel);
         p.color.r = N::scaled(p.color.r, factors.of5[word >> 11]);
         p.color.g = N::scaled(p.color.g, factors.of6[(word >> 5) & 63]);
@@ -242,6 +243,8 @@ struct TextureFixed : StageBase {
             p.color = s; // of systems that combine nothing but this with what is stored, too
         else if constexpr (Env == TexEnv::blend)
             apply_env<N>(Env, Base, p.color, s, constant);
+        else if constexpr (Steps)
+            apply_env<N>(Env, Base, p.color, N::in_steps(s), Color{});
         else
             apply_env<N>(Env, Base, p.color, s, Color{});
         return true;

@@ -6,7 +6,8 @@
 namespace spangle::raster {
 
 /// Of three coordinates, or of two and a level that stages before it have found (HasLod: a level, too).
-template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
+/// Steps: MODULATE, by N::in_steps().
+template <class N, int Unit, bool HasLod, bool Steps = false> struct Texture2D : StageBase {
     static_assert(N::lanes == 1);
     static constexpr unsigned in = field_color | field_coord << Unit | (HasLod ? field_lod << Unit : 0u);
     static constexpr unsigned out = field_color;
@@ -17,7 +18,11 @@ template <class N, int Unit, bool HasLod> struct Texture2D : StageBase {
     SPANGLE_INLINE Texture2D(const Span<typename N::Policy>& s, std::int32_t first)
         : span(s), x(first), unit(s.state->fragment.unit[Unit]), function(unit) {}
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
-        apply_env<N>(unit.env, function.texture.base, p.color, texel(p), env_color<N>(unit));
+        const auto s = texel(p);
+        if constexpr (Steps)
+            apply_env<N>(TexEnv::modulate, function.texture.base, p.color, N::in_steps(s), s);
+        else
+            apply_env<N>(unit.env, function.texture.base, p.color, s, env_color<N>(unit));
         return true;
     }
     SPANGLE_INLINE void step() { ++x; }

@@ -19,6 +19,15 @@ template <class N> class PacketTexture {
     template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         apply(static_cast<Packet<N>&>(places), span, Unit);
     }
+    /// MODULATE by N::in_steps() of the texels of unit 0.
+    static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
+        auto& k = static_cast<Packet<N>&>(places);
+        Color texels[Packet<N>::groups];
+        sample(k, span, 0, texels);
+        const BaseFormat base = span.state->fragment.unit[0].texture->base;
+        for (std::int32_t g = 0; g * lanes < k.n; ++g)
+            apply_env<N>(TexEnv::modulate, base, k.color[g], N::in_steps(texels[g]), Color{});
+    }
     /// All units that are on, when one of them combines.
     static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
         auto& k = static_cast<Packet<N>&>(places);

@@ -7,18 +7,26 @@
 
 namespace spangle::raster {
 
-/// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by.
-template <class N, class Word> struct TexelFactors {
+/// N::fraction of k/31 and k/63, by k: what MODULATE multiplies by; or `Steps` times that of N::in_steps().
+template <class N, class Word, int Steps> struct TexelFactors {
     Word of5[32], of6[64];
     constexpr TexelFactors() : of5{}, of6{} {
         for (std::uint32_t k = 0; k < 64; ++k) {
-            of5[k & 31] = static_cast<Word>(N::fraction(N::from5(k & 31)));
-            of6[k] = static_cast<Word>(N::fraction(N::from6(k)));
+            of5[k & 31] = static_cast<Word>(factor<5>(N::from5(k & 31)));
+            of6[k] = static_cast<Word>(factor<6>(N::from6(k)));
         }
     }
+
+  private:
+    template <unsigned Bits> static constexpr std::uint32_t factor(std::uint32_t v) {
+        if constexpr (Steps != 0)
+            return Steps * N::fraction(N::template steps15<Bits>(v));
+        else
+            return N::fraction(v);
+    }
 };
-template <class N>
-inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>>
+template <class N, int Steps = 0>
+inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
     texel_factors;
 
 /// What MODULATE multiplies by, of a texel: R5 G6 B5, or 8-bit components with R in the lowest byte. Factors
@@ -42,11 +50,26 @@ struct TexelComponents {
     SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return k; }
 };
 
-/// Those of the chain.
-template <class N> struct ChainFactors {
-    SPANGLE_INLINE static std::uint32_t factor5(std::uint32_t k) { return texel_factors<N>.of5[k]; }
-    SPANGLE_INLINE static std::uint32_t factor6(std::uint32_t k) { return texel_factors<N>.of6[k]; }
-    SPANGLE_INLINE static std::uint32_t factor8(std::uint32_t k) { return N::fraction(N::from8(k)); }
+/// Those of the chain: texels 565 are by table.
+template <class N, bool Is565, int Steps> struct ChainScales {
+    SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
+        return Is565 ? factors.of5[t >> 11] : of<5>(t & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
+        return Is565 ? factors.of6[t >> 5 & 63] : of<6>(t >> 8 & 255);
+    }
+    SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
+        return Is565 ? factors.of5[t & 31] : of<5>(t >> 16 & 255);
+    }
+
+  private:
+    static constexpr const auto& factors = texel_factors<N, Steps>;
+    template <unsigned Bits> SPANGLE_INLINE static std::uint32_t of(std::uint32_t k) {
+        if constexpr (Steps != 0)
+            return Steps * N::fraction(N::template steps15<Bits>(N::from8(k)));
+        else
+            return N::fraction(N::from8(k));
+    }
 };
 
 /// Words R5 G6 B5, or of 8-bit components with R in the lowest byte. Alpha: there is one.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "raster/span/fused_keys.hpp"
 #include "raster/span/stage_fogged_light.hpp"
 
 namespace spangle::raster::test {
@@ -53,6 +54,109 @@ TEST(FoggedLight, IsTheFogsColorOutsideOfItsRange) {
     EXPECT_GE(green(share, 0, 0, before), B::one - 2);
     EXPECT_EQ(green(share, B::one, 0, behind), 0u);
     EXPECT_GE(green(share, B::one, 63, behind), B::one - 10);
+}
+
+using Dithered = FoggedTexel<PixelFormat::rgb565_le, true, true, false>;
+using DitheredLow = FoggedTexel<PixelFormat::rgb565_le, true, true, true>;
+
+/// What one form makes of dimmed light, a texel, fog's factor and a threshold in 32nds.
+template <class Form>
+std::uint32_t dithered(const Form& form, std::uint32_t light, std::uint32_t texel, std::uint32_t f,
+                       std::uint32_t threshold) {
+    BalancedLit::Color color{};
+    color.r = color.g = color.b = light;
+    color.texel = texel;
+    return form.word(color, form.shares(f, threshold << (Form::threshold_bits - 5)), Form::sixths,
+                     Form::fifths) &
+           0xFFFF;
+}
+
+/// Both forms, and the chain's three stages.
+TEST(FoggedLight, DitheredHasOneForm) {
+    DrawState state{};
+    Span<Fixed> span{};
+    span.state = &state;
+    for (const std::uint32_t fog_color : {0u, color_one / 3, color_one}) {
+        for (std::uint32_t& c : state.fragment.fog_color)
+            c = fog_color;
+        const Dithered high(span);
+        const DitheredLow low(span);
+        const FogShare<B, true> share(span, 0);
+        for (std::uint32_t light = 0; light <= B::one; light += 977)
+            for (std::uint32_t texel = 0; texel < 65536; texel += 991)
+                for (std::uint32_t f = 0; f <= 65535; f += 4369)
+                    for (std::uint32_t threshold = 1; threshold < 32; threshold += 10) {
+                        const std::uint32_t dimmed = B::scaled(light, f);
+                        const auto s = B::in_steps(TexelColors<B, true, false>::unpack(texel));
+                        Px<B> p;
+                        p.color = {B::mul(dimmed, s.r), B::mul(dimmed, s.g), B::mul(dimmed, s.b), 0};
+                        ASSERT_TRUE(share.add(p, f));
+                        const std::uint32_t word = steps565<B>(p.color, threshold << 5);
+                        ASSERT_EQ(dithered(high, dimmed, texel, f, threshold), word);
+                        ASSERT_EQ(dithered(low, dimmed, texel, f, threshold), word);
+                    }
+    }
+}
+
+/// Steps of six bits are 512 of their units: less than 1/50 of one is lost, and every threshold is at least
+/// 1/32 of one, at most 31/32.
+TEST(FoggedLight, DitheredKeepsWhatIsExact) {
+    DrawState state{};
+    Span<Fixed> span{};
+    span.state = &state;
+    const Dithered form(span);
+    for (const std::uint32_t threshold : {1u, 31u}) {
+        for (std::uint32_t k = 0; k < 32; ++k) {
+            const std::uint32_t texel = k << 11 | (63 - k) << 5 | (31 - k);
+            EXPECT_EQ(dithered(form, B::scaled(B::one, 65535), texel, 65535, threshold), texel);
+            EXPECT_EQ(dithered(form, 0, texel, 65535, threshold), 0u);
+        }
+        for (std::uint32_t& c : state.fragment.fog_color)
+            c = color_one;
+        EXPECT_EQ(dithered(Dithered(span), 0, 0, 0, threshold), 0xFFFFu);
+    }
+}
+
+/// What follows MODULATE must be nothing but sums.
+TEST(FoggedLight, CountsStepsWhereNothingElseFollows) {
+    Key key = Say(Number::balanced, Kind::affine)
+                  .texture(TexelFormat::rgb565, BaseFormat::rgb, Filter::nearest, TexEnv::modulate)
+                  .fog()
+                  .key;
+    key.format = PixelFormat::rgb565_le;
+    EXPECT_FALSE(counts_steps(key));
+    key.dither = true;
+    EXPECT_TRUE(counts_steps(key));
+    for (bool Key::*other : {&Key::blend, &Key::masked, &Key::logic}) {
+        Key with = key;
+        with.*other = true;
+        EXPECT_FALSE(counts_steps(with));
+    }
+    key.unit[0].base = BaseFormat::alpha;
+    EXPECT_FALSE(counts_steps(key));
+}
+
+/// A pattern's mean is its colour.
+TEST(FoggedLight, DitheredIsWithinAFiftiethOfAStep) {
+    DrawState state{};
+    Span<Fixed> span{};
+    span.state = &state;
+    for (const std::uint32_t fog_color : {0u, color_one / 3, color_one}) {
+        state.fragment.fog_color[1] = fog_color;
+        const FogShare<B, true> share(span, 0);
+        for (std::uint32_t light = 0; light <= B::one; light += 255)
+            for (std::uint32_t texel = 0; texel < 64; ++texel)
+                for (std::uint32_t f = 0; f <= 65535; f += 1285) {
+                    Px<B> p;
+                    p.color = {0, B::scaled(B::scaled(light, f), texel_factors<B, 1>.of6[texel]), 0, 0};
+                    ASSERT_TRUE(share.add(p, f));
+                    const double kept = f / 65535.0,
+                                 exact = light * kept * texel / 63 + fog_color * (1 - kept) / 4096.0,
+                                 off = p.color.g / 512.0 - exact * 63 / B::one;
+                    ASSERT_LE(off, 0.002) << light << ' ' << texel << ' ' << f;
+                    ASSERT_GE(off, -0.02) << light << ' ' << texel << ' ' << f;
+                }
+    }
 }
 
 } // namespace
