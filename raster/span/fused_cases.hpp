@@ -273,7 +273,7 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     struct Few {
         static constexpr Key key = K;
         static constexpr bool tested = FusedCase::tested, patterned = false;
-        static constexpr std::int32_t most = 11;
+        static constexpr std::int32_t most = 4;
         using Pattern = NoPattern;
         template <int> using System = Raw565<1>;
         template <int> using List = typename Stages<1, Walk::few>::List;
