@@ -34,32 +34,40 @@ struct Packed {
         const Rounded x(s, under);
         return (x.rb & 0xF800) | ((x.g >> 5) & 0x07E0) | x.rb >> 27;
     }
-    /// Of products of words, from which the 128 of Rounded are taken again.
+    /// In 2^-27 of a step of five bits.
     struct Threshold {
-        std::uint32_t five, six;
-        constexpr Threshold(std::uint32_t threshold32 = 0)
-            : five((threshold32 << 22) - 128 * by_five), six((threshold32 << 21) - 128 * by_six) {}
+        std::uint32_t five;
+        constexpr Threshold(std::uint32_t threshold32 = 0) : five(threshold32 << 22) {}
     };
     /// Balanced<1>::over and dithered, the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
         // Factors, not the sums of shifts that compilers make of them.
-        std::uint32_t five = numeric::kept_in_register(by_five), // a constant would be known
-            six = numeric::kept_in_register(by_six);
-        const Rounded x(s, under);
-        return ((x.rb & 0xFFFF) * five + t.five) >> 27 << 11 | (x.g * six + t.six) >> 26 << 5 |
-               ((x.rb >> 16) * five + t.five) >> 27;
+        std::uint32_t by5 = numeric::kept_in_register(by_five), // a constant would be known
+            by6 = numeric::kept_in_register(by_six);
+        Sums x(s, under);
+        x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
+        x.g += (x.g + 0x80) >> 8;
+        const std::uint32_t five = numeric::factor32(t.five); // read once
+        return ((x.rb & 0xFFFF) * by5 + five) >> 27 << 11 | (x.g * by6 + (five >> 1)) >> 26 << 5 |
+               ((x.rb >> 16) * by5 + five) >> 27;
     }
 
   private:
     static constexpr std::uint32_t by_five = Balanced<1>::step_scale(5), by_six = Balanced<1>::step_scale(6);
-    /// Balanced<1>::over and 128.
-    struct Rounded {
+    /// In 255ths of 255ths, as Balanced<1>::over has them before it divides.
+    struct Sums {
         std::uint32_t rb, g;
-        SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) {
+        SPANGLE_INLINE Sums(const Color& s, std::uint32_t under) {
             const std::uint32_t a = s.a(), rest = 255 - a;
-            rb =
-                (s.word & 0x00FF00FF) * a + (under >> 11 | (under & 31) << 16) * weight<5>(rest) + 0x00800080;
-            g = numeric::bit_field<8, 8>(s.word) * a + ((under >> 5) & 63) * weight<6>(rest) + 0x80;
+            rb = (s.word & 0x00FF00FF) * a + (under >> 11 | (under & 31) << 16) * weight<5>(rest);
+            g = numeric::bit_field<8, 8>(s.word) * a + ((under >> 5) & 63) * weight<6>(rest);
+        }
+    };
+    /// Balanced<1>::over and 128.
+    struct Rounded : Sums {
+        SPANGLE_INLINE Rounded(const Color& s, std::uint32_t under) : Sums(s, under) {
+            rb += 0x00800080;
+            g += 0x80;
             rb += (rb >> 8) & 0x00FF00FF; // both halves stay below 2^16
             g += g >> 8;
         }
