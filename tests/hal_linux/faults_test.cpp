@@ -288,8 +288,8 @@ TEST_P(Faults, TheScannedLineMayNeverCome) {
     rig.start();
     expect_unharmed_frame(rig);
     const hal::PresentCounters counted = rig.display->counters();
-    EXPECT_EQ(counted.sent, 1u);
-    EXPECT_EQ(counted.led + counted.lagged + counted.unsafe, 1u);
+    EXPECT_GE(counted.sent, 1u); // more if present() tried again
+    EXPECT_EQ(counted.led + counted.lagged + counted.unsafe, counted.sent);
     if (is_spidev(GetParam())) { // bit by bit a frame may take many refreshes
         EXPECT_EQ(counted.unsafe, 0u);
     }
