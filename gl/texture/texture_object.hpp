@@ -40,7 +40,7 @@ constexpr std::size_t kinds_before(std::size_t kind) {
 }
 /// How many of width, height and depth an image has; the others are 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
-    return there(kind) == TextureKind::one ? 1 : there(kind) == TextureKind::three ? 3 : 2;
+    return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
 }
 
 /// Border included; all zero is GL's initial texture array.
