@@ -153,13 +153,28 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_
 }
 
 /// add(plane, first value, differences) of what is dithered: red, green and blue.
-template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
+template <class Steps, class F> SPANGLE_INLINE void Setup<Fixed>::each_step(Steps in_steps, F add) const {
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
-        const std::uint32_t s0 = color_in_steps(v(0).color[i], i), s1 = color_in_steps(v(1).color[i], i),
-                            s2 = color_in_steps(v(2).color[i], i);
+        const std::uint32_t s0 = in_steps(v(0).color[i], i), s1 = in_steps(v(1).color[i], i),
+                            s2 = in_steps(v(2).color[i], i);
         add(span_.color_value[i], s0, static_cast<std::int32_t>(s1 - s0), static_cast<std::int32_t>(s2 - s0));
     }
+}
+
+/// Without long products a form for each of the factors, and one for what is guessed.
+template <class F> SPANGLE_INLINE void Setup<Fixed>::each_step(F add) const {
+    if constexpr (numeric::long_products)
+        each_step(
+            [factors = state_.step_factors](std::uint32_t c, int i)
+                __attribute__((always_inline)) { return numeric::mul_high_u32(c, factors.of(i)); },
+            add);
+    else if (has_full && span_.kind == Kind::full)
+        each_step(color_in_guessed_steps, add);
+    else if (drawn(state_.tier) == Tier::exact)
+        each_step(color_in_steps<>, add);
+    else
+        each_step(color_in_near_steps<>, add);
 }
 
 /// Their differences take no more bits than they did.
@@ -199,7 +214,8 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
         return divided_colors();
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
-    // Steps are no more than the 255ths are, and rounded to 2^-20 of them.
+    // Steps are no more than the 255ths are, and off by less than 2^-11 of them, which is less than what is
+    // left of `lost`.
     const std::uint32_t off = error + lost;
     span_.guess.doubt(2 * off);
     span_.guess.project = &project;

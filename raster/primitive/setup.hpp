@@ -121,6 +121,7 @@ template <> class Setup<Fixed> {
     template <bool Rgb> void varying_colors(std::uint32_t bits);
     template <bool Rgb = false, class F> void each_color(F add) const;
     void steep_colors(std::uint32_t bias);
+    template <class Steps, class F> void each_step(Steps in_steps, F add) const;
     template <class F> void each_step(F add) const;
     void steep_steps(std::uint32_t bias);
     void stepped_colors(std::uint32_t bits, std::uint32_t bias);

@@ -71,25 +71,6 @@ template <class T> SPANGLE_INLINE T depth_code(T z, int bits) {
     return (z << 2) - (z >> (bits - 2));
 }
 
-/// A colour in steps of its component of 5, 6 or 5 bits, 8 or 4 of its 255ths each, at most the last of its
-/// fraction bits too small: thresholds are 2^-5 of a step at least, so that k steps stay k.
-template <bool Long = numeric::long_products>
-SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
-    // 31 8 / 255 and 63 4 / 255 of 2^32
-    constexpr std::uint32_t five = 0xF8F8F8F9, six = 0xFCFCFCFD;
-    if constexpr (Long) {
-        return numeric::mul_high_u32(c, component == 1 ? six : five);
-    } else {
-        // What they leave of 2^32 is one half twice: two products in place of four.
-        const auto rest =
-            static_cast<std::int32_t>(numeric::kept_in_register((0 - (component == 1 ? six : five)) >> 16));
-        const auto less = -static_cast<std::int32_t>(c);
-        const std::int32_t high = (less >> 16) * rest,
-                           low = static_cast<std::int32_t>(numeric::detail::low_half(0 - c)) * rest;
-        return c + static_cast<std::uint32_t>(high + ((high + low + (low >> 16)) >> 16));
-    }
-}
-
 /// A colour as stored in a 16-bit surface.
 SPANGLE_INLINE std::uint32_t word565(const std::uint32_t (&color)[4]) {
     const auto to8 = [&](int i) {

@@ -141,6 +141,7 @@ void prepare(DrawState& draw, const FragmentState& state, const Surface& target)
     draw.format = target.format;
     // Exact: 2^-19 of full scale. Balanced: a quarter of a step of the target, of indices and 8 bits a unit.
     const bool units = drawn_info(target.format).green_bits == 8 || drawn_indexed(target.format);
+    draw.step_factors = drawn(state.tier) == Tier::exact ? exact_steps : near_steps;
     draw.four_color_tolerances = drawn(state.tier) == Tier::exact  ? color_one >> 17
                                  : drawn(state.tier) == Tier::fast ? UINT32_MAX
                                  : units                           ? 1u << color_fraction_bits

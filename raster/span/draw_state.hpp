@@ -6,6 +6,7 @@
 
 #include "raster/span/fused_keys.hpp"
 #include "raster/span/key.hpp"
+#include "raster/span/number.hpp"
 #include "raster/span/primitive_state.hpp"
 #include "raster/span/span.hpp"
 #include "raster/surface/surface.hpp"
@@ -126,6 +127,7 @@ struct DrawState {
     bool words = false;      ///< or the 16 bits R5 G6 B5 that are stored, in host order
     bool guesses = false;    ///< colours of Kind::full may be guessed (Span::guess)
     Tier tier = Tier::exact;
+    StepFactors step_factors{};              ///< of affine colours that count steps (Variant::steps)
     std::uint32_t four_color_tolerances = 0; ///< what affine colours may be off by, four times: colour units
     PixelFormat format{};
     DepthFormat depth_format{};

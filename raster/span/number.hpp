@@ -33,6 +33,45 @@ template <std::uint32_t Count> struct ColorSteps {
     }
 };
 
+/// Parts of 2^32 that make a colour one in steps of its component of 5, 6 or 5 bits, 8 or 4 of its 255ths
+/// each.
+struct StepFactors {
+    std::uint32_t five, six;
+    SPANGLE_INLINE constexpr std::uint32_t of(int component) const { return component == 1 ? six : five; }
+};
+/// 31 8 / 255 and 63 4 / 255, and where colours may be off by more: 249 and 253 / 256, a 290th of a step too
+/// large at most. Thresholds are 1/32 to 31/32 of a step, so that with either k steps stay k.
+inline constexpr StepFactors exact_steps{0xF8F8F8F9, 0xFCFCFCFD}, near_steps{0xF9000000, 0xFD000000};
+
+/// By exact_steps: at most the last of its fraction bits too small.
+template <bool Long = numeric::long_products>
+SPANGLE_INLINE std::uint32_t color_in_steps(std::uint32_t c, int component) {
+    if constexpr (Long) {
+        return numeric::mul_high_u32(c, exact_steps.of(component));
+    } else {
+        // What they leave of 2^32 is one half twice: two products in place of four.
+        const auto rest =
+            static_cast<std::int32_t>(numeric::kept_in_register((0 - exact_steps.of(component)) >> 16));
+        const auto less = -static_cast<std::int32_t>(c);
+        const std::int32_t high = (less >> 16) * rest,
+                           low = static_cast<std::int32_t>(numeric::detail::low_half(0 - c)) * rest;
+        return c + static_cast<std::uint32_t>(high + ((high + low + (low >> 16)) >> 16));
+    }
+}
+/// By near_steps: what they leave are shifts and a difference.
+template <bool Long = numeric::long_products>
+SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component) {
+    if constexpr (Long)
+        return numeric::mul_high_u32(c, near_steps.of(component));
+    else
+        return c - (((component == 1 ? c + (c << 1) : (c << 3) - c) + 255) >> 8);
+}
+/// As exact_steps, but for up to 2^-12 of a 255th too much.
+SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // of 2^16
+    return c - ((c >> 8) * rest >> 8);
+}
+
 /// Exact tier, and the order of things for the others: 255ths with 20 fraction bits.
 struct Exact {
     using Policy = Fixed;
@@ -110,13 +149,10 @@ struct Exact {
     }
 
   private:
-    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits).
+    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits): both words of a product with 4 bits less.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
-        constexpr std::uint64_t factor =
-            ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
-        // v factor / 2^32; of two products, not of the shifts that a compiler finds for 64 bits
-        return v * static_cast<std::uint32_t>(factor >> 32) +
-               numeric::mul_high_u32(v, static_cast<std::uint32_t>(factor));
+        constexpr int component = Bits == 5 ? 0 : 1;
+        return (color_in_steps(v, component) << 4) + (v * exact_steps.of(component) >> 28);
     }
     static constexpr ColorSteps<32> steps5{};
     static constexpr ColorSteps<64> steps6{};

@@ -43,6 +43,41 @@ TEST(Dithered, StepsFromHalvesAreTheSame) {
         }
 }
 
+/// What balanced and fast tiers count in, and what is guessed where there are no long products.
+TEST(Dithered, NearAndGuessedSteps) {
+    std::mt19937 random(8);
+    for (const int component : components) {
+        const double most = std::ldexp(1.0 / 290, step_bits(component));
+        for (int i = 0; i < 1000000; ++i) {
+            const std::uint32_t c =
+                i < 100 ? color_one - static_cast<std::uint32_t>(i) : random() >> (4 + random() % 28);
+            const std::uint32_t near = color_in_near_steps<false>(c, component);
+            ASSERT_EQ(near, color_in_near_steps<true>(c, component)) << c;
+            const auto more = [&](std::uint32_t steps) {
+                return static_cast<double>(steps) - static_cast<double>(color_in_steps(c, component));
+            };
+            ASSERT_GE(more(near), -1) << c;
+            ASSERT_LE(more(near), most) << c;
+            ASSERT_GE(more(color_in_guessed_steps(c, component)), 0) << c;
+            ASSERT_LE(more(color_in_guessed_steps(c, component)), 1 << 8) << c;
+        }
+    }
+}
+
+/// In 27 and 26 bits: the whole product, less what is below them.
+TEST(Dithered, StepsOfTheExactTier) {
+    std::mt19937 random(9);
+    for (int i = 0; i < 1000000; ++i) {
+        const std::uint32_t c = i == 0 ? color_one : random() % (color_one + 1);
+        const auto floor32 = [&](std::uint64_t levels, int up) {
+            const std::uint64_t factor = ((levels << up) + 254) / 255; // 36 bits
+            return static_cast<std::uint32_t>(c * factor >> 32);
+        };
+        ASSERT_EQ(Exact::steps32<5>(c), floor32(31, 39) >> 22) << c;
+        ASSERT_EQ(Exact::steps32<6>(c), floor32(63, 38) >> 21) << c;
+    }
+}
+
 TEST(Dithered, DifferencesTakeNoMoreBits) {
     std::mt19937 random(5);
     for (const int component : components)
@@ -85,12 +120,15 @@ TEST(Dithered, StepsStay) {
         for (std::uint32_t k = 0; k <= levels(component); ++k) {
             const auto c = static_cast<std::uint32_t>((std::uint64_t{k} * color_one + levels(component) / 2) /
                                                       levels(component));
-            const std::uint32_t v = color_in_steps(c, component) << (24 - color_fraction_bits);
-            for (std::uint32_t t = 1; t < 32; t += 2) {
-                const std::uint32_t word =
-                    Raw565<1>::word(Raw565<1>::dithered({v, v, v}, Raw565<1>::fraction5(t))).word;
-                const std::uint32_t of[] = {word >> 11, (word >> 5) & 63, word & 31};
-                ASSERT_EQ(of[component], k) << component << ' ' << t;
+            for (const std::uint32_t steps :
+                 {color_in_steps(c, component), color_in_near_steps(c, component)}) {
+                const std::uint32_t v = steps << (24 - color_fraction_bits);
+                for (std::uint32_t t = 1; t < 32; t += 2) {
+                    const std::uint32_t word =
+                        Raw565<1>::word(Raw565<1>::dithered({v, v, v}, Raw565<1>::fraction5(t))).word;
+                    const std::uint32_t of[] = {word >> 11, (word >> 5) & 63, word & 31};
+                    ASSERT_EQ(of[component], k) << component << ' ' << t;
+                }
             }
         }
 }
