@@ -1,0 +1,12 @@
+# Every command of GL 1.3 and no more, in the balanced tier on 16-bit surfaces: no fixed-point entry points, buffer objects or other
+# systems of later versions, no surfaces of samples, no formats that are stored compressed, no bands.
+set(SPANGLE_PROFILE_FEATURES LISTS LIGHTING FOG POLYGON_MODE STIPPLE ANTIALIASING POLYGON_OFFSET CLIP_PLANES TEXGEN TEXTURE_COMBINE
+    TEXTURE_1D TEXTURE_3D TEXTURE_CUBE_MAP COPY_TEXTURE RASTER_POS PIXEL_TRANSFER DRAW_PIXELS BITMAPS ACCUM COLOR_INDEX
+    ATTRIB_STACKS SELECTION FEEDBACK EVALUATORS)
+set(SPANGLE_FUSED few)
+set(SPANGLE_TIER_SET 2)         # balanced
+set(SPANGLE_COLOR_FORMATS 1) # rgb565_be
+set(SPANGLE_LINE_BATCH 2)
+set(SPANGLE_SHORTCUTS 0)
+set(SPANGLE_KERNELS_INLINE 0)
+set(SPANGLE_ARGUMENTS_INLINE 0)
