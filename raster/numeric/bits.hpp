@@ -20,7 +20,7 @@ SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
 template <bool Counted = long_products> class LeadingZeros {
   public:
     SPANGLE_INLINE constexpr int of(std::uint32_t v) {
-        if (v >> down_ == 1)
+        if (v >> down_ == 1) [[likely]]
             return 31 - down_;
         const int zeros = clz32(v);
         down_ = (31 - zeros) & 31; // 0 has 32

@@ -139,7 +139,7 @@ class CoordRuns {
     std::uint32_t dt;
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
-        : next_(x), log2_(-1), span_(&span), row_(span, unit), unit_(unit) {}
+        : next_(x), log2_(-1), row_(span, unit), unit_(unit), span_(&span) {}
 
     /// Makes them valid at pixel x; returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < next_ ? next_ : start_run(x); }
@@ -290,15 +290,16 @@ class CoordRuns {
         return log2 < shortest ? shortest : log2 > longest ? longest : log2;
     }
 
-    const Span<Fixed>* span_;
+    // What each run takes comes first: short loads reach 128 bytes.
     detail::HomogeneousRow row_; ///< begins where the last sample is taken
     struct {
         std::uint64_t s, t, q;
     } run_; ///< from run to run
-    int unit_, exponent_;
-    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< of w where runs end
-    std::int32_t last_whole_; ///< where runs may end that are not cut short; 0 if coordinates do not wrap
     Sample last_;
+    std::int32_t last_whole_; ///< where runs may end that are not cut short; 0 if coordinates do not wrap
+    [[no_unique_address]] numeric::LeadingZeros<> zeros_; ///< of w where runs end
+    int exponent_, unit_;
+    const Span<Fixed>* span_;
 };
 
 } // namespace spangle::raster

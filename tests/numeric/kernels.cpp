@@ -103,7 +103,7 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         ASSERT_EQ(mul_by_half(u, v >> 16), std::uint64_t{u} * (v >> 16) >> 16) << u << ' ' << v;
         ASSERT_EQ(detail::halves_by_half(u, v >> 16), mul_by_half(u, v >> 16)) << u << ' ' << v;
         const std::uint64_t wide = std::uint64_t{u} << 32 | v;
-        ASSERT_EQ(detail::times_by_words(wide, a), wide * static_cast<std::uint64_t>(std::int64_t{a}))
+        ASSERT_EQ(detail::times_by_halves(wide, a), wide * static_cast<std::uint64_t>(std::int64_t{a}))
             << wide << ' ' << a;
         for (int n = 0; n < 64; n += 1 + static_cast<int>(u & 7))
             ASSERT_EQ(detail::high_word_by_words(wide, n), static_cast<std::uint32_t>(wide << n >> 32))
