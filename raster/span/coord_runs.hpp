@@ -157,7 +157,7 @@ class CoordRuns {
         }
         const std::int32_t from = next_;
         next_ += std::int32_t{1} << log2_;
-        if (next_ <= last_whole_) [[likely]] {
+        if (has_shortcuts && next_ <= last_whole_) [[likely]] {
             row_.q0 += run_.q;
             const Inverse inverse(row_.q(0), zeros_);
             // One after the other: few registers.
@@ -215,13 +215,15 @@ class CoordRuns {
         log2_ = choose_log2();
         next_ = x & -(std::int32_t{1} << log2_);
         row_.begin_at(next_);
-        run_ = {row_.ds << log2_, row_.dt << log2_, row_.dq << log2_};
         exponent_ = span_->unit[unit_].exponent;
         last_ = Sample(row_, 0, Inverse(row_.q(0), zeros_), exponent_);
+        if (!has_shortcuts)
+            return;
+        run_ = {row_.ds << log2_, row_.dt << log2_, row_.dq << log2_};
         const auto& wraps = span_->state->wraps[unit_];
         last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
-    /// Cut short by the end of the row, or of coordinates that do not wrap.
+    /// Any: also one cut short by the end of the row, or of coordinates that do not wrap.
     [[gnu::noinline]] void other_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
         const std::int32_t limit = span_->length - 1, to = next_ < limit ? next_ : limit;
