@@ -25,12 +25,15 @@ constexpr std::size_t index_of(TextureKind kind) {
 inline constexpr bool texture_kind_is_there[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
                                                               SPANGLE_FEATURE_TEXTURE_3D != 0,
                                                               SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0};
-/// The kind of a texture there is. Where a build has one only the compiler knows it.
-constexpr TextureKind there(TextureKind kind) {
+inline constexpr unsigned kinds_there = [] {
     unsigned set = 0;
     for (unsigned k = 0; k < texture_kinds; ++k)
         set |= texture_kind_is_there[k] ? 1u << k : 0u;
-    return raster::one_of(set, kind);
+    return set;
+}();
+/// The kind of a texture there is. Where a build has one only the compiler knows it.
+constexpr TextureKind there(TextureKind kind) {
+    return raster::one_of(kinds_there, kind);
 }
 constexpr std::size_t kinds_before(std::size_t kind) {
     std::size_t before = 0;

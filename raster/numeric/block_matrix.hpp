@@ -186,6 +186,18 @@ SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int
 /// its float exponent alone; the implicit one of a 0 or a denormal is shifted out, unless everything is that
 /// small.
 template <int N> SPANGLE_INLINE constexpr Mantissas<N> load(const Columns<N>& column, const Real (&v)[N]) {
+    if constexpr (N == 3 && !runs_inline) { // the code for four, of which one has no say
+        Columns<4> wide;
+        wide.e[3] = detail::no_exponent;
+        wide.least = column.least;
+        Real padded[4] = {};
+        for (int i = 0; i < N; ++i) {
+            wide.e[i] = column.e[i];
+            padded[i] = v[i];
+        }
+        const Mantissas<4> r = load<4>(wide, padded);
+        return {{r.m[0], r.m[1], r.m[2]}, r.e};
+    }
     std::int32_t e[N];
     const std::int32_t top = detail::exponents<N>(column, v, e);
     if (top < column.least) [[unlikely]]

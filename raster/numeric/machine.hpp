@@ -11,6 +11,12 @@
 #else
 #define SPANGLE_INLINE [[gnu::always_inline]] inline
 #endif
+/// For those that are an instruction or two wherever there are products of words.
+#if defined(__thumb__) && !defined(__thumb2__)
+#define SPANGLE_PRODUCT_INLINE SPANGLE_INLINE
+#else
+#define SPANGLE_PRODUCT_INLINE [[gnu::always_inline]] inline
+#endif
 /// For those that a run of several pixels, or three and four dimensions, share: smaller builds have one copy,
 /// whatever else is built for speed.
 #if SPANGLE_KERNELS_INLINE
@@ -30,6 +36,9 @@
 #endif
 
 namespace spangle::numeric {
+
+/// SPANGLE_RUN_INLINE is.
+inline constexpr bool runs_inline = SPANGLE_KERNELS_INLINE != 0;
 
 /// What reciprocals and roots begin with is looked up, else it is computed: the same numbers.
 inline constexpr bool has_seed_tables = SPANGLE_SEED_TABLES != 0;

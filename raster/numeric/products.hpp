@@ -128,29 +128,29 @@ SPANGLE_INLINE constexpr std::uint32_t halves_residual(std::uint32_t a, std::uin
 }
 
 /// Of factors that compilers know they make shifts and sums.
-template <class A, class B> SPANGLE_INLINE constexpr bool by_halves(A a, B b) {
+template <class A, class B> SPANGLE_PRODUCT_INLINE constexpr bool by_halves(A a, B b) {
     return !long_products && !__builtin_constant_p(a) && !__builtin_constant_p(b);
 }
 
 } // namespace detail
 
-SPANGLE_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::uint64_t mul_u32(std::uint32_t a, std::uint32_t b) {
     if (detail::by_halves(a, b))
         return detail::mul_halves(a, b);
     return std::uint64_t{factor32(a)} * factor32(b);
 }
-SPANGLE_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_s32(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{factor32(a)} * factor32(b);
 }
 /// The same without factor32().
-SPANGLE_INLINE constexpr std::int64_t mul_long(std::int32_t a, std::int32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_long(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{a} * b;
 }
-SPANGLE_INLINE constexpr std::int64_t mul_s32_u32(std::int32_t a, std::uint32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::int64_t mul_s32_u32(std::int32_t a, std::uint32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int64_t>(detail::mul_halves(a, b));
     return std::int64_t{a} * b;
@@ -164,17 +164,17 @@ SPANGLE_INLINE constexpr std::uint32_t mul_residual(std::uint32_t a, std::uint32
 }
 
 /// floor(a * b / 2^32).
-SPANGLE_INLINE constexpr std::uint32_t mul_high_u32(std::uint32_t a, std::uint32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::uint32_t mul_high_u32(std::uint32_t a, std::uint32_t b) {
     if (detail::by_halves(a, b))
         return detail::mul_halves_high(a, b);
     return static_cast<std::uint32_t>(mul_u32(a, b) >> 32);
 }
-SPANGLE_INLINE constexpr std::int32_t mul_high_s32(std::int32_t a, std::int32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::int32_t mul_high_s32(std::int32_t a, std::int32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int32_t>(detail::mul_halves_high(a, b));
     return static_cast<std::int32_t>(mul_s32(a, b) >> 32);
 }
-SPANGLE_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, std::uint32_t b) {
+SPANGLE_PRODUCT_INLINE constexpr std::int32_t mul_high_s32_u32(std::int32_t a, std::uint32_t b) {
     if (detail::by_halves(a, b))
         return static_cast<std::int32_t>(detail::mul_halves_high(a, b));
     return static_cast<std::int32_t>(mul_s32_u32(a, b) >> 32);
@@ -252,7 +252,7 @@ SPANGLE_INLINE constexpr std::uint64_t times(std::uint64_t v, std::int32_t n) {
 }
 
 /// The high word of v, nearest, halves up, mod 2^32.
-SPANGLE_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
+SPANGLE_PRODUCT_INLINE constexpr std::int32_t high_rounded(std::int64_t v) {
     const auto u = static_cast<std::uint64_t>(v);
     if constexpr (!wide_words) // two of them: one addition
         return static_cast<std::int32_t>(static_cast<std::uint32_t>(u >> 32) +
