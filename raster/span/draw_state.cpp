@@ -8,6 +8,8 @@
 
 namespace spangle::raster {
 
+FragmentState::FragmentState() = default;
+
 namespace {
 
 using numeric::Real;

@@ -205,7 +205,7 @@ struct Blending {
 inline constexpr Blending blend_over = {BlendFactor::src_alpha, BlendFactor::one_minus_src_alpha};
 
 struct FragmentState {
-    [[gnu::noinline]] constexpr FragmentState() = default; ///< long
+    [[gnu::noinline]] FragmentState(); ///< long
 
     TextureUnit unit[max_texture_units];
     Colors colors = Colors::of_vertices;

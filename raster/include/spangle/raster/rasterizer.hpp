@@ -11,7 +11,7 @@
 namespace spangle::raster {
 
 /// Everything off but dithering; the whole surface.
-constexpr FragmentState whole(const Surface& surface) {
+inline FragmentState whole(const Surface& surface) {
     FragmentState state;
     state.scissor = surface.area();
     return state;
