@@ -124,8 +124,8 @@ constexpr PixelFormat drawn(PixelFormat format) {
 namespace detail {
 inline constexpr FormatInfo only_info = format_info(drawn(PixelFormat{}));
 }
-/// Of the format of a surface, likewise.
-constexpr FormatInfo drawn_info(PixelFormat format) {
+/// Of the format of a surface, likewise: a call would not know it.
+[[gnu::always_inline]] constexpr FormatInfo drawn_info(PixelFormat format) {
     if constexpr ((color_formats & (color_formats - 1)) == 0)
         return detail::only_info;
     return format_info(format);
