@@ -59,6 +59,11 @@ Step next_step(Context* context, const Gated& command, Step done) {
                                                                                        : Step::none;
 }
 #endif
+#else
+Context* admitted(const Gated& command) {
+    Context* const context = current_context();
+    return context != nullptr && allowed(*context, command) ? context : nullptr;
+}
 #endif
 
 Context* outside_begin_end(const char* refusal) {

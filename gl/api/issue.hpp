@@ -52,9 +52,21 @@ template <class... A> inline bool admit(const Gated& command, Context& context, 
     return allowed(context, command);
 }
 
+/// The current context where a command may run, else null.
+Context* admitted(const Gated& command);
+
 #endif
 
-#if SPANGLE_FEATURE_LISTS && !SPANGLE_ARGUMENTS_INLINE
+#if !SPANGLE_FEATURE_LISTS
+
+/// Arguments lie where the family's function takes them.
+template <template <class...> class Kind, class... A>
+[[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
+    if (Context* const context = admitted(command); context != nullptr)
+        command.run(*context, args...);
+}
+
+#elif !SPANGLE_ARGUMENTS_INLINE
 
 /// Records and plays what stands in `words`, behind room for the player.
 void issue_words(const Gated& command, list::Word* words, std::uint32_t count);
@@ -85,7 +97,7 @@ template <class... A>
 
 #else
 
-/// Arguments lie where the family's function takes them.
+/// Arguments lie where the family's function takes them, too.
 template <template <class...> class Kind, class... A>
 [[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
     Context* context = current_context();
