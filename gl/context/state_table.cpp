@@ -94,10 +94,28 @@ constexpr bool all_fit() {
 }
 static_assert(all_fit());
 
+/// Of a row that only says so: where no message names the system, it is one of a list of names.
+constexpr bool is_left_out(const WrittenRow& row) {
+    return !SPANGLE_MESSAGES && row.left_out && row.source != Source::pointer && row.toggle != Switch::client;
+}
 /// Switches, or the other rows that have a name.
-template <bool switches> constexpr bool is_named(const WrittenRow& row) {
+template <bool switches> constexpr bool has_name(const WrittenRow& row) {
     return row.source != Source::section && row.source != Source::held &&
            (row.toggle != Switch::none) == switches;
+}
+template <bool switches> constexpr bool is_named(const WrittenRow& row) {
+    return has_name<switches>(row) && !is_left_out(row);
+}
+template <bool switches> constexpr bool is_only_named(const WrittenRow& row) {
+    return has_name<switches>(row) && is_left_out(row);
+}
+template <bool switches> constexpr auto left_out_names() {
+    std::array<std::uint16_t, count_rows(is_only_named<switches>)> names{};
+    std::size_t used = 0;
+    for (const WrittenRow& row : written)
+        if (is_only_named<switches>(row))
+            names[used++] = row.name;
+    return names;
 }
 template <bool switches> constexpr auto sorted_by_name() {
     std::array<StateRow, count_rows(is_named<switches>)> rows{};
@@ -114,6 +132,9 @@ template <bool switches> constexpr auto sorted_by_name() {
 // Two arrays: a program that asks for nothing but turns systems on and off links the smaller one only.
 constexpr auto switches = sorted_by_name<true>();
 constexpr auto others = sorted_by_name<false>();
+constexpr auto left_out_switches = left_out_names<true>();
+constexpr auto left_out_others = left_out_names<false>();
+constexpr StateRow left_out_row = packed(of_feature(false, "", absent_switch(0)));
 
 constexpr bool is_held(const WrittenRow& row) {
     return row.source == Source::held;
@@ -137,7 +158,7 @@ constexpr bool names_differ() {
 }
 static_assert(names_differ());
 
-const StateRow* find(std::span<const StateRow> rows, GLenum name) {
+const StateRow* find(std::span<const StateRow> rows, std::span<const std::uint16_t> left_out, GLenum name) {
     std::size_t low = 0, high = rows.size();
     while (low < high) {
         const std::size_t middle = (low + high) / 2;
@@ -145,17 +166,20 @@ const StateRow* find(std::span<const StateRow> rows, GLenum name) {
             return &rows[middle];
         (rows[middle].name < name ? low : high) = rows[middle].name < name ? middle + 1 : middle;
     }
+    for (const std::uint16_t other : left_out)
+        if (other == name)
+            return &left_out_row;
     return nullptr;
 }
 
 } // namespace
 
 const StateRow* find_switch(GLenum name) {
-    return find(switches, name);
+    return find(switches, left_out_switches, name);
 }
 
 const StateRow* find_state(GLenum name) {
-    const StateRow* const row = find(others, name);
+    const StateRow* const row = find(others, left_out_others, name);
     return row != nullptr ? row : find_switch(name);
 }
 
