@@ -11,9 +11,13 @@ namespace spangle::gl {
 struct BufferObject;
 
 struct ClientArray {
+    /// Not in line: there are many.
+    [[gnu::noinline]] explicit ClientArray(GLint components = 4, GLenum component = GL_FLOAT)
+        : size(components), type(component) {}
+
     bool enabled = false;
-    GLint size = 4;
-    GLenum type = GL_FLOAT;
+    GLint size;
+    GLenum type;
     GLsizei stride = 0;             ///< as given; 0 = packed
     const void* pointer = nullptr;  ///< in a buffer: the offset
     BufferObject* buffer = nullptr; ///< null: client memory
@@ -24,8 +28,7 @@ struct ClientArray {
 /// What a vertex array object holds (GL 3.0, 2.10).
 struct ArraysState {
     ClientArray vertex, normal, color;
-    ClientArray index{.size = 1}, edge_flag{.size = 1, .type = GL_UNSIGNED_BYTE}, fog_coord{.size = 1},
-        secondary_color{.size = 3};
+    ClientArray index{1}, edge_flag{1, GL_UNSIGNED_BYTE}, fog_coord{1}, secondary_color{3};
     ClientArray tex_coord[texture_units];
     BufferObject* element_buffer = nullptr;
     bool buffered = false; ///< some array may lie in a buffer
