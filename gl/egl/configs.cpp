@@ -173,6 +173,13 @@ constexpr Wish defaults[] = {
 };
 constexpr int wish_count = sizeof defaults / sizeof defaults[0];
 
+consteval int place_of(EGLint name) {
+    int i = 0;
+    while (defaults[i].name != name)
+        ++i;
+    return i;
+}
+
 struct Wishes {
     EGLint value[wish_count];
 };
@@ -198,9 +205,9 @@ bool read_wishes(const EGLint* list, Wishes& out) {
 
 bool matches(const Display& display, const Config& config, const Wishes& wishes) {
     // A CONFIG_ID decides alone (EGL 1.4, 3.4.1).
-    for (int i = 0; i < wish_count; ++i)
-        if (defaults[i].name == EGL_CONFIG_ID && wishes.value[i] != EGL_DONT_CARE)
-            return config.id == wishes.value[i];
+    const EGLint id = wishes.value[place_of(EGL_CONFIG_ID)];
+    if (id != EGL_DONT_CARE)
+        return config.id == id;
     for (int i = 0; i < wish_count; ++i) {
         const EGLint wish = wishes.value[i];
         if (wish == EGL_DONT_CARE || defaults[i].rule == Rule::ignored)
@@ -215,14 +222,7 @@ bool matches(const Display& display, const Config& config, const Wishes& wishes)
     return true;
 }
 
-EGLint wish_for(const Wishes& wishes, EGLint name) {
-    for (int i = 0; i < wish_count; ++i)
-        if (defaults[i].name == name)
-            return wishes.value[i];
-    return 0;
-}
-
-/// Configs differ in depth and precision alone, in whose order their ids are.
+/// Configs differ in depth and precision alone: before() has the order of ids.
 constexpr bool in_order = (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
 
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
@@ -230,15 +230,13 @@ constexpr bool in_order = (raster::color_formats & (raster::color_formats - 1)) 
 bool before(const Display& display, const Wishes& wishes, const Config& a, const Config& b) {
     if (is_slow(a.drawn()) != is_slow(b.drawn())) // caveat
         return is_slow(b.drawn());
-    if constexpr (in_order)
-        return a.id < b.id;
     EGLint bits_a = 0, bits_b = 0;
-    for (const EGLint name : {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE}) {
-        const EGLint wish = wish_for(wishes, name);
-        if (wish == 0 || wish == EGL_DONT_CARE)
+    for (const int i : {place_of(EGL_RED_SIZE), place_of(EGL_GREEN_SIZE), place_of(EGL_BLUE_SIZE),
+                        place_of(EGL_ALPHA_SIZE)}) {
+        if (wishes.value[i] == 0 || wishes.value[i] == EGL_DONT_CARE)
             continue;
-        bits_a += attribute(display, a, name).value;
-        bits_b += attribute(display, b, name).value;
+        bits_a += attribute(display, a, defaults[i].name).value;
+        bits_b += attribute(display, b, defaults[i].name).value;
     }
     if (bits_a != bits_b)
         return bits_a > bits_b;
@@ -344,11 +342,11 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
         if (!exists(config) || !matches(*display, config, wishes))
             continue;
         EGLint at = n++;
-        for (; at > 0 && before(*display, wishes, config, config_of(found[at - 1])); --at)
+        for (; !in_order && at > 0 && before(*display, wishes, config, config_of(found[at - 1])); --at)
             found[at] = found[at - 1];
         found[at] = static_cast<std::uint16_t>(id);
     }
-    if (n == 0 && wish_for(wishes, EGL_RENDERABLE_TYPE) == EGL_OPENGL_ES_BIT)
+    if (n == 0 && wishes.value[place_of(EGL_RENDERABLE_TYPE)] == EGL_OPENGL_ES_BIT)
         spangle::message(EGL_SUCCESS,
                          SPANGLE_TEXT("eglChooseConfig: this is OpenGL; ask for EGL_RENDERABLE_TYPE, "
                                       "EGL_OPENGL_BIT (EGL means OpenGL ES where nothing is said)"));
