@@ -75,11 +75,12 @@ void blend_key(Key& key, const FragmentState& state) {
         key.blending = rgb;
 }
 
-/// Something after the texture units looks at alpha.
+/// Something after the texture units looks at alpha, in a span there is.
 bool alpha_is_read(const Key& key, const FragmentState& state) {
-    return key.alpha != Compare::always || has_alpha(key.format) ||
+    return (spans_test_alpha && key.alpha != Compare::always) || has_alpha(key.format) ||
            (has_samples && state.alpha_to_coverage) ||
-           (key.blend && (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
+           (spans_blend && key.blend &&
+            (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
 }
 
 /// The colour is 16 bits from its source to the surface.
