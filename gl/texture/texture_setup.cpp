@@ -9,6 +9,8 @@ namespace spangle::gl {
 namespace {
 
 raster::TexEnv env_of(GLenum mode) {
+    if (raster::spans_only_modulate) // all others are errors
+        return mode == GL_MODULATE ? raster::TexEnv::modulate : raster::TexEnv::replace;
     switch (mode) {
     case GL_REPLACE:
         return raster::TexEnv::replace;

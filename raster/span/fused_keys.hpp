@@ -128,6 +128,13 @@ inline constexpr bool spans_are_raw =
                       spans_with_env_color = among_spans([](const Key&k) {
                                                  return k.unit[0].env == TexEnv::blend || k.unit[0].general;
                                              }).some,
+                      spans_only_modulate = among_spans([](const Key&k) {
+                                                bool only = !k.combine;
+                                                for (const UnitKey& unit : k.unit)
+                                                    only =
+                                                        only && unit.env == TexEnv::modulate && !unit.general;
+                                                return only;
+                                            }).all,
                       spans_dither = among_spans([](const Key&k) { return k.dither; }).some,
                       spans_sample_any =
                           among_spans([](const Key&k) { return k.unit[0].general || k.combine; }).some;

@@ -39,6 +39,8 @@ UnitKey unit_key(const TextureUnit& unit) {
 
 /// Does the primary colour (or its alpha) get past the texture units? (GL 1.3, tables 3.21 and 3.22)
 bool color_survives(const FragmentState& state, bool alpha) {
+    if (spans_only_modulate)
+        return true;
     for (const TextureUnit& unit : state.unit) {
         if (!unit_on(unit) || unit.env != TexEnv::replace)
             continue;
