@@ -30,7 +30,7 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
     const Needs& needs = state_.needs;
     if (Rgb || needs.rgb) {
-        const int some = !Rgb && state_.textured_or_fogged && span_.gray ? 1 : 3;
+        const int some = !Rgb && spans_by_gray.some && state_.textured_or_fogged && span_.gray ? 1 : 3;
 #pragma GCC unroll 3
         for (int i = 0; i < some; ++i)
             add(primary(), i, span_.color_value[i], span_.color_q[has_full ? i : 0]);

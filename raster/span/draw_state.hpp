@@ -66,7 +66,7 @@ struct Variant {
     AnyFunction walk = nullptr;     ///< PathFunction, or null: paths are drawn as rows
     const Shapes* shapes = nullptr; ///< or null: all is drawn as rows
     AnyFunction chain[has_chain ? max_stages + 1 : 1] = {}; ///< ends with null
-    bool gray = false;                                      ///< `run` asks Span::gray
+    Flag<spans_by_gray> gray = false;                       ///< `run` asks Span::gray
     bool steps = false;           ///< affine colours count steps of 5, 6 and 5 bits, 2^27, 2^26 and 2^27 each
     std::uint32_t color_bias = 0; ///< what set-up adds to affine colours (8.24) so that they round
 };

@@ -120,6 +120,7 @@ inline constexpr Among spans_with_depth = among_spans([](const Key&k) { return n
                        spans_with_sum = among_spans([](const Key&k) { return k.color_sum; }),
                        spans_with_coordinates =
                            among_spans([](const Key&k) { return k.unit[0].on || k.second_unit() || k.fog; });
+inline constexpr Among spans_by_gray = {has_fog, false}; ///< fused ones of fog have loops of their own
 inline constexpr bool spans_are_raw =
                           among_spans([](const Key&k) { return k.number == Number::raw565; }).some,
                       spans_test_alpha =
