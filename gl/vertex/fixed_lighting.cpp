@@ -242,7 +242,7 @@ void FixedLighting::fold_side(const Material& material, Fold& out) const {
 /// A light of (n . l) = factor.
 SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor,
                                                   std::int64_t (&sum)[3]) {
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int c = 0; c < 3; ++c)
         sum[c] += numeric::mul_s32(diffuse[c], factor);
 }
@@ -259,7 +259,7 @@ SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out,
 
 SPANGLE_RUN_INLINE void FixedLighting::set_plain(const Fold& fold, const std::int64_t (&sum)[3],
                                                  raster::FixedVertex& out) {
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int c = 0; c < 3; ++c) {
         out.color[c] = plain_color(sum[c]);
 #if SPANGLE_SECONDARY_COLORS
@@ -286,7 +286,7 @@ bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedV
     const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
     std::int32_t n[3];
     std::uint64_t square = 0;
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
         square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));

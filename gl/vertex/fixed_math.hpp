@@ -655,7 +655,7 @@ struct FixedMath {
     template <bool Point, class Element>
     SPANGLE_INLINE static std::int32_t row(const Element* elements, numeric::Mantissas<4>& v,
                                            [[maybe_unused]] int power) {
-#pragma GCC unroll 4
+#pragma GCC unroll numeric::runs_inline ? 4 : 1
         for (std::int32_t& m : v.m)
             m = numeric::factor32(m);
         std::int32_t r;

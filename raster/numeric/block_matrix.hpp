@@ -154,7 +154,7 @@ template <int N>
 SPANGLE_INLINE constexpr std::int32_t exponents(const Columns<N>& column, const Real (&v)[N],
                                                 std::int32_t (&e)[N]) {
     std::int32_t top = e[0] = static_cast<std::int32_t>((v[0].bits >> 23) & 255) + column.e[0];
-#pragma GCC unroll 4
+#pragma GCC unroll runs_inline ? 4 : 1
     for (int i = 1; i < N; ++i) {
         e[i] = static_cast<std::int32_t>((v[i].bits >> 23) & 255) + column.e[i];
         top = e[i] > top ? e[i] : top;
@@ -170,7 +170,7 @@ SPANGLE_INLINE constexpr Mantissas<N> aligned(const Real (&v)[N], const std::int
     top += 2; // 30 bits
     std::uint32_t one = 0x80000000u;
     one = kept_in_register(one);
-#pragma GCC unroll 4
+#pragma GCC unroll runs_inline ? 4 : 1
     for (int i = 0; i < N; ++i) {
         const std::uint32_t magnitude = shifted(v[i].bits << 8 | one, static_cast<std::uint32_t>(top - e[i]));
         const std::uint32_t sign = 0u - (v[i].bits >> 31);
@@ -227,7 +227,7 @@ SPANGLE_INLINE constexpr bool load_usual(const Columns<N>& column, const Real (&
 template <int N, class Element>
 SPANGLE_INLINE constexpr std::int64_t row_sum(const Element* row, const std::int32_t (&v)[N],
                                               std::int64_t sum) {
-#pragma GCC unroll 4
+#pragma GCC unroll runs_inline ? 4 : 1
     for (int j = 0; j < N; ++j)
         if constexpr (sizeof(Element) == sizeof(v[0]))
             sum += mul_long(row[j], v[j]);
@@ -246,7 +246,7 @@ template <int N>
 SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, const std::int32_t (&v)[N],
                                                       int power) {
     std::int64_t sum = shifted_up(row[N - 1], power);
-#pragma GCC unroll 4
+#pragma GCC unroll runs_inline ? 4 : 1
     for (int j = 0; j < N - 1; ++j)
         sum = detail::add_halves(sum, row[j], v[j]);
     return high_rounded(sum);

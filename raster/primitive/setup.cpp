@@ -154,7 +154,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::window_colors(std::uint32_
 
 /// add(plane, first value, differences) of what is dithered: red, green and blue.
 template <class Steps, class F> SPANGLE_INLINE void Setup<Fixed>::each_step(Steps in_steps, F add) const {
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t s0 = in_steps(v(0).color[i], i), s1 = in_steps(v(1).color[i], i),
                             s2 = in_steps(v(2).color[i], i);

@@ -31,7 +31,7 @@ template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add)
     const Needs& needs = state_.needs;
     if (Rgb || needs.rgb) {
         const int some = !Rgb && spans_by_gray.some && state_.textured_or_fogged && span_.gray ? 1 : 3;
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < some; ++i)
             add(primary(), i, span_.color_value[i], span_.color_q[has_full ? i : 0]);
     }

@@ -41,14 +41,14 @@ struct Repeats {
     std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
 
     SPANGLE_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] = to_repeats(m[i], exponent[i] - less);
         const auto whole = [&](int i) { return static_cast<std::int32_t>(v[i] >> 32); };
         const Ends ends(whole(0), whole(1), whole(2));
         base = ends.low;
         range = ends.range();
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] -= base * (std::int64_t{1} << 32);
     }
@@ -121,7 +121,7 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     const auto& of = state_.fog;
     const auto offset = static_cast<std::int32_t>(of.offset);
     bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
-#pragma GCC unroll 3
+#pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         near = near && half_below(numeric::mul_s32(v(i).fog_mantissa, of.scale),
                                   -25 - v(i).fog_exponent - of.scale_exponent, fog[i]);
