@@ -18,17 +18,19 @@
 #define SPANGLE_PRODUCT_INLINE [[gnu::always_inline]] inline
 #endif
 /// For those that a run of several pixels, or three and four dimensions, share: smaller builds have one copy,
-/// whatever else is built for speed.
+/// of code for size (cold), whatever else is built for speed.
 #if SPANGLE_KERNELS_INLINE
 #define SPANGLE_RUN_INLINE SPANGLE_INLINE
 #define SPANGLE_RUN_CALL
+#define SPANGLE_RUN_SELDOM [[gnu::noinline]]
 #define SPANGLE_RUN_LAMBDA
 #define SPANGLE_RUN_INLINE_LAMBDA __attribute__((always_inline))
 #else
-#define SPANGLE_RUN_INLINE [[gnu::noinline]] inline
-#define SPANGLE_RUN_CALL [[gnu::noinline]]
-#define SPANGLE_RUN_LAMBDA __attribute__((noinline))
-#define SPANGLE_RUN_INLINE_LAMBDA __attribute__((noinline))
+#define SPANGLE_RUN_INLINE [[gnu::noinline, gnu::cold]] inline
+#define SPANGLE_RUN_CALL [[gnu::noinline, gnu::cold]]
+#define SPANGLE_RUN_SELDOM [[gnu::noinline, gnu::cold]]
+#define SPANGLE_RUN_LAMBDA __attribute__((noinline, cold))
+#define SPANGLE_RUN_INLINE_LAMBDA __attribute__((noinline, cold))
 #endif
 
 #ifndef SPANGLE_SEED_TABLES

@@ -149,7 +149,7 @@ class CoordRuns {
     }
 
   private:
-    [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
+    SPANGLE_RUN_SELDOM std::int32_t start_run(std::int32_t x) {
         if (log2_ < 0) {
             if (span_->length <= short_row && one_run(x))
                 return next_;
@@ -182,7 +182,7 @@ class CoordRuns {
     }
     /// A short row is looked at as a whole: its ends cost less than logarithms, and say more. False: it takes
     /// several runs, or coordinates that saturate.
-    [[gnu::noinline]] bool one_run(std::int32_t x) {
+    SPANGLE_RUN_SELDOM bool one_run(std::int32_t x) {
         const auto& wraps = span_->state->wraps[unit_];
         if (!(wraps.s && wraps.t))
             return false;
@@ -211,7 +211,7 @@ class CoordRuns {
         return true;
     }
     /// The start of the first one.
-    [[gnu::noinline]] void first_run(std::int32_t x) {
+    SPANGLE_RUN_SELDOM void first_run(std::int32_t x) {
         log2_ = choose_log2();
         next_ = x & -(std::int32_t{1} << log2_);
         row_.begin_at(next_);
@@ -224,7 +224,7 @@ class CoordRuns {
         last_whole_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
     /// Any: also one cut short by the end of the row, or of coordinates that do not wrap.
-    [[gnu::noinline]] void other_run(std::int32_t from) {
+    SPANGLE_RUN_SELDOM void other_run(std::int32_t from) {
         const auto& unit = span_->unit[unit_];
         const std::int32_t limit = span_->length - 1, to = next_ < limit ? next_ : limit;
         row_.begin_at(to - from);
