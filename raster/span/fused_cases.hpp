@@ -283,7 +283,6 @@ template <Key K, bool Gray = false, bool Apart = false> class FusedCase {
     /// Where a loop of its own pays for gray colours: two ramps less, or two divisions.
     static constexpr bool splits_gray =
         K.fog && K.color && !K.color_alpha && textured && K.unit[0].env == TexEnv::modulate && words_565;
-    static_assert(!splits_gray || spans_by_gray.some);
     /// Fetching texels gains nothing from lanes, combining them does.
     static constexpr bool wide = heavy || (laned && !(raw && textured));
     template <int L> using System = typename Stages<L>::N;
