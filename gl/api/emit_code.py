@@ -111,7 +111,7 @@ def shapes_header(chapters, _tokens):
 def wrappers(data, families):
     out = [f"// Entry points: {data['title']}.\n", NOTICE,
            "#include \"gl/api/components.hpp\"\n#include \"gl/api/convert.hpp\"\n#include \"gl/api/generated/commands.hpp\"\n"
-           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n#include \"gl/api/params.hpp\"\n\n"
+           "#include \"gl/api/generated/shapes.hpp\"\n#include \"gl/api/issue.hpp\"\n#include \"gl/api/params.hpp\"\n#include \"gl/api/refused.hpp\"\n\n"
            "using namespace spangle::gl;\nnamespace numeric = spangle::numeric;\n\nextern \"C\" {\n"]
     needs = ()
     for f in families:
@@ -140,10 +140,10 @@ def refusals(entries):
             out.append(f"\n#if {both([*needs[:i], absent])}\n")
             for entry in (e for e in entries if e.needs == needs):
                 types = ", ".join(t for t, _ in entry.params)
-                back = "" if entry.family.returns == "void" else "    return 0;\n"
+                prototype = f"{entry.family.returns} GLAPIENTRY {entry.name}({types})"
                 text = f"{entry.name}: this build has no {need.replace('||', 'and no')}"
-                out.append(f"\n{entry.family.returns} GLAPIENTRY {entry.name}({types}) {{\n"
-                           f"    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n{back}}}\n")
+                out.append(f"\nSPANGLE_REFUSED(\"{text}\", {prototype})\n" if entry.family.returns == "void" else
+                           f"\n{prototype} {{\n    refuse_feature(SPANGLE_TEXT(\"{text}\"));\n    return 0;\n}}\n")
             out.append("\n#endif\n")
     return "".join(out)
 

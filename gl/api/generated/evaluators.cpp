@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -211,177 +212,95 @@ void GLAPIENTRY glEvalPoint2(GLint i, GLint j) {
 
 #if !SPANGLE_FEATURE_EVALUATORS
 
-void GLAPIENTRY glMap1f(GLenum, GLfloat, GLfloat, GLint, GLint, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glMap1f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap1f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap1f(GLenum, GLfloat, GLfloat, GLint, GLint, const GLfloat*))
 
-void GLAPIENTRY glMap1d(GLenum, GLdouble, GLdouble, GLint, GLint, const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glMap1d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap1d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap1d(GLenum, GLdouble, GLdouble, GLint, GLint, const GLdouble*))
 
-void GLAPIENTRY glMap2f(GLenum, GLfloat, GLfloat, GLint, GLint, GLfloat, GLfloat, GLint, GLint, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glMap2f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap2f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap2f(GLenum, GLfloat, GLfloat, GLint, GLint, GLfloat, GLfloat, GLint, GLint, const GLfloat*))
 
-void GLAPIENTRY glMap2d(GLenum, GLdouble, GLdouble, GLint, GLint, GLdouble, GLdouble, GLint, GLint, const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glMap2d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap2d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap2d(GLenum, GLdouble, GLdouble, GLint, GLint, GLdouble, GLdouble, GLint, GLint, const GLdouble*))
 
-void GLAPIENTRY glGetMapiv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetMapiv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glGetMapiv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glGetMapiv(GLenum, GLenum, GLint*))
 
-void GLAPIENTRY glGetMapfv(GLenum, GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glGetMapfv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glGetMapfv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glGetMapfv(GLenum, GLenum, GLfloat*))
 
-void GLAPIENTRY glGetMapdv(GLenum, GLenum, GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glGetMapdv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glGetMapdv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glGetMapdv(GLenum, GLenum, GLdouble*))
 
-void GLAPIENTRY glEvalCoord1f(GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1f(GLfloat))
 
-void GLAPIENTRY glEvalCoord1fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1fv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1fv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1fv(const GLfloat*))
 
-void GLAPIENTRY glEvalCoord1d(GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1d(GLdouble))
 
-void GLAPIENTRY glEvalCoord1dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1dv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1dv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1dv(const GLdouble*))
 
-void GLAPIENTRY glEvalCoord2f(GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2f(GLfloat, GLfloat))
 
-void GLAPIENTRY glEvalCoord2fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2fv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2fv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2fv(const GLfloat*))
 
-void GLAPIENTRY glEvalCoord2d(GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2d(GLdouble, GLdouble))
 
-void GLAPIENTRY glEvalCoord2dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2dv: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2dv: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2dv(const GLdouble*))
 
-void GLAPIENTRY glMapGrid1f(GLint, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid1f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid1f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid1f(GLint, GLfloat, GLfloat))
 
-void GLAPIENTRY glMapGrid1d(GLint, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid1d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid1d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid1d(GLint, GLdouble, GLdouble))
 
-void GLAPIENTRY glMapGrid2f(GLint, GLfloat, GLfloat, GLint, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid2f: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid2f: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid2f(GLint, GLfloat, GLfloat, GLint, GLfloat, GLfloat))
 
-void GLAPIENTRY glMapGrid2d(GLint, GLdouble, GLdouble, GLint, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid2d: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid2d: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid2d(GLint, GLdouble, GLdouble, GLint, GLdouble, GLdouble))
 
-void GLAPIENTRY glEvalMesh1(GLenum, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glEvalMesh1: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalMesh1: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalMesh1(GLenum, GLint, GLint))
 
-void GLAPIENTRY glEvalMesh2(GLenum, GLint, GLint, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glEvalMesh2: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalMesh2: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalMesh2(GLenum, GLint, GLint, GLint, GLint))
 
-void GLAPIENTRY glEvalPoint1(GLint) {
-    refuse_feature(SPANGLE_TEXT("glEvalPoint1: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalPoint1: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalPoint1(GLint))
 
-void GLAPIENTRY glEvalPoint2(GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glEvalPoint2: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalPoint2: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalPoint2(GLint, GLint))
 
 #endif
 
 #if !SPANGLE_FEATURE_EVALUATORS
 
-void GLAPIENTRY glMap1xOES(GLenum, GLfixed, GLfixed, GLint, GLint, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMap1xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap1xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap1xOES(GLenum, GLfixed, GLfixed, GLint, GLint, const GLfixed*))
 
-void GLAPIENTRY glMap2xOES(GLenum, GLfixed, GLfixed, GLint, GLint, GLfixed, GLfixed, GLint, GLint, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMap2xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMap2xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMap2xOES(GLenum, GLfixed, GLfixed, GLint, GLint, GLfixed, GLfixed, GLint, GLint, const GLfixed*))
 
-void GLAPIENTRY glGetMapxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetMapxvOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glGetMapxvOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glGetMapxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glEvalCoord1xOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1xOES(GLfixed))
 
-void GLAPIENTRY glEvalCoord1xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1xvOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord1xvOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord1xvOES(const GLfixed*))
 
-void GLAPIENTRY glEvalCoord2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glEvalCoord2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2xvOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glEvalCoord2xvOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glEvalCoord2xvOES(const GLfixed*))
 
-void GLAPIENTRY glMapGrid1xOES(GLint, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid1xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid1xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid1xOES(GLint, GLfixed, GLfixed))
 
-void GLAPIENTRY glMapGrid2xOES(GLint, GLfixed, GLfixed, GLint, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid2xOES: this build has no SPANGLE_FEATURE_EVALUATORS"));
-}
+SPANGLE_REFUSED("glMapGrid2xOES: this build has no SPANGLE_FEATURE_EVALUATORS", void GLAPIENTRY glMapGrid2xOES(GLint, GLfixed, GLfixed, GLint, GLfixed, GLfixed))
 
 #endif
 
 #if SPANGLE_FEATURE_EVALUATORS && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glMap1xOES(GLenum, GLfixed, GLfixed, GLint, GLint, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMap1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMap1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMap1xOES(GLenum, GLfixed, GLfixed, GLint, GLint, const GLfixed*))
 
-void GLAPIENTRY glMap2xOES(GLenum, GLfixed, GLfixed, GLint, GLint, GLfixed, GLfixed, GLint, GLint, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMap2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMap2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMap2xOES(GLenum, GLfixed, GLfixed, GLint, GLint, GLfixed, GLfixed, GLint, GLint, const GLfixed*))
 
-void GLAPIENTRY glGetMapxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetMapxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetMapxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetMapxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glEvalCoord1xOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glEvalCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glEvalCoord1xOES(GLfixed))
 
-void GLAPIENTRY glEvalCoord1xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glEvalCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glEvalCoord1xvOES(const GLfixed*))
 
-void GLAPIENTRY glEvalCoord2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glEvalCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glEvalCoord2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glEvalCoord2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glEvalCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glEvalCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glEvalCoord2xvOES(const GLfixed*))
 
-void GLAPIENTRY glMapGrid1xOES(GLint, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMapGrid1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMapGrid1xOES(GLint, GLfixed, GLfixed))
 
-void GLAPIENTRY glMapGrid2xOES(GLint, GLfixed, GLfixed, GLint, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMapGrid2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMapGrid2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMapGrid2xOES(GLint, GLfixed, GLfixed, GLint, GLfixed, GLfixed))
 
 #endif
 

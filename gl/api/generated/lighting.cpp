@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -268,249 +269,149 @@ void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units) {
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glPointSizexOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPointSizexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glPointSizexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glPointSizexOES(GLfixed))
 
-void GLAPIENTRY glLineWidthxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLineWidthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLineWidthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLineWidthxOES(GLfixed))
 
 #endif
 
 #if !SPANGLE_FEATURE_LIGHTING
 
-void GLAPIENTRY glLightf(GLenum, GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glLightf: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightf: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightf(GLenum, GLenum, GLfloat))
 
-void GLAPIENTRY glLightfv(GLenum, GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glLightfv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightfv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightfv(GLenum, GLenum, const GLfloat*))
 
-void GLAPIENTRY glLighti(GLenum, GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glLighti: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLighti: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLighti(GLenum, GLenum, GLint))
 
-void GLAPIENTRY glLightiv(GLenum, GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightiv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightiv(GLenum, GLenum, const GLint*))
 
-void GLAPIENTRY glGetLightfv(GLenum, GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glGetLightfv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetLightfv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetLightfv(GLenum, GLenum, GLfloat*))
 
-void GLAPIENTRY glGetLightiv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetLightiv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetLightiv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetLightiv(GLenum, GLenum, GLint*))
 
-void GLAPIENTRY glLightModelf(GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glLightModelf: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModelf: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModelf(GLenum, GLfloat))
 
-void GLAPIENTRY glLightModelfv(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glLightModelfv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModelfv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModelfv(GLenum, const GLfloat*))
 
-void GLAPIENTRY glLightModeli(GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glLightModeli: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModeli: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModeli(GLenum, GLint))
 
-void GLAPIENTRY glLightModeliv(GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glLightModeliv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModeliv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModeliv(GLenum, const GLint*))
 
-void GLAPIENTRY glMaterialf(GLenum, GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glMaterialf: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMaterialf: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMaterialf(GLenum, GLenum, GLfloat))
 
-void GLAPIENTRY glMaterialfv(GLenum, GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMaterialfv(GLenum, GLenum, const GLfloat*))
 
-void GLAPIENTRY glMateriali(GLenum, GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glMateriali: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMateriali: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMateriali(GLenum, GLenum, GLint))
 
-void GLAPIENTRY glMaterialiv(GLenum, GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMaterialiv(GLenum, GLenum, const GLint*))
 
-void GLAPIENTRY glGetMaterialfv(GLenum, GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glGetMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetMaterialfv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetMaterialfv(GLenum, GLenum, GLfloat*))
 
-void GLAPIENTRY glGetMaterialiv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetMaterialiv: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetMaterialiv(GLenum, GLenum, GLint*))
 
-void GLAPIENTRY glColorMaterial(GLenum, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glColorMaterial: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glColorMaterial(GLenum, GLenum))
 
 #endif
 
 #if !SPANGLE_FEATURE_LIGHTING
 
-void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightxOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetLightxvOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModelxOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModelxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glLightModelxvOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMaterialxOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING"));
-}
+SPANGLE_REFUSED("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_LIGHTING", void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_LIGHTING && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLightxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLightxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLightxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetLightxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetLightxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glLightModelxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLightModelxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLightModelxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLightModelxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLightModelxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLightModelxvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMaterialxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMaterialxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMaterialxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetMaterialxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetMaterialxvOES(GLenum, GLenum, GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_POINT_PARAMETERS
 
-void GLAPIENTRY glPointParameterf(GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterf: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameterf: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameterf(GLenum, GLfloat))
 
-void GLAPIENTRY glPointParameterfv(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterfv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameterfv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameterfv(GLenum, const GLfloat*))
 
-void GLAPIENTRY glPointParameteri(GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glPointParameteri: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameteri: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameteri(GLenum, GLint))
 
-void GLAPIENTRY glPointParameteriv(GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glPointParameteriv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameteriv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameteriv(GLenum, const GLint*))
 
 #endif
 
 #if !SPANGLE_FEATURE_POINT_PARAMETERS
 
-void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterxOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameterxOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterxvOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
-}
+SPANGLE_REFUSED("glPointParameterxvOES: this build has no SPANGLE_FEATURE_POINT_PARAMETERS", void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_POINT_PARAMETERS && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glPointParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glPointParameterxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glPointParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glPointParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glPointParameterxvOES(GLenum, const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_POLYGON_MODE
 
-void GLAPIENTRY glPolygonMode(GLenum, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glPolygonMode: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
-}
+SPANGLE_REFUSED("glPolygonMode: this build has no SPANGLE_FEATURE_POLYGON_MODE", void GLAPIENTRY glPolygonMode(GLenum, GLenum))
 
 #endif
 
 #if !SPANGLE_FEATURE_POLYGON_OFFSET
 
-void GLAPIENTRY glPolygonOffset(GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glPolygonOffset: this build has no SPANGLE_FEATURE_POLYGON_OFFSET"));
-}
+SPANGLE_REFUSED("glPolygonOffset: this build has no SPANGLE_FEATURE_POLYGON_OFFSET", void GLAPIENTRY glPolygonOffset(GLfloat, GLfloat))
 
 #endif
 
 #if !SPANGLE_FEATURE_POLYGON_OFFSET
 
-void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_POLYGON_OFFSET"));
-}
+SPANGLE_REFUSED("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_POLYGON_OFFSET", void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed))
 
 #endif
 
 #if SPANGLE_FEATURE_POLYGON_OFFSET && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glPolygonOffsetxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glPolygonOffsetxOES(GLfixed, GLfixed))
 
 #endif
 
 #if !SPANGLE_FEATURE_STIPPLE
 
-void GLAPIENTRY glLineStipple(GLint, GLushort) {
-    refuse_feature(SPANGLE_TEXT("glLineStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
-}
+SPANGLE_REFUSED("glLineStipple: this build has no SPANGLE_FEATURE_STIPPLE", void GLAPIENTRY glLineStipple(GLint, GLushort))
 
-void GLAPIENTRY glPolygonStipple(const GLubyte*) {
-    refuse_feature(SPANGLE_TEXT("glPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
-}
+SPANGLE_REFUSED("glPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE", void GLAPIENTRY glPolygonStipple(const GLubyte*))
 
-void GLAPIENTRY glGetPolygonStipple(GLubyte*) {
-    refuse_feature(SPANGLE_TEXT("glGetPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE"));
-}
+SPANGLE_REFUSED("glGetPolygonStipple: this build has no SPANGLE_FEATURE_STIPPLE", void GLAPIENTRY glGetPolygonStipple(GLubyte*))
 
 #endif
 

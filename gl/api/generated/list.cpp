@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -50,34 +51,22 @@ GLboolean GLAPIENTRY glIsList(GLuint list) {
 
 #if !SPANGLE_FEATURE_LISTS
 
-void GLAPIENTRY glNewList(GLuint, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glNewList: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glNewList: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glNewList(GLuint, GLenum))
 
-void GLAPIENTRY glEndList() {
-    refuse_feature(SPANGLE_TEXT("glEndList: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glEndList: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glEndList())
 
-void GLAPIENTRY glCallList(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glCallList: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glCallList: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glCallList(GLuint))
 
-void GLAPIENTRY glCallLists(GLsizei, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCallLists: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glCallLists: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glCallLists(GLsizei, GLenum, const void*))
 
-void GLAPIENTRY glListBase(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glListBase: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glListBase: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glListBase(GLuint))
 
 GLuint GLAPIENTRY glGenLists(GLsizei) {
     refuse_feature(SPANGLE_TEXT("glGenLists: this build has no SPANGLE_FEATURE_LISTS"));
     return 0;
 }
 
-void GLAPIENTRY glDeleteLists(GLuint, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glDeleteLists: this build has no SPANGLE_FEATURE_LISTS"));
-}
+SPANGLE_REFUSED("glDeleteLists: this build has no SPANGLE_FEATURE_LISTS", void GLAPIENTRY glDeleteLists(GLuint, GLsizei))
 
 GLboolean GLAPIENTRY glIsList(GLuint) {
     refuse_feature(SPANGLE_TEXT("glIsList: this build has no SPANGLE_FEATURE_LISTS"));

@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -373,246 +374,156 @@ void GLAPIENTRY glFinish() {
 
 #if !SPANGLE_FEATURE_ACCUM
 
-void GLAPIENTRY glAccum(GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glAccum: this build has no SPANGLE_FEATURE_ACCUM"));
-}
+SPANGLE_REFUSED("glAccum: this build has no SPANGLE_FEATURE_ACCUM", void GLAPIENTRY glAccum(GLenum, GLfloat))
 
-void GLAPIENTRY glClearAccum(GLfloat, GLfloat, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glClearAccum: this build has no SPANGLE_FEATURE_ACCUM"));
-}
+SPANGLE_REFUSED("glClearAccum: this build has no SPANGLE_FEATURE_ACCUM", void GLAPIENTRY glClearAccum(GLfloat, GLfloat, GLfloat, GLfloat))
 
 #endif
 
 #if !SPANGLE_FEATURE_ACCUM
 
-void GLAPIENTRY glAccumxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glAccumxOES: this build has no SPANGLE_FEATURE_ACCUM"));
-}
+SPANGLE_REFUSED("glAccumxOES: this build has no SPANGLE_FEATURE_ACCUM", void GLAPIENTRY glAccumxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glClearAccumxOES: this build has no SPANGLE_FEATURE_ACCUM"));
-}
+SPANGLE_REFUSED("glClearAccumxOES: this build has no SPANGLE_FEATURE_ACCUM", void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
 #endif
 
 #if SPANGLE_FEATURE_ACCUM && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glAccumxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glAccumxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glClearAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glClearAccumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glClearAccumxOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
 #endif
 
 #if !SPANGLE_FEATURE_BITMAPS
 
-void GLAPIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*) {
-    refuse_feature(SPANGLE_TEXT("glBitmap: this build has no SPANGLE_FEATURE_BITMAPS"));
-}
+SPANGLE_REFUSED("glBitmap: this build has no SPANGLE_FEATURE_BITMAPS", void GLAPIENTRY glBitmap(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte*))
 
 #endif
 
 #if !SPANGLE_FEATURE_COLOR_INDEX
 
-void GLAPIENTRY glClearIndex(GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glClearIndex: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glClearIndex: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glClearIndex(GLfloat))
 
-void GLAPIENTRY glIndexMask(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glIndexMask: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexMask: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexMask(GLuint))
 
 #endif
 
 #if !SPANGLE_FEATURE_COLOR_INDEX
 
-void GLAPIENTRY glClearIndexxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glClearIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glClearIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glClearIndexxOES(GLfixed))
 
 #endif
 
 #if SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glClearIndexxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glClearIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glClearIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glClearIndexxOES(GLfixed))
 
 #endif
 
 #if !SPANGLE_FEATURE_DRAW_PIXELS
 
-void GLAPIENTRY glPixelZoom(GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glPixelZoom: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
-}
+SPANGLE_REFUSED("glPixelZoom: this build has no SPANGLE_FEATURE_DRAW_PIXELS", void GLAPIENTRY glPixelZoom(GLfloat, GLfloat))
 
-void GLAPIENTRY glDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glDrawPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
-}
+SPANGLE_REFUSED("glDrawPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS", void GLAPIENTRY glDrawPixels(GLsizei, GLsizei, GLenum, GLenum, const void*))
 
-void GLAPIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glCopyPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS"));
-}
+SPANGLE_REFUSED("glCopyPixels: this build has no SPANGLE_FEATURE_DRAW_PIXELS", void GLAPIENTRY glCopyPixels(GLint, GLint, GLsizei, GLsizei, GLenum))
 
 #endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glAlphaFuncxOES(GLenum, GLclampx) {
-    refuse_feature(SPANGLE_TEXT("glAlphaFuncxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glAlphaFuncxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glAlphaFuncxOES(GLenum, GLclampx))
 
-void GLAPIENTRY glSampleCoveragexOES(GLclampx, GLboolean) {
-    refuse_feature(SPANGLE_TEXT("glSampleCoveragexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glSampleCoveragexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glSampleCoveragexOES(GLclampx, GLboolean))
 
-void GLAPIENTRY glBlendColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {
-    refuse_feature(SPANGLE_TEXT("glBlendColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glBlendColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glBlendColorxOES(GLclampx, GLclampx, GLclampx, GLclampx))
 
-void GLAPIENTRY glClearColorxOES(GLclampx, GLclampx, GLclampx, GLclampx) {
-    refuse_feature(SPANGLE_TEXT("glClearColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glClearColorxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glClearColorxOES(GLclampx, GLclampx, GLclampx, GLclampx))
 
-void GLAPIENTRY glClearDepthxOES(GLclampx) {
-    refuse_feature(SPANGLE_TEXT("glClearDepthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glClearDepthxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glClearDepthxOES(GLclampx))
 
 #endif
 
 #if !SPANGLE_FEATURE_FOG
 
-void GLAPIENTRY glFogf(GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glFogf: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogf: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogf(GLenum, GLfloat))
 
-void GLAPIENTRY glFogfv(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glFogfv: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogfv: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogfv(GLenum, const GLfloat*))
 
-void GLAPIENTRY glFogi(GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glFogi: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogi: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogi(GLenum, GLint))
 
-void GLAPIENTRY glFogiv(GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glFogiv: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogiv: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogiv(GLenum, const GLint*))
 
 #endif
 
 #if !SPANGLE_FEATURE_FOG
 
-void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glFogxOES: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogxOES: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogxvOES: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_FOG && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glFogxOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glFogxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glFogxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glFogxOES(GLenum, GLfixed))
 
-void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glFogxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glFogxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glFogxvOES(GLenum, const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_PIXEL_TRANSFER
 
-void GLAPIENTRY glPixelTransferf(GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glPixelTransferf: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glPixelTransferf: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glPixelTransferf(GLenum, GLfloat))
 
-void GLAPIENTRY glPixelTransferi(GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glPixelTransferi: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glPixelTransferi: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glPixelTransferi(GLenum, GLint))
 
-void GLAPIENTRY glPixelMapfv(GLenum, GLsizei, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glPixelMapfv(GLenum, GLsizei, const GLfloat*))
 
-void GLAPIENTRY glPixelMapuiv(GLenum, GLsizei, const GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glPixelMapuiv(GLenum, GLsizei, const GLuint*))
 
-void GLAPIENTRY glPixelMapusv(GLenum, GLsizei, const GLushort*) {
-    refuse_feature(SPANGLE_TEXT("glPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glPixelMapusv(GLenum, GLsizei, const GLushort*))
 
-void GLAPIENTRY glGetPixelMapfv(GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glGetPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glGetPixelMapfv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glGetPixelMapfv(GLenum, GLfloat*))
 
-void GLAPIENTRY glGetPixelMapuiv(GLenum, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glGetPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glGetPixelMapuiv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glGetPixelMapuiv(GLenum, GLuint*))
 
-void GLAPIENTRY glGetPixelMapusv(GLenum, GLushort*) {
-    refuse_feature(SPANGLE_TEXT("glGetPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER"));
-}
+SPANGLE_REFUSED("glGetPixelMapusv: this build has no SPANGLE_FEATURE_PIXEL_TRANSFER", void GLAPIENTRY glGetPixelMapusv(GLenum, GLushort*))
 
 #endif
 
 #if !SPANGLE_FEATURE_QUERIES
 
-void GLAPIENTRY glGenQueries(GLsizei, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glGenQueries: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glGenQueries: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glGenQueries(GLsizei, GLuint*))
 
-void GLAPIENTRY glDeleteQueries(GLsizei, const GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glDeleteQueries: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glDeleteQueries: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glDeleteQueries(GLsizei, const GLuint*))
 
 GLboolean GLAPIENTRY glIsQuery(GLuint) {
     refuse_feature(SPANGLE_TEXT("glIsQuery: this build has no SPANGLE_FEATURE_QUERIES"));
     return 0;
 }
 
-void GLAPIENTRY glBeginQuery(GLenum, GLuint) {
-    refuse_feature(SPANGLE_TEXT("glBeginQuery: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glBeginQuery: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glBeginQuery(GLenum, GLuint))
 
-void GLAPIENTRY glEndQuery(GLenum) {
-    refuse_feature(SPANGLE_TEXT("glEndQuery: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glEndQuery: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glEndQuery(GLenum))
 
-void GLAPIENTRY glGetQueryiv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetQueryiv: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glGetQueryiv: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glGetQueryiv(GLenum, GLenum, GLint*))
 
-void GLAPIENTRY glGetQueryObjectiv(GLuint, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetQueryObjectiv: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glGetQueryObjectiv: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glGetQueryObjectiv(GLuint, GLenum, GLint*))
 
-void GLAPIENTRY glGetQueryObjectuiv(GLuint, GLenum, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glGetQueryObjectuiv: this build has no SPANGLE_FEATURE_QUERIES"));
-}
+SPANGLE_REFUSED("glGetQueryObjectuiv: this build has no SPANGLE_FEATURE_QUERIES", void GLAPIENTRY glGetQueryObjectuiv(GLuint, GLenum, GLuint*))
 
 #endif
 
 #if !SPANGLE_FEATURE_STENCIL_SIDES
 
-void GLAPIENTRY glStencilFuncSeparate(GLenum, GLenum, GLint, GLuint) {
-    refuse_feature(SPANGLE_TEXT("glStencilFuncSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
-}
+SPANGLE_REFUSED("glStencilFuncSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES", void GLAPIENTRY glStencilFuncSeparate(GLenum, GLenum, GLint, GLuint))
 
-void GLAPIENTRY glStencilOpSeparate(GLenum, GLenum, GLenum, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glStencilOpSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
-}
+SPANGLE_REFUSED("glStencilOpSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES", void GLAPIENTRY glStencilOpSeparate(GLenum, GLenum, GLenum, GLenum))
 
-void GLAPIENTRY glStencilMaskSeparate(GLenum, GLuint) {
-    refuse_feature(SPANGLE_TEXT("glStencilMaskSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES"));
-}
+SPANGLE_REFUSED("glStencilMaskSeparate: this build has no SPANGLE_FEATURE_STENCIL_SIDES", void GLAPIENTRY glStencilMaskSeparate(GLenum, GLuint))
 
 #endif
 

@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -78,61 +79,39 @@ void GLAPIENTRY glPassThroughxOES(GLfixed token) {
 
 #if !SPANGLE_FEATURE_FEEDBACK
 
-void GLAPIENTRY glFeedbackBuffer(GLsizei, GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glFeedbackBuffer: this build has no SPANGLE_FEATURE_FEEDBACK"));
-}
+SPANGLE_REFUSED("glFeedbackBuffer: this build has no SPANGLE_FEATURE_FEEDBACK", void GLAPIENTRY glFeedbackBuffer(GLsizei, GLenum, GLfloat*))
 
-void GLAPIENTRY glPassThrough(GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glPassThrough: this build has no SPANGLE_FEATURE_FEEDBACK"));
-}
+SPANGLE_REFUSED("glPassThrough: this build has no SPANGLE_FEATURE_FEEDBACK", void GLAPIENTRY glPassThrough(GLfloat))
 
 #endif
 
 #if !SPANGLE_FEATURE_FEEDBACK
 
-void GLAPIENTRY glFeedbackBufferxOES(GLsizei, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glFeedbackBufferxOES: this build has no SPANGLE_FEATURE_FEEDBACK"));
-}
+SPANGLE_REFUSED("glFeedbackBufferxOES: this build has no SPANGLE_FEATURE_FEEDBACK", void GLAPIENTRY glFeedbackBufferxOES(GLsizei, GLenum, GLfixed*))
 
-void GLAPIENTRY glPassThroughxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPassThroughxOES: this build has no SPANGLE_FEATURE_FEEDBACK"));
-}
+SPANGLE_REFUSED("glPassThroughxOES: this build has no SPANGLE_FEATURE_FEEDBACK", void GLAPIENTRY glPassThroughxOES(GLfixed))
 
 #endif
 
 #if SPANGLE_FEATURE_FEEDBACK && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glFeedbackBufferxOES(GLsizei, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glFeedbackBufferxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glFeedbackBufferxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glFeedbackBufferxOES(GLsizei, GLenum, GLfixed*))
 
-void GLAPIENTRY glPassThroughxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glPassThroughxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glPassThroughxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glPassThroughxOES(GLfixed))
 
 #endif
 
 #if !SPANGLE_FEATURE_SELECTION
 
-void GLAPIENTRY glSelectBuffer(GLsizei, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glSelectBuffer: this build has no SPANGLE_FEATURE_SELECTION"));
-}
+SPANGLE_REFUSED("glSelectBuffer: this build has no SPANGLE_FEATURE_SELECTION", void GLAPIENTRY glSelectBuffer(GLsizei, GLuint*))
 
-void GLAPIENTRY glInitNames() {
-    refuse_feature(SPANGLE_TEXT("glInitNames: this build has no SPANGLE_FEATURE_SELECTION"));
-}
+SPANGLE_REFUSED("glInitNames: this build has no SPANGLE_FEATURE_SELECTION", void GLAPIENTRY glInitNames())
 
-void GLAPIENTRY glPushName(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glPushName: this build has no SPANGLE_FEATURE_SELECTION"));
-}
+SPANGLE_REFUSED("glPushName: this build has no SPANGLE_FEATURE_SELECTION", void GLAPIENTRY glPushName(GLuint))
 
-void GLAPIENTRY glPopName() {
-    refuse_feature(SPANGLE_TEXT("glPopName: this build has no SPANGLE_FEATURE_SELECTION"));
-}
+SPANGLE_REFUSED("glPopName: this build has no SPANGLE_FEATURE_SELECTION", void GLAPIENTRY glPopName())
 
-void GLAPIENTRY glLoadName(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glLoadName: this build has no SPANGLE_FEATURE_SELECTION"));
-}
+SPANGLE_REFUSED("glLoadName: this build has no SPANGLE_FEATURE_SELECTION", void GLAPIENTRY glLoadName(GLuint))
 
 #endif
 

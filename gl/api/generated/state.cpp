@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -82,29 +83,19 @@ void GLAPIENTRY glPopClientAttrib() {
 
 #if !SPANGLE_FEATURE_ATTRIB_STACKS
 
-void GLAPIENTRY glPushAttrib(GLbitfield) {
-    refuse_feature(SPANGLE_TEXT("glPushAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
-}
+SPANGLE_REFUSED("glPushAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS", void GLAPIENTRY glPushAttrib(GLbitfield))
 
-void GLAPIENTRY glPopAttrib() {
-    refuse_feature(SPANGLE_TEXT("glPopAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
-}
+SPANGLE_REFUSED("glPopAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS", void GLAPIENTRY glPopAttrib())
 
-void GLAPIENTRY glPushClientAttrib(GLbitfield) {
-    refuse_feature(SPANGLE_TEXT("glPushClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
-}
+SPANGLE_REFUSED("glPushClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS", void GLAPIENTRY glPushClientAttrib(GLbitfield))
 
-void GLAPIENTRY glPopClientAttrib() {
-    refuse_feature(SPANGLE_TEXT("glPopClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS"));
-}
+SPANGLE_REFUSED("glPopClientAttrib: this build has no SPANGLE_FEATURE_ATTRIB_STACKS", void GLAPIENTRY glPopClientAttrib())
 
 #endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glGetFixedvOES(GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetFixedvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetFixedvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetFixedvOES(GLenum, GLfixed*))
 
 #endif
 

@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -282,153 +283,97 @@ void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum p
 
 #if !SPANGLE_FEATURE_COMPRESSED_TEXTURES
 
-void GLAPIENTRY glCompressedTexImage1D(GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexImage1D(GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexImage2D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexImage2D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexImage3D(GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexSubImage1D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexSubImage2D(GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexSubImage2D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexSubImage2D(GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexSubImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexSubImage3D: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLsizei, const void*))
 
-void GLAPIENTRY glCompressedTexConstantImage2DSPANGLE(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glCompressedTexConstantImage2DSPANGLE: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glCompressedTexConstantImage2DSPANGLE: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glCompressedTexConstantImage2DSPANGLE(GLenum, GLint, GLenum, GLsizei, GLsizei, GLint, GLsizei, const void*))
 
-void GLAPIENTRY glGetCompressedTexImage(GLenum, GLint, void*) {
-    refuse_feature(SPANGLE_TEXT("glGetCompressedTexImage: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES"));
-}
+SPANGLE_REFUSED("glGetCompressedTexImage: this build has no SPANGLE_FEATURE_COMPRESSED_TEXTURES", void GLAPIENTRY glGetCompressedTexImage(GLenum, GLint, void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_COPY_TEXTURE
 
-void GLAPIENTRY glCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
-}
+SPANGLE_REFUSED("glCopyTexImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE", void GLAPIENTRY glCopyTexImage2D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint))
 
-void GLAPIENTRY glCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
-}
+SPANGLE_REFUSED("glCopyTexSubImage2D: this build has no SPANGLE_FEATURE_COPY_TEXTURE", void GLAPIENTRY glCopyTexSubImage2D(GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei))
 
 #endif
 
 #if !SPANGLE_FEATURE_COPY_TEXTURE
 
-void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
-}
+SPANGLE_REFUSED("glCopyTexImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE", void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint))
 
-void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
-}
+SPANGLE_REFUSED("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_COPY_TEXTURE", void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei))
 
 #endif
 
 #if SPANGLE_FEATURE_COPY_TEXTURE && !SPANGLE_FEATURE_TEXTURE_1D
 
-void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
-}
+SPANGLE_REFUSED("glCopyTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D", void GLAPIENTRY glCopyTexImage1D(GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLint))
 
-void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
-}
+SPANGLE_REFUSED("glCopyTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D", void GLAPIENTRY glCopyTexSubImage1D(GLenum, GLint, GLint, GLint, GLint, GLsizei))
 
 #endif
 
 #if !SPANGLE_FEATURE_COPY_TEXTURE
 
-void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_COPY_TEXTURE"));
-}
+SPANGLE_REFUSED("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_COPY_TEXTURE", void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei))
 
 #endif
 
 #if SPANGLE_FEATURE_COPY_TEXTURE && !SPANGLE_FEATURE_TEXTURE_3D
 
-void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei) {
-    refuse_feature(SPANGLE_TEXT("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
-}
+SPANGLE_REFUSED("glCopyTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D", void GLAPIENTRY glCopyTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei))
 
 #endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glTexParameterxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexParameterxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexParameterxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glTexParameterxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexParameterxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetTexParameterxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetTexParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetTexParameterxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glTexEnvxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexEnvxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexEnvxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexEnvxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glTexEnvxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexEnvxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetTexEnvxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetTexEnvxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetTexEnvxvOES(GLenum, GLenum, GLfixed*))
 
-void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum, GLint, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexLevelParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetTexLevelParameterxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum, GLint, GLenum, GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_MIPMAP_GENERATION
 
-void GLAPIENTRY glGenerateMipmap(GLenum) {
-    refuse_feature(SPANGLE_TEXT("glGenerateMipmap: this build has no SPANGLE_FEATURE_MIPMAP_GENERATION"));
-}
+SPANGLE_REFUSED("glGenerateMipmap: this build has no SPANGLE_FEATURE_MIPMAP_GENERATION", void GLAPIENTRY glGenerateMipmap(GLenum))
 
 #endif
 
 #if !SPANGLE_FEATURE_TEXTURE_1D
 
-void GLAPIENTRY glTexImage1D(GLenum, GLint, GLint, GLsizei, GLint, GLenum, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
-}
+SPANGLE_REFUSED("glTexImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D", void GLAPIENTRY glTexImage1D(GLenum, GLint, GLint, GLsizei, GLint, GLenum, GLenum, const void*))
 
-void GLAPIENTRY glTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D"));
-}
+SPANGLE_REFUSED("glTexSubImage1D: this build has no SPANGLE_FEATURE_TEXTURE_1D", void GLAPIENTRY glTexSubImage1D(GLenum, GLint, GLint, GLsizei, GLenum, GLenum, const void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_TEXTURE_3D
 
-void GLAPIENTRY glTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glTexImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
-}
+SPANGLE_REFUSED("glTexImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D", void GLAPIENTRY glTexImage3D(GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*))
 
-void GLAPIENTRY glTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLenum, const void*) {
-    refuse_feature(SPANGLE_TEXT("glTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D"));
-}
+SPANGLE_REFUSED("glTexSubImage3D: this build has no SPANGLE_FEATURE_TEXTURE_3D", void GLAPIENTRY glTexSubImage3D(GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLenum, const void*))
 
 #endif
 

@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -300,149 +301,89 @@ void GLAPIENTRY glGetClipPlane(GLenum plane, GLdouble* equation) {
 
 #if !SPANGLE_FEATURE_CLIP_PLANES
 
-void GLAPIENTRY glClipPlane(GLenum, const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
-}
+SPANGLE_REFUSED("glClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES", void GLAPIENTRY glClipPlane(GLenum, const GLdouble*))
 
-void GLAPIENTRY glClipPlanefOES(GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlanefOES: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
-}
+SPANGLE_REFUSED("glClipPlanefOES: this build has no SPANGLE_FEATURE_CLIP_PLANES", void GLAPIENTRY glClipPlanefOES(GLenum, const GLfloat*))
 
-void GLAPIENTRY glGetClipPlane(GLenum, GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glGetClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
-}
+SPANGLE_REFUSED("glGetClipPlane: this build has no SPANGLE_FEATURE_CLIP_PLANES", void GLAPIENTRY glGetClipPlane(GLenum, GLdouble*))
 
 #endif
 
 #if !SPANGLE_FEATURE_CLIP_PLANES
 
-void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlanexOES: this build has no SPANGLE_FEATURE_CLIP_PLANES"));
-}
+SPANGLE_REFUSED("glClipPlanexOES: this build has no SPANGLE_FEATURE_CLIP_PLANES", void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_CLIP_PLANES && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glClipPlanexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glClipPlanexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glClipPlanexOES(GLenum, const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glLoadMatrixxOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLoadMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLoadMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLoadMatrixxOES(const GLfixed*))
 
-void GLAPIENTRY glMultMatrixxOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultMatrixxOES(const GLfixed*))
 
-void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glLoadTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glLoadTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed*))
 
-void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultTransposeMatrixxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed*))
 
-void GLAPIENTRY glRotatexOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRotatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRotatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRotatexOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glTranslatexOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTranslatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTranslatexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTranslatexOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glScalexOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glScalexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glScalexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glScalexOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glFrustumxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glFrustumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glFrustumxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glFrustumxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glOrthoxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glOrthoxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glOrthoxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glOrthoxOES(GLfixed, GLfixed, GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glDepthRangexOES(GLclampx, GLclampx) {
-    refuse_feature(SPANGLE_TEXT("glDepthRangexOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glDepthRangexOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glDepthRangexOES(GLclampx, GLclampx))
 
 #endif
 
 #if !SPANGLE_FEATURE_TEXGEN
 
-void GLAPIENTRY glTexGenf(GLenum, GLenum, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glTexGenf: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGenf: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGenf(GLenum, GLenum, GLfloat))
 
-void GLAPIENTRY glTexGenfv(GLenum, GLenum, const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGenfv(GLenum, GLenum, const GLfloat*))
 
-void GLAPIENTRY glTexGeni(GLenum, GLenum, GLint) {
-    refuse_feature(SPANGLE_TEXT("glTexGeni: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGeni: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGeni(GLenum, GLenum, GLint))
 
-void GLAPIENTRY glTexGeniv(GLenum, GLenum, const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGeniv(GLenum, GLenum, const GLint*))
 
-void GLAPIENTRY glTexGend(GLenum, GLenum, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glTexGend: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGend: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGend(GLenum, GLenum, GLdouble))
 
-void GLAPIENTRY glTexGendv(GLenum, GLenum, const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glTexGendv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGendv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGendv(GLenum, GLenum, const GLdouble*))
 
-void GLAPIENTRY glGetTexGenfv(GLenum, GLenum, GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glGetTexGenfv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glGetTexGenfv(GLenum, GLenum, GLfloat*))
 
-void GLAPIENTRY glGetTexGeniv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glGetTexGeniv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glGetTexGeniv(GLenum, GLenum, GLint*))
 
-void GLAPIENTRY glGetTexGendv(GLenum, GLenum, GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexGendv: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glGetTexGendv: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glGetTexGendv(GLenum, GLenum, GLdouble*))
 
 #endif
 
 #if !SPANGLE_FEATURE_TEXGEN
 
-void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexGenxOES: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGenxOES: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN"));
-}
+SPANGLE_REFUSED("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_TEXGEN", void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_TEXGEN && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexGenxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexGenxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexGenxOES(GLenum, GLenum, GLfixed))
 
-void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexGenxvOES(GLenum, GLenum, const GLfixed*))
 
-void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glGetTexGenxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glGetTexGenxvOES(GLenum, GLenum, GLfixed*))
 
 #endif
 

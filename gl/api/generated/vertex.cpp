@@ -6,6 +6,7 @@
 #include "gl/api/generated/shapes.hpp"
 #include "gl/api/issue.hpp"
 #include "gl/api/params.hpp"
+#include "gl/api/refused.hpp"
 
 using namespace spangle::gl;
 namespace numeric = spangle::numeric;
@@ -1446,42 +1447,26 @@ void GLAPIENTRY glInterleavedArrays(GLenum format, GLsizei stride, const void* p
 
 #if !SPANGLE_FEATURE_BUFFERS
 
-void GLAPIENTRY glGenBuffers(GLsizei, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glGenBuffers: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glGenBuffers: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glGenBuffers(GLsizei, GLuint*))
 
-void GLAPIENTRY glDeleteBuffers(GLsizei, const GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glDeleteBuffers: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glDeleteBuffers: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glDeleteBuffers(GLsizei, const GLuint*))
 
 GLboolean GLAPIENTRY glIsBuffer(GLuint) {
     refuse_feature(SPANGLE_TEXT("glIsBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
     return 0;
 }
 
-void GLAPIENTRY glBindBuffer(GLenum, GLuint) {
-    refuse_feature(SPANGLE_TEXT("glBindBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glBindBuffer: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glBindBuffer(GLenum, GLuint))
 
-void GLAPIENTRY glBufferData(GLenum, GLsizeiptr, const void*, GLenum) {
-    refuse_feature(SPANGLE_TEXT("glBufferData: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glBufferData: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glBufferData(GLenum, GLsizeiptr, const void*, GLenum))
 
-void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum, GLsizeiptr, const void*) {
-    refuse_feature(SPANGLE_TEXT("glBufferConstantDataSPANGLE: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glBufferConstantDataSPANGLE: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glBufferConstantDataSPANGLE(GLenum, GLsizeiptr, const void*))
 
-void GLAPIENTRY glBufferSubData(GLenum, GLintptr, GLsizeiptr, const void*) {
-    refuse_feature(SPANGLE_TEXT("glBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glBufferSubData(GLenum, GLintptr, GLsizeiptr, const void*))
 
-void GLAPIENTRY glGetBufferSubData(GLenum, GLintptr, GLsizeiptr, void*) {
-    refuse_feature(SPANGLE_TEXT("glGetBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glGetBufferSubData: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glGetBufferSubData(GLenum, GLintptr, GLsizeiptr, void*))
 
-void GLAPIENTRY glGetBufferParameteriv(GLenum, GLenum, GLint*) {
-    refuse_feature(SPANGLE_TEXT("glGetBufferParameteriv: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glGetBufferParameteriv: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glGetBufferParameteriv(GLenum, GLenum, GLint*))
 
 void* GLAPIENTRY glMapBuffer(GLenum, GLenum) {
     refuse_feature(SPANGLE_TEXT("glMapBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
@@ -1493,575 +1478,319 @@ void* GLAPIENTRY glMapBufferRange(GLenum, GLintptr, GLsizeiptr, GLbitfield) {
     return 0;
 }
 
-void GLAPIENTRY glFlushMappedBufferRange(GLenum, GLintptr, GLsizeiptr) {
-    refuse_feature(SPANGLE_TEXT("glFlushMappedBufferRange: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glFlushMappedBufferRange: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glFlushMappedBufferRange(GLenum, GLintptr, GLsizeiptr))
 
 GLboolean GLAPIENTRY glUnmapBuffer(GLenum) {
     refuse_feature(SPANGLE_TEXT("glUnmapBuffer: this build has no SPANGLE_FEATURE_BUFFERS"));
     return 0;
 }
 
-void GLAPIENTRY glGetBufferPointerv(GLenum, GLenum, void**) {
-    refuse_feature(SPANGLE_TEXT("glGetBufferPointerv: this build has no SPANGLE_FEATURE_BUFFERS"));
-}
+SPANGLE_REFUSED("glGetBufferPointerv: this build has no SPANGLE_FEATURE_BUFFERS", void GLAPIENTRY glGetBufferPointerv(GLenum, GLenum, void**))
 
 #endif
 
 #if !SPANGLE_FEATURE_COLOR_INDEX
 
-void GLAPIENTRY glIndexs(GLshort) {
-    refuse_feature(SPANGLE_TEXT("glIndexs: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexs: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexs(GLshort))
 
-void GLAPIENTRY glIndexsv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glIndexsv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexsv: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexsv(const GLshort*))
 
-void GLAPIENTRY glIndexi(GLint) {
-    refuse_feature(SPANGLE_TEXT("glIndexi: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexi: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexi(GLint))
 
-void GLAPIENTRY glIndexiv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glIndexiv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexiv: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexiv(const GLint*))
 
-void GLAPIENTRY glIndexf(GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glIndexf: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexf: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexf(GLfloat))
 
-void GLAPIENTRY glIndexfv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glIndexfv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexfv: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexfv(const GLfloat*))
 
-void GLAPIENTRY glIndexd(GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glIndexd: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexd: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexd(GLdouble))
 
-void GLAPIENTRY glIndexdv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glIndexdv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexdv: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexdv(const GLdouble*))
 
-void GLAPIENTRY glIndexub(GLubyte) {
-    refuse_feature(SPANGLE_TEXT("glIndexub: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexub: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexub(GLubyte))
 
-void GLAPIENTRY glIndexubv(const GLubyte*) {
-    refuse_feature(SPANGLE_TEXT("glIndexubv: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexubv: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexubv(const GLubyte*))
 
-void GLAPIENTRY glIndexPointer(GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glIndexPointer: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexPointer: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexPointer(GLenum, GLsizei, const void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_COLOR_INDEX
 
-void GLAPIENTRY glIndexxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexxOES: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexxOES(GLfixed))
 
-void GLAPIENTRY glIndexxvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glIndexxvOES: this build has no SPANGLE_FEATURE_COLOR_INDEX"));
-}
+SPANGLE_REFUSED("glIndexxvOES: this build has no SPANGLE_FEATURE_COLOR_INDEX", void GLAPIENTRY glIndexxvOES(const GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glIndexxOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glIndexxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glIndexxOES(GLfixed))
 
-void GLAPIENTRY glIndexxvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glIndexxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glIndexxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glIndexxvOES(const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glVertex2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glVertex2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glVertex2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glVertex2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex2xvOES(const GLfixed*))
 
-void GLAPIENTRY glVertex3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glVertex3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glVertex3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glVertex3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex3xvOES(const GLfixed*))
 
-void GLAPIENTRY glVertex4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glVertex4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex4xOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glVertex4xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glVertex4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glVertex4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glVertex4xvOES(const GLfixed*))
 
-void GLAPIENTRY glTexCoord1xOES(GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord1xOES(GLfixed))
 
-void GLAPIENTRY glTexCoord1xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord1xvOES(const GLfixed*))
 
-void GLAPIENTRY glTexCoord2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glTexCoord2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord2xvOES(const GLfixed*))
 
-void GLAPIENTRY glTexCoord3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glTexCoord3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord3xvOES(const GLfixed*))
 
-void GLAPIENTRY glTexCoord4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord4xOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glTexCoord4xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glTexCoord4xvOES(const GLfixed*))
 
-void GLAPIENTRY glMultiTexCoord1xOES(GLenum, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord1xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord1xOES(GLenum, GLfixed))
 
-void GLAPIENTRY glMultiTexCoord1xvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord1xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord1xvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glMultiTexCoord2xOES(GLenum, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord2xOES(GLenum, GLfixed, GLfixed))
 
-void GLAPIENTRY glMultiTexCoord2xvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord2xvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glMultiTexCoord3xOES(GLenum, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord3xOES(GLenum, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glMultiTexCoord3xvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord3xvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glMultiTexCoord4xOES(GLenum, GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord4xOES(GLenum, GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glMultiTexCoord4xvOES(GLenum, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glMultiTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glMultiTexCoord4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glMultiTexCoord4xvOES(GLenum, const GLfixed*))
 
-void GLAPIENTRY glNormal3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glNormal3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glNormal3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glNormal3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glNormal3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glNormal3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glNormal3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glNormal3xvOES(const GLfixed*))
 
-void GLAPIENTRY glColor3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glColor3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glColor3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glColor3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glColor3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glColor3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glColor3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glColor3xvOES(const GLfixed*))
 
-void GLAPIENTRY glColor4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glColor4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glColor4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glColor4xOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glColor4xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glColor4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glColor4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glColor4xvOES(const GLfixed*))
 
-void GLAPIENTRY glRectxOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRectxOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRectxOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRectxOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glRectxvOES(const GLfixed*, const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRectxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRectxvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRectxvOES(const GLfixed*, const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_FOG
 
-void GLAPIENTRY glFogCoordf(GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glFogCoordf: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogCoordf: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogCoordf(GLfloat))
 
-void GLAPIENTRY glFogCoordfv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glFogCoordfv: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogCoordfv: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogCoordfv(const GLfloat*))
 
-void GLAPIENTRY glFogCoordd(GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glFogCoordd: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogCoordd: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogCoordd(GLdouble))
 
-void GLAPIENTRY glFogCoorddv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glFogCoorddv: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogCoorddv: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogCoorddv(const GLdouble*))
 
-void GLAPIENTRY glFogCoordPointer(GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glFogCoordPointer: this build has no SPANGLE_FEATURE_FOG"));
-}
+SPANGLE_REFUSED("glFogCoordPointer: this build has no SPANGLE_FEATURE_FOG", void GLAPIENTRY glFogCoordPointer(GLenum, GLsizei, const void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_POLYGON_MODE
 
-void GLAPIENTRY glEdgeFlag(GLboolean) {
-    refuse_feature(SPANGLE_TEXT("glEdgeFlag: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
-}
+SPANGLE_REFUSED("glEdgeFlag: this build has no SPANGLE_FEATURE_POLYGON_MODE", void GLAPIENTRY glEdgeFlag(GLboolean))
 
-void GLAPIENTRY glEdgeFlagv(const GLboolean*) {
-    refuse_feature(SPANGLE_TEXT("glEdgeFlagv: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
-}
+SPANGLE_REFUSED("glEdgeFlagv: this build has no SPANGLE_FEATURE_POLYGON_MODE", void GLAPIENTRY glEdgeFlagv(const GLboolean*))
 
-void GLAPIENTRY glEdgeFlagPointer(GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glEdgeFlagPointer: this build has no SPANGLE_FEATURE_POLYGON_MODE"));
-}
+SPANGLE_REFUSED("glEdgeFlagPointer: this build has no SPANGLE_FEATURE_POLYGON_MODE", void GLAPIENTRY glEdgeFlagPointer(GLsizei, const void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_PRIMITIVE_RESTART
 
-void GLAPIENTRY glPrimitiveRestartIndex(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glPrimitiveRestartIndex: this build has no SPANGLE_FEATURE_PRIMITIVE_RESTART"));
-}
+SPANGLE_REFUSED("glPrimitiveRestartIndex: this build has no SPANGLE_FEATURE_PRIMITIVE_RESTART", void GLAPIENTRY glPrimitiveRestartIndex(GLuint))
 
 #endif
 
 #if !SPANGLE_FEATURE_RASTER_POS
 
-void GLAPIENTRY glRasterPos2s(GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2s: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2s: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2s(GLshort, GLshort))
 
-void GLAPIENTRY glRasterPos2sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2sv(const GLshort*))
 
-void GLAPIENTRY glRasterPos2i(GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2i: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2i: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2i(GLint, GLint))
 
-void GLAPIENTRY glRasterPos2iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2iv(const GLint*))
 
-void GLAPIENTRY glRasterPos2f(GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2f: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2f: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2f(GLfloat, GLfloat))
 
-void GLAPIENTRY glRasterPos2fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2fv(const GLfloat*))
 
-void GLAPIENTRY glRasterPos2d(GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2d: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2d: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2d(GLdouble, GLdouble))
 
-void GLAPIENTRY glRasterPos2dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2dv(const GLdouble*))
 
-void GLAPIENTRY glRasterPos3s(GLshort, GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3s: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3s: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3s(GLshort, GLshort, GLshort))
 
-void GLAPIENTRY glRasterPos3sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3sv(const GLshort*))
 
-void GLAPIENTRY glRasterPos3i(GLint, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3i: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3i: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3i(GLint, GLint, GLint))
 
-void GLAPIENTRY glRasterPos3iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3iv(const GLint*))
 
-void GLAPIENTRY glRasterPos3f(GLfloat, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3f: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3f: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3f(GLfloat, GLfloat, GLfloat))
 
-void GLAPIENTRY glRasterPos3fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3fv(const GLfloat*))
 
-void GLAPIENTRY glRasterPos3d(GLdouble, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3d: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3d: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3d(GLdouble, GLdouble, GLdouble))
 
-void GLAPIENTRY glRasterPos3dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3dv(const GLdouble*))
 
-void GLAPIENTRY glRasterPos4s(GLshort, GLshort, GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4s: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4s: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4s(GLshort, GLshort, GLshort, GLshort))
 
-void GLAPIENTRY glRasterPos4sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4sv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4sv(const GLshort*))
 
-void GLAPIENTRY glRasterPos4i(GLint, GLint, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4i: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4i: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4i(GLint, GLint, GLint, GLint))
 
-void GLAPIENTRY glRasterPos4iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4iv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4iv(const GLint*))
 
-void GLAPIENTRY glRasterPos4f(GLfloat, GLfloat, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4f: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4f: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4f(GLfloat, GLfloat, GLfloat, GLfloat))
 
-void GLAPIENTRY glRasterPos4fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4fv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4fv(const GLfloat*))
 
-void GLAPIENTRY glRasterPos4d(GLdouble, GLdouble, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4d: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4d: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4d(GLdouble, GLdouble, GLdouble, GLdouble))
 
-void GLAPIENTRY glRasterPos4dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4dv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4dv(const GLdouble*))
 
-void GLAPIENTRY glWindowPos2s(GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2s: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2s: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2s(GLshort, GLshort))
 
-void GLAPIENTRY glWindowPos2sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2sv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2sv(const GLshort*))
 
-void GLAPIENTRY glWindowPos2i(GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2i: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2i: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2i(GLint, GLint))
 
-void GLAPIENTRY glWindowPos2iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2iv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2iv(const GLint*))
 
-void GLAPIENTRY glWindowPos2f(GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2f: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2f: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2f(GLfloat, GLfloat))
 
-void GLAPIENTRY glWindowPos2fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2fv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2fv(const GLfloat*))
 
-void GLAPIENTRY glWindowPos2d(GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2d: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2d: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2d(GLdouble, GLdouble))
 
-void GLAPIENTRY glWindowPos2dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos2dv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos2dv(const GLdouble*))
 
-void GLAPIENTRY glWindowPos3s(GLshort, GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3s: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3s: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3s(GLshort, GLshort, GLshort))
 
-void GLAPIENTRY glWindowPos3sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3sv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3sv(const GLshort*))
 
-void GLAPIENTRY glWindowPos3i(GLint, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3i: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3i: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3i(GLint, GLint, GLint))
 
-void GLAPIENTRY glWindowPos3iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3iv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3iv(const GLint*))
 
-void GLAPIENTRY glWindowPos3f(GLfloat, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3f: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3f: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3f(GLfloat, GLfloat, GLfloat))
 
-void GLAPIENTRY glWindowPos3fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3fv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3fv(const GLfloat*))
 
-void GLAPIENTRY glWindowPos3d(GLdouble, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3d: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3d: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3d(GLdouble, GLdouble, GLdouble))
 
-void GLAPIENTRY glWindowPos3dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glWindowPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glWindowPos3dv: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glWindowPos3dv(const GLdouble*))
 
 #endif
 
 #if !SPANGLE_FEATURE_RASTER_POS
 
-void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2xOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos2xvOES(const GLfixed*))
 
-void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3xOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos3xvOES(const GLfixed*))
 
-void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4xOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4xOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_RASTER_POS"));
-}
+SPANGLE_REFUSED("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_RASTER_POS", void GLAPIENTRY glRasterPos4xvOES(const GLfixed*))
 
 #endif
 
 #if SPANGLE_FEATURE_RASTER_POS && !SPANGLE_FEATURE_FIXED_POINT
 
-void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos2xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos2xOES(GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos2xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos2xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos2xvOES(const GLfixed*))
 
-void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos3xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos3xOES(GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos3xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos3xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos3xvOES(const GLfixed*))
 
-void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos4xOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos4xOES(GLfixed, GLfixed, GLfixed, GLfixed))
 
-void GLAPIENTRY glRasterPos4xvOES(const GLfixed*) {
-    refuse_feature(SPANGLE_TEXT("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT"));
-}
+SPANGLE_REFUSED("glRasterPos4xvOES: this build has no SPANGLE_FEATURE_FIXED_POINT", void GLAPIENTRY glRasterPos4xvOES(const GLfixed*))
 
 #endif
 
 #if !SPANGLE_FEATURE_SECONDARY_COLOR
 
-void GLAPIENTRY glSecondaryColor3b(GLbyte, GLbyte, GLbyte) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3b: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3b: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3b(GLbyte, GLbyte, GLbyte))
 
-void GLAPIENTRY glSecondaryColor3bv(const GLbyte*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3bv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3bv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3bv(const GLbyte*))
 
-void GLAPIENTRY glSecondaryColor3s(GLshort, GLshort, GLshort) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3s: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3s: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3s(GLshort, GLshort, GLshort))
 
-void GLAPIENTRY glSecondaryColor3sv(const GLshort*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3sv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3sv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3sv(const GLshort*))
 
-void GLAPIENTRY glSecondaryColor3i(GLint, GLint, GLint) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3i: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3i: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3i(GLint, GLint, GLint))
 
-void GLAPIENTRY glSecondaryColor3iv(const GLint*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3iv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3iv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3iv(const GLint*))
 
-void GLAPIENTRY glSecondaryColor3f(GLfloat, GLfloat, GLfloat) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3f: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3f: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3f(GLfloat, GLfloat, GLfloat))
 
-void GLAPIENTRY glSecondaryColor3fv(const GLfloat*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3fv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3fv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3fv(const GLfloat*))
 
-void GLAPIENTRY glSecondaryColor3d(GLdouble, GLdouble, GLdouble) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3d: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3d: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3d(GLdouble, GLdouble, GLdouble))
 
-void GLAPIENTRY glSecondaryColor3dv(const GLdouble*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3dv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3dv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3dv(const GLdouble*))
 
-void GLAPIENTRY glSecondaryColor3ub(GLubyte, GLubyte, GLubyte) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ub: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3ub: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3ub(GLubyte, GLubyte, GLubyte))
 
-void GLAPIENTRY glSecondaryColor3ubv(const GLubyte*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ubv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3ubv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3ubv(const GLubyte*))
 
-void GLAPIENTRY glSecondaryColor3us(GLushort, GLushort, GLushort) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3us: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3us: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3us(GLushort, GLushort, GLushort))
 
-void GLAPIENTRY glSecondaryColor3usv(const GLushort*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3usv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3usv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3usv(const GLushort*))
 
-void GLAPIENTRY glSecondaryColor3ui(GLuint, GLuint, GLuint) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3ui: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3ui: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3ui(GLuint, GLuint, GLuint))
 
-void GLAPIENTRY glSecondaryColor3uiv(const GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColor3uiv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColor3uiv: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColor3uiv(const GLuint*))
 
-void GLAPIENTRY glSecondaryColorPointer(GLint, GLenum, GLsizei, const void*) {
-    refuse_feature(SPANGLE_TEXT("glSecondaryColorPointer: this build has no SPANGLE_FEATURE_SECONDARY_COLOR"));
-}
+SPANGLE_REFUSED("glSecondaryColorPointer: this build has no SPANGLE_FEATURE_SECONDARY_COLOR", void GLAPIENTRY glSecondaryColorPointer(GLint, GLenum, GLsizei, const void*))
 
 #endif
 
 #if !SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
 
-void GLAPIENTRY glGenVertexArrays(GLsizei, GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glGenVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
-}
+SPANGLE_REFUSED("glGenVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS", void GLAPIENTRY glGenVertexArrays(GLsizei, GLuint*))
 
-void GLAPIENTRY glDeleteVertexArrays(GLsizei, const GLuint*) {
-    refuse_feature(SPANGLE_TEXT("glDeleteVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
-}
+SPANGLE_REFUSED("glDeleteVertexArrays: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS", void GLAPIENTRY glDeleteVertexArrays(GLsizei, const GLuint*))
 
 GLboolean GLAPIENTRY glIsVertexArray(GLuint) {
     refuse_feature(SPANGLE_TEXT("glIsVertexArray: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
     return 0;
 }
 
-void GLAPIENTRY glBindVertexArray(GLuint) {
-    refuse_feature(SPANGLE_TEXT("glBindVertexArray: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS"));
-}
+SPANGLE_REFUSED("glBindVertexArray: this build has no SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS", void GLAPIENTRY glBindVertexArray(GLuint))
 
 #endif
 

@@ -1,0 +1,21 @@
+// Entry points of a system that this build left out.
+#pragma once
+
+#include "gl/api/issue.hpp"
+
+#if SPANGLE_MESSAGES || !defined(__ELF__) || defined(__clang__)
+#define SPANGLE_REFUSED(text, ...)                                                                           \
+    __VA_ARGS__ {                                                                                            \
+        refuse_feature(SPANGLE_TEXT(text));                                                                  \
+    }
+#else
+// Without texts they differ in nothing: one function has their names, whatever the arguments it does not look
+// at. (clang finds no static function by its C name.)
+#pragma GCC diagnostic ignored "-Wattribute-alias"
+extern "C" {
+[[maybe_unused]] static void spangle_refused() {
+    spangle::gl::refuse_feature(nullptr);
+}
+}
+#define SPANGLE_REFUSED(text, ...) __VA_ARGS__ __attribute__((alias("spangle_refused")));
+#endif
