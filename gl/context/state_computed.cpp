@@ -102,7 +102,7 @@ void index_mode(const Context& context, GLenum name, Param* out) {
 
 void bits(const Context& context, GLenum name, Param* out) {
     const raster::Surface& surface = context.drawable.surface;
-    const FormatInfo format = format_info(surface.format);
+    const FormatInfo& format = raster::drawn_info(surface.format);
     const std::uint8_t colors[] = {format.red_bits, format.green_bits, format.blue_bits, format.alpha_bits};
     if (name == GL_DEPTH_BITS)
         out[0] = integer(surface.depth_format == DepthFormat::none  ? 0

@@ -58,7 +58,7 @@ EGLint visual_of(const Display& display, const Config& c) {
 
 /// EGL 1.4, table 3.1.
 Attribute attribute(const Display& display, const Config& c, EGLint name) {
-    const FormatInfo info = raster::drawn_info(c.format);
+    const FormatInfo& info = raster::drawn_info(c.format);
     constexpr EGLint largest = gl::max_viewport_dim;
     switch (name) {
     case EGL_BUFFER_SIZE:

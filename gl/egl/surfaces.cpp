@@ -170,7 +170,7 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
 const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
     const PixelFormat format = surface.config.drawn();
     const std::int32_t stride = row_bytes(format, surface.width),
-                       top = (rows.y + rows.h - 1) / format_info(format).rows;
+                       top = (rows.y + rows.h - 1) / raster::drawn_info(format).rows;
     surface.samples.color = bottom_row(surface.sample_colors, 0, top + 1, stride);
     surface.samples.color_stride = -stride;
     surface.samples.unresolved = surface.unresolved - rows.y;

@@ -63,14 +63,14 @@ struct Plane {
 };
 Plane plane_of(raster::Surface& surface, Content content) {
     if (content <= Content::index)
-        return {surface.color, surface.color_stride, format_info(surface.format).bytes_per_pixel};
+        return {surface.color, surface.color_stride, raster::drawn_info(surface.format).bytes_per_pixel};
     return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
 }
 
 /// Narrow formats share bytes across columns and rows: whole rows of the plane.
 void* set_aside_narrow(Context& context, BufferGroups& source) {
     raster::Surface& surface = source.surface;
-    const std::int32_t rows = format_info(surface.format).rows,
+    const std::int32_t rows = raster::drawn_info(surface.format).rows,
                        bytes = row_bytes(surface.format, surface.width),
                        first = source.row(source.m.begin) / rows, last = source.row(source.m.end - 1) / rows;
     auto* const memory = static_cast<std::uint8_t*>(context.arena->allocate(
@@ -147,7 +147,7 @@ RectangleOrder order_of(const Context& context, const BufferGroups& source) {
 }
 
 bool is_color_565(const Context& context, const BufferGroups& source) {
-    return format_info(context.drawable.read.format).bytes_per_pixel == 2 &&
+    return raster::drawn_info(context.drawable.read.format).bytes_per_pixel == 2 &&
            !source.transfer.changes_colors();
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Of formats without sizes.
 TexelFormat rgb_of(PixelFormat surface) {
-    return format_info(surface).red_bits <= 5 ? TexelFormat::rgb565 : TexelFormat::rgb888;
+    return raster::drawn_info(surface).red_bits <= 5 ? TexelFormat::rgb565 : TexelFormat::rgb888;
 }
 
 bool depth_format_of(GLint internal_format, TexelFormat& out) {

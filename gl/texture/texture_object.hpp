@@ -32,7 +32,7 @@ inline constexpr unsigned kinds_there = [] {
     return set;
 }();
 /// The kind of a texture there is. Where a build has one only the compiler knows it.
-constexpr TextureKind there(TextureKind kind) {
+[[gnu::always_inline]] constexpr TextureKind there(TextureKind kind) {
     return raster::one_of(kinds_there, kind);
 }
 constexpr std::size_t kinds_before(std::size_t kind) {

@@ -66,7 +66,7 @@ struct TextureState {
 
     /// What PROXY_TEXTURE_... of a kind there is was last asked.
     LevelShape& proxy(TextureKind kind, GLint level) {
-        return proxies[kinds_before(index_of(kind))][level];
+        return proxies[kinds_before(index_of(there(kind)))][level];
     }
 
     TextureObject& default_texture(TextureKind kind) {

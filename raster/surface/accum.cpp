@@ -43,7 +43,7 @@ void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]) {
 void accumulate(const Surface& s, Rect area, const Surface& source, std::int32_t value, bool load) {
     // k v 32767 / (2^bits - 1): 8 bits k, 32 bits v, 15 and 8 more of the factor.
     constexpr int guard = 8;
-    const FormatInfo info = format_info(source.format);
+    const FormatInfo& info = drawn_info(source.format);
     const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
     std::int64_t factor[4];
     for (int c = 0; c < 4; ++c)
@@ -73,7 +73,7 @@ void add_accum(const Surface& s, Rect area, std::int32_t value) {
 void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t channels, bool dither) {
     // In colour units: 15 bits A, 32 bits v, 14 bits of color_one / 32767.
     const std::int64_t factor = std::int64_t{value} * color_one / accum_one;
-    const FormatInfo info = format_info(s.format);
+    const FormatInfo& info = drawn_info(s.format);
     const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
     each(s, area, [&](std::int32_t x, std::int32_t y, const std::int16_t* a) {
         const StoredColor under = read_color(s, x, y);

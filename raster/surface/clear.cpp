@@ -135,7 +135,7 @@ struct Pixel {
 Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::uint32_t threshold) {
     if (drawn_indexed(format))
         return {{static_cast<std::uint8_t>(stored_index(color[0], dither, threshold)), 0, 0, 0}};
-    const FormatInfo info = drawn_info(format);
+    const FormatInfo& info = drawn_info(format);
     const std::uint32_t r = stored_component(color[0], info.red_bits, dither, threshold);
     const std::uint32_t g = stored_component(color[1], info.green_bits, dither, threshold);
     const std::uint32_t b = stored_component(color[2], info.blue_bits, dither, threshold);
@@ -310,7 +310,7 @@ void clear_z24s8(const Surface& s, const ClearRequest& r) {
 /// itself. Of 16 bits: each component summed over the sixteen thresholds, which grows with every pixel that
 /// changes (at most 31 * 16 and 63 * 16: 9, 10 and 9 bits).
 std::uint32_t clear_value(const Surface& s, const ClearRequest& r) {
-    const FormatInfo info = drawn_info(s.format);
+    const FormatInfo& info = drawn_info(s.format);
     if (info.red_bits == 8) {
         const Pixel p = pack(s.format, r.color, false, 0);
         const std::uint32_t alpha = info.alpha_bits != 0 ? p.byte[3] : 0u;

@@ -49,7 +49,7 @@ inline constexpr FormatInfo formats[] = {{2, 5, 6, 5, 0, 16},         {2, 5, 6, 
 } // namespace detail
 
 /// Bits and bytes of each format, indexed by PixelFormat.
-constexpr FormatInfo format_info(PixelFormat format) {
+constexpr const FormatInfo& format_info(PixelFormat format) {
     return detail::formats[static_cast<unsigned>(format)];
 }
 inline constexpr int pixel_formats = 10;

@@ -113,7 +113,7 @@ inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced =
 static_assert(has_chain || !chain_only, "narrow surfaces and those of indices are drawn by the chain");
 
 /// The value itself; where a build has no other the compiler knows it.
-template <class E> constexpr E one_of(unsigned set, E value) {
+template <class E> [[gnu::always_inline]] constexpr E one_of(unsigned set, E value) {
     return (set & (set - 1)) != 0 || set == 0 ? value : static_cast<E>(__builtin_ctz(set));
 }
 
@@ -124,8 +124,8 @@ constexpr PixelFormat drawn(PixelFormat format) {
 namespace detail {
 inline constexpr FormatInfo only_info = format_info(drawn(PixelFormat{}));
 }
-/// Of the format of a surface, likewise: a call would not know it.
-[[gnu::always_inline]] constexpr FormatInfo drawn_info(PixelFormat format) {
+/// Of the format of a surface, likewise.
+[[gnu::always_inline]] constexpr const FormatInfo& drawn_info(PixelFormat format) {
     if constexpr ((color_formats & (color_formats - 1)) == 0)
         return detail::only_info;
     return format_info(format);
