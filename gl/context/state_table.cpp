@@ -210,8 +210,8 @@ std::uint32_t units_of(PerUnit per_unit) {
 }
 
 std::size_t offset_of(const Context& context, const StateRow& row) {
-    const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active
-                             : row.per_unit == PerUnit::client ? context.array_bindings.client_active
+    const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active_unit()
+                             : row.per_unit == PerUnit::client ? context.array_bindings.client_unit()
                                                                : 0;
     return row.where + row.unit_step() * unit;
 }

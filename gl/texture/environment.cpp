@@ -167,7 +167,7 @@ void ActiveTexture(Context& context, GLenum texture) {
 }
 
 void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params) {
-    TexEnvState& env = context.texture.unit[context.texture.active].env;
+    TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
     if (!legal_target(target, pname) || params.count == 0)
         return error(context, GL_INVALID_ENUM);
     if (left_out(context, pname))
@@ -176,7 +176,7 @@ void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params)
         env.lod_bias = params.v[0].real();
 #if SPANGLE_FEATURE_POINT_PARAMETERS
     } else if (pname == GL_COORD_REPLACE) {
-        context.polygon.coord_replace[context.texture.active] = params.v[0].token() != 0;
+        context.polygon.coord_replace[context.texture.active_unit()] = params.v[0].token() != 0;
 #endif
     } else if (const GLenum refused = set(env, pname, params); refused != GL_NO_ERROR) {
         return error(context, refused);
@@ -185,7 +185,7 @@ void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params)
 }
 
 void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
-    const TexEnvState& env = context.texture.unit[context.texture.active].env;
+    const TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
     params.count = 0;
     if (!legal_target(target, pname))
         return error(context, GL_INVALID_ENUM);
@@ -196,7 +196,7 @@ void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
         params.count = 1;
 #if SPANGLE_FEATURE_POINT_PARAMETERS
     } else if (pname == GL_COORD_REPLACE) {
-        params.v[0] = Param::from_integer(context.polygon.coord_replace[context.texture.active]);
+        params.v[0] = Param::from_integer(context.polygon.coord_replace[context.texture.active_unit()]);
         params.count = 1;
 #endif
     } else if (!get(env, pname, params)) {

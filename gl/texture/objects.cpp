@@ -72,7 +72,7 @@ void delete_name(Context& context, GLuint name) {
 } // namespace
 
 GLuint texture_binding(const Context& context, TextureKind kind) {
-    return context.texture.bound(context.texture.active, kind).name;
+    return context.texture.bound(context.texture.active_unit(), kind).name;
 }
 
 void release_textures(Context& context) {
@@ -109,7 +109,7 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
     TextureKind kind;
     if (!find_texture_target(context, target, kind))
         return;
-    TextureObject*& bound = context.texture.unit[context.texture.active].bound[index_of(kind)];
+    TextureObject*& bound = context.texture.unit[context.texture.active_unit()].bound[index_of(there(kind))];
     TextureObject* object = texture == 0 ? nullptr : object_of(*context.share, texture, kind);
     if (texture != 0 && object == nullptr)
         return error(context, GL_OUT_OF_MEMORY,

@@ -25,7 +25,8 @@ constexpr bool present[texture_kinds] = {SPANGLE_FEATURE_TEXTURE_1D != 0, true,
 /// Binds the name again: an object that was deleted meanwhile is made anew, as BindTexture does.
 void restore_binding(Context& context, std::size_t kind, const SavedUnit& saved) {
     cmd::BindTexture(context, targets[kind], saved.binding[kind]);
-    TextureObject& bound = context.texture.bound(context.texture.active, static_cast<TextureKind>(kind));
+    TextureObject& bound =
+        context.texture.bound(context.texture.active_unit(), static_cast<TextureKind>(kind));
     if (bound.name != saved.binding[kind])
         return; // no memory for a new object: the error is set, the parameters have nowhere to go
     bound.parameters = saved.parameters[kind];

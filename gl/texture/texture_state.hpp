@@ -50,6 +50,8 @@ inline constexpr int third_coordinate = 8;
 struct TextureState {
     TextureUnitState unit[texture_units];
     unsigned active = 0;
+    /// The same; where there is one unit only the compiler knows it.
+    unsigned active_unit() const { return texture_units > 1 ? active : 0; }
 
     // Name 0 of each target, shared by all units.
     TextureObject default_2d{TextureKind::two};
@@ -88,7 +90,7 @@ struct TextureState {
         }
     }
     TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) {
-        TextureObject* const object = unit[u].bound[index_of(kind)];
+        TextureObject* const object = unit[u].bound[index_of(there(kind))];
         return object != nullptr ? *object : default_texture(kind);
     }
     const TextureObject& bound(unsigned u, TextureKind kind = TextureKind::two) const {

@@ -88,7 +88,7 @@ bool find_stored_target(Context& context, GLenum token, unsigned dimensions, Ima
 }
 
 TextureObject& bound_texture(Context& context, TextureKind kind) {
-    return context.texture.bound(context.texture.active, kind);
+    return context.texture.bound(context.texture.active_unit(), kind);
 }
 
 void texture_changed(Context& context, TextureObject& texture) {

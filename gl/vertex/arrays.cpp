@@ -174,7 +174,7 @@ void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, 
         return error(context, GL_INVALID_VALUE);
     if (!is_signed_type(type))
         return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.tex_coord[context.array_bindings.client_active], size, type, stride,
+    point(context, context.arrays.tex_coord[context.array_bindings.client_unit()], size, type, stride,
           pointer);
 }
 
@@ -250,7 +250,7 @@ void enable_array(Context& context, GLenum array, bool on) {
         context.arrays.color.enabled = on;
         break;
     case GL_TEXTURE_COORD_ARRAY:
-        context.arrays.tex_coord[context.array_bindings.client_active].enabled = on;
+        context.arrays.tex_coord[context.array_bindings.client_unit()].enabled = on;
         break;
     case GL_INDEX_ARRAY:
         return enable_optional(context, context.arrays.index, on, SPANGLE_FEATURE_COLOR_INDEX != 0,

@@ -47,6 +47,8 @@ template <class Arrays, class F> void each_array(Arrays& arrays, F f) {
 struct ArrayBindings {
     BufferObject* array_buffer = nullptr;
     GLuint client_active = 0; ///< the unit whose array commands and queries name
+    /// The same; where there is one unit only the compiler knows it.
+    GLuint client_unit() const { return texture_units > 1 ? client_active : 0; }
     GLuint restart_index = 0;
     bool restart = false; ///< PRIMITIVE_RESTART
 #if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS

@@ -79,7 +79,7 @@ GLuint bound_buffer(const Context& context, GLenum pname) {
     case GL_EDGE_FLAG_ARRAY_BUFFER_BINDING:
         return name(arrays.edge_flag.buffer);
     default:
-        return name(arrays.tex_coord[context.array_bindings.client_active].buffer);
+        return name(arrays.tex_coord[context.array_bindings.client_unit()].buffer);
     }
 }
 

@@ -66,7 +66,7 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
     ArraysState& arrays = context.arrays;
     arrays.index.enabled = arrays.edge_flag.enabled = arrays.fog_coord.enabled = false;
     arrays.secondary_color.enabled = false;
-    set(context, arrays.tex_coord[context.array_bindings.client_active], f.tex_size, GL_FLOAT, step, pointer,
+    set(context, arrays.tex_coord[context.array_bindings.client_unit()], f.tex_size, GL_FLOAT, step, pointer,
         0);
     set(context, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
         f.color_at);

@@ -32,7 +32,7 @@ bool is_coord(GLenum coord) {
 }
 
 TexGenState& state_of(Context& context, GLenum coord) {
-    return context.texture.unit[context.texture.active].gen[coord - GL_S];
+    return context.texture.unit[context.texture.active_unit()].gen[coord - GL_S];
 }
 
 } // namespace

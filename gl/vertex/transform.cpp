@@ -26,7 +26,7 @@ StackRef current_stack(Context& context) {
     if (t.matrix_mode == GL_PROJECTION)
         return {t.projection.entry, projection_stack_entries, &t.projection.top};
     if (t.matrix_mode == GL_TEXTURE) {
-        auto& stack = t.texture[context.texture.active];
+        auto& stack = t.texture[context.texture.active_unit()];
         return {stack.entry, texture_stack_entries, &stack.top};
     }
     return modelview_stack(t);
@@ -52,7 +52,7 @@ bool equal(Real a, Real b) {
 
 Matrix16 top_matrix(const Context& context, GLenum pname) {
     const TransformState& t = context.transform;
-    const auto& texture = t.texture[context.texture.active];
+    const auto& texture = t.texture[context.texture.active_unit()];
     Matrix16 out;
     numeric::to_reals(pname == GL_PROJECTION_MATRIX ? t.projection.entry[t.projection.top]
                       : pname == GL_TEXTURE_MATRIX  ? texture.entry[texture.top]
@@ -66,7 +66,7 @@ GLint stack_depth(const Context& context, GLenum pname) {
     if (pname == GL_PROJECTION_STACK_DEPTH)
         return t.projection.top + 1;
     if (pname == GL_TEXTURE_STACK_DEPTH)
-        return t.texture[context.texture.active].top + 1;
+        return t.texture[context.texture.active_unit()].top + 1;
     return t.modelview.top + 1;
 }
 
