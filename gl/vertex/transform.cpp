@@ -87,7 +87,7 @@ void MatrixMode(Context& context, GLenum mode) {
 }
 
 void LoadIdentity(Context& context) {
-    current_matrix(context) = numeric::Matrix();
+    current_matrix(context) = numeric::identity();
 }
 
 void LoadMatrix(Context& context, const Matrix16& matrix) {

@@ -81,7 +81,7 @@ constexpr Block to_block(Element v) {
 // --- matrices
 // ------------------------------------------------------------------------------------------------------
 
-constexpr Matrix identity() {
+SPANGLE_RUN_CALL constexpr Matrix identity() {
     return {};
 }
 

@@ -10,7 +10,7 @@
 namespace spangle::numeric {
 
 constexpr Matrix translation(Real x, Real y, Real z) {
-    Matrix r;
+    Matrix r = identity();
     r.set(0, 3, to_element(x));
     r.set(1, 3, to_element(y));
     r.set(2, 3, to_element(z));
@@ -18,7 +18,7 @@ constexpr Matrix translation(Real x, Real y, Real z) {
 }
 
 constexpr Matrix scaling(Real x, Real y, Real z) {
-    Matrix r;
+    Matrix r = identity();
     r.set(0, 0, to_element(x));
     r.set(1, 1, to_element(y));
     r.set(2, 2, to_element(z));
@@ -28,7 +28,7 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
 /// The upper left of a rotation to twice the bits of an Element: `rest` is what rounding took from `matrix`,
 /// so that turning by it again and again adds up no error but that of each sum.
 struct Rotation {
-    Matrix matrix;
+    Matrix matrix = identity();
     Element rest[3][3]; ///< row, column
 
     constexpr void set(int row, int column, std::int64_t q60) {
@@ -81,7 +81,7 @@ constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near
                 n = to_block(near), f = to_block(far);
     const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
     const Block near2 = mul(n, to_block(from_i32(2)));
-    Matrix m;
+    Matrix m = identity();
     m.set(0, 0, to_element(div(near2, width)));
     m.set(1, 1, to_element(div(near2, height)));
     m.set(0, 2, to_element(div(add(r, l), width)));
@@ -97,7 +97,7 @@ constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, 
     const Block l = to_block(left), r = to_block(right), b = to_block(bottom), t = to_block(top),
                 n = to_block(near), f = to_block(far), two = to_block(from_i32(2));
     const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
-    Matrix m;
+    Matrix m = identity();
     m.set(0, 0, to_element(div(two, width)));
     m.set(1, 1, to_element(div(two, height)));
     m.set(2, 2, to_element(negate(div(two, depth))));
