@@ -72,7 +72,7 @@ GLint stack_depth(const Context& context, GLenum pname) {
 
 #if SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_TEXGEN
 void to_eye_plane(const TransformState& transform, const Real (&plane)[4], Real (&out)[4]) {
-    numeric::Matrix inverse;
+    numeric::Matrix inverse = numeric::identity();
     numeric::inverse(transform.modelview.entry[transform.modelview.top], inverse);
     numeric::row_times(plane, inverse, out);
 }

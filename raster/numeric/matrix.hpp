@@ -92,7 +92,7 @@ constexpr Block element(const Matrix& a, int row, int column) {
 
 /// Column-major, as LoadMatrix takes it.
 constexpr Matrix matrix_from_reals(const Real (&v)[16]) {
-    Matrix r;
+    Matrix r = identity();
     for (int i = 0; i < 16; ++i)
         r.set(i & 3, i >> 2, to_element(v[i]));
     return r;
@@ -104,7 +104,7 @@ constexpr void to_reals(const Matrix& a, Real (&out)[16]) {
 }
 
 constexpr Matrix transpose(const Matrix& a) {
-    Matrix r;
+    Matrix r = identity();
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             r.set(i, j, a.at(j, i));
