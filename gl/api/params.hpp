@@ -15,26 +15,31 @@ template <class C> struct ParamFamily {
 template <class F, const auto& rows>
 inline constexpr ParamFamily<std::remove_const_t<decltype(command<F>)>> params_of{&command<F>, rows};
 
-// What families share. What stands before the pname is a target, or nothing.
+// What families share. What stands before the pname is a target, or nothing; the family comes last, so that
+// the arguments of an entry point stay where they are.
 template <class C>
-[[gnu::noinline]] void issue_value(const ParamFamily<C>& family, GLenum pname, const void* value,
-                                   convert::Number type) {
+[[gnu::noinline]] void issue_value(GLenum pname, const void* value, convert::Number type,
+                                   const ParamFamily<C>& family) {
     issue_command(*family.command, pname, convert::scalar(find_shape(family.rows, pname), value, type));
 }
 template <class C>
-[[gnu::noinline]] void issue_value(const ParamFamily<C>& family, GLenum target, GLenum pname,
-                                   const void* value, convert::Number type) {
+[[gnu::noinline]] void issue_value(GLenum target, GLenum pname, const void* value, convert::Number type,
+                                   const ParamFamily<C>& family) {
     issue_command(*family.command, target, pname,
                   convert::scalar(find_shape(family.rows, pname), value, type));
 }
 template <class C>
-[[gnu::noinline]] void issue_values(const ParamFamily<C>& family, GLenum pname, const void* values,
-                                    convert::Number type) {
+[[gnu::noinline]] void issue_values(GLenum pname, const void* values, convert::Number type,
+                                    const ParamFamily<C>& family, const char* null_text) {
+    if (values == nullptr)
+        return refuse_null(null_text);
     issue_command(*family.command, pname, convert::vector(find_shape(family.rows, pname), values, type));
 }
 template <class C>
-[[gnu::noinline]] void issue_values(const ParamFamily<C>& family, GLenum target, GLenum pname,
-                                    const void* values, convert::Number type) {
+[[gnu::noinline]] void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
+                                    const ParamFamily<C>& family, const char* null_text) {
+    if (values == nullptr)
+        return refuse_null(null_text);
     issue_command(*family.command, target, pname,
                   convert::vector(find_shape(family.rows, pname), values, type));
 }
@@ -44,45 +49,47 @@ template <class F, const auto& rows>
     if constexpr (F::listing == Listing::never)
         issue<F>(pname, convert::scalar(find_shape(rows, pname), value, type));
     else
-        issue_value(params_of<F, rows>, pname, value, type);
+        issue_value(pname, value, type, params_of<F, rows>);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum target, GLenum pname, const void* value, convert::Number type) {
-    issue_value(params_of<F, rows>, target, pname, value, type);
+    issue_value(target, pname, value, type, params_of<F, rows>);
 }
 
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
-    if (values == nullptr)
-        return refuse_null(null_text);
-    issue_values(params_of<F, rows>, pname, values, type);
+    issue_values(pname, values, type, params_of<F, rows>, null_text);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
-    if (values == nullptr)
-        return refuse_null(null_text);
-    issue_values(params_of<F, rows>, target, pname, values, type);
+    issue_values(target, pname, values, type, params_of<F, rows>, null_text);
 }
 
-/// What answers the queries of a family.
-using Answer = void(Context& context, GLenum target, GLenum pname, Params& out);
-[[gnu::noinline]] inline void fetch_values(Answer* answer, const ShapeRow* rows, const char* refusal,
-                                           GLenum target, GLenum pname, void* out, convert::Number type) {
+/// What answers the queries of a family, and their pnames.
+struct AnswerFamily {
+    void (*answer)(Context& context, GLenum target, GLenum pname, Params& out);
+    const ShapeRow* rows;
+};
+template <class F, const auto& rows> inline constexpr AnswerFamily answers_of{F::run, rows};
+
+[[gnu::noinline]] inline void fetch_values(GLenum target, GLenum pname, void* out, convert::Number type,
+                                           const AnswerFamily& family, const char* refusal,
+                                           const char* null_text) {
+    if (out == nullptr)
+        return refuse_null(null_text);
     Params found;
     if (Context* context = outside_begin_end(refusal); context != nullptr)
-        answer(*context, target, pname, found);
-    convert::store(find_shape(rows, pname), found, out, type);
+        family.answer(*context, target, pname, found);
+    convert::store(find_shape(family.rows, pname), found, out, type);
 }
 
 template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLenum pname, void* out, convert::Number type,
                                     const char* null_text) {
     static_assert(F::listing == Listing::never && !F::inside);
-    if (out == nullptr)
-        return refuse_null(null_text);
-    fetch_values(F::run, rows, F::refusal, target, pname, out, type);
+    fetch_values(target, pname, out, type, answers_of<F, rows>, F::refusal, null_text);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLint level, GLenum pname, void* out, convert::Number type,
