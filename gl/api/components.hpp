@@ -22,27 +22,25 @@ template <class... A> constexpr std::size_t count_reals(void (*)(Context&, A...)
 
 template <class F>
 [[gnu::noinline]] void issue_components(const void* v, convert::Components kind, const char* null_text) {
-    Real out[convert::most_components];
-    if (convert::load(v, kind, null_text, out))
-        issue_first<F>(out, std::make_index_sequence<count_reals(F::run)>{});
+    if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
+        issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{});
 }
 template <class F>
 [[gnu::noinline]] void issue_components(GLenum target, const void* v, convert::Components kind,
                                         const char* null_text) {
-    Real out[convert::most_components];
-    if (convert::load(v, kind, null_text, out))
-        issue_first<F>(out, std::make_index_sequence<count_reals(F::run)>{}, target);
+    if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
+        issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{}, target);
 }
 
 /// Families of the same signature share this.
 template <class... A>
 [[gnu::noinline]] void issue_loaded(const Command<A...>& command, const void* v, convert::Components kind,
                                     const char* null_text) {
-    Real out[convert::most_components];
-    if (!convert::load(v, kind, null_text, out))
+    const convert::Loaded loaded = convert::load(v, kind, null_text);
+    if (loaded.null)
         return;
     const auto issue_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        issue_command(command, out[I]...);
+        issue_command(command, loaded.at[I]...);
     };
     issue_all(std::index_sequence_for<A...>{});
 }

@@ -91,16 +91,18 @@ Real component(Element type, const void* v, std::size_t i) {
 
 } // namespace
 
-bool load(const void* v, Components kind, const char* null_text, Real (&out)[most_components]) {
+Loaded load(const void* v, Components kind, const char* null_text) {
+    Loaded out;
     if (v == nullptr) {
         refuse_null(null_text);
-        return false;
+        out.null = true;
+        return out;
     }
     for (std::size_t i = 0; i < most_components; ++i)
-        out[i] = i < (kind & 7u) ? component(static_cast<Element>(kind >> 3), v, i)
-                 : i == 3        ? numeric::one
-                                 : numeric::zero;
-    return true;
+        out.at[i] = i < (kind & 7u) ? component(static_cast<Element>(kind >> 3), v, i)
+                    : i == 3        ? numeric::one
+                                    : numeric::zero;
+    return out;
 }
 
 Matrix16 matrix(const void* m, Element kind) {

@@ -69,8 +69,12 @@ constexpr Components components(Element element, unsigned count) {
     return static_cast<Components>(static_cast<unsigned>(element) << 3 | count);
 }
 
-/// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and false.
-bool load(const void* v, Components kind, const char* null_text, Real (&out)[most_components]);
+/// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and null.
+struct Loaded {
+    Real at[most_components];
+    bool null = false;
+};
+Loaded load(const void* v, Components kind, const char* null_text);
 
 template <Element kind, class T> [[gnu::noinline]] Matrix16 matrix(const T* m) {
     Matrix16 out;
