@@ -77,33 +77,31 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
 /// Where l = r, b = t or n = f GL reports INVALID_VALUE before it comes here; the result is then some large
 /// matrix.
 constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    const Block l = to_block(left), r = to_block(right), b = to_block(bottom), t = to_block(top),
-                n = to_block(near), f = to_block(far);
-    const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
-    const Block near2 = mul(n, to_block(from_i32(2)));
+    const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
+    const Block near2 = mul(to_block(near), to_block(from_i32(2)));
     Matrix m = identity();
-    m.set(0, 0, to_element(div(near2, width)));
-    m.set(1, 1, to_element(div(near2, height)));
-    m.set(0, 2, to_element(div(add(r, l), width)));
-    m.set(1, 2, to_element(div(add(t, b), height)));
-    m.set(2, 2, to_element(negate(div(add(f, n), depth))));
+    for (int i = 0; i < 3; ++i) {
+        const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
+        const Block middle = div(add(to, from), size);
+        m.set(i, 2, to_element(i == 2 ? negate(middle) : middle));
+        const Block scale = div(i == 2 ? mul(near2, to) : near2, size);
+        m.set(i, i == 2 ? 3 : i, to_element(i == 2 ? negate(scale) : scale));
+    }
     m.set(3, 2, to_element(-one));
     m.set(3, 3, Element{});
-    m.set(2, 3, to_element(negate(div(mul(near2, f), depth))));
     return m;
 }
 
 constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    const Block l = to_block(left), r = to_block(right), b = to_block(bottom), t = to_block(top),
-                n = to_block(near), f = to_block(far), two = to_block(from_i32(2));
-    const Block width = sub(r, l), height = sub(t, b), depth = sub(f, n);
+    const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
+    const Block two = to_block(from_i32(2));
     Matrix m = identity();
-    m.set(0, 0, to_element(div(two, width)));
-    m.set(1, 1, to_element(div(two, height)));
-    m.set(2, 2, to_element(negate(div(two, depth))));
-    m.set(0, 3, to_element(negate(div(add(r, l), width))));
-    m.set(1, 3, to_element(negate(div(add(t, b), height))));
-    m.set(2, 3, to_element(negate(div(add(f, n), depth))));
+    for (int i = 0; i < 3; ++i) {
+        const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
+        const Block scale = div(two, size);
+        m.set(i, i, to_element(i == 2 ? negate(scale) : scale));
+        m.set(i, 3, to_element(negate(div(add(to, from), size))));
+    }
     return m;
 }
 
