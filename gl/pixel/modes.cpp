@@ -80,54 +80,26 @@ void Hint(Context& context, GLenum target, GLenum mode) {
 }
 
 void PixelStore(Context& context, GLenum pname, const Params& params) {
-    if (params.count == 0)
+    static constexpr GLint gl::PixelStore::*numbers[] = {
+        &gl::PixelStore::row_length, &gl::PixelStore::skip_rows,    &gl::PixelStore::skip_pixels,
+        &gl::PixelStore::alignment,  &gl::PixelStore::image_height, &gl::PixelStore::skip_images};
+    const bool later = pname >= GL_PACK_SKIP_IMAGES; // the order of their tokens
+    const bool pack = later ? pname <= GL_PACK_IMAGE_HEIGHT : pname >= GL_PACK_SWAP_BYTES;
+    const GLenum first = later ? GL_PACK_SKIP_IMAGES : pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
+    const GLenum place = pname - first;
+    if (params.count == 0 || place > (later ? 3u : 5u))
         return error(context, GL_INVALID_ENUM);
-    const bool pack = pname == GL_PACK_IMAGE_HEIGHT || pname == GL_PACK_SKIP_IMAGES ||
-                      (pname >= GL_PACK_SWAP_BYTES && pname <= GL_PACK_ALIGNMENT);
+    const GLenum index = later ? 7 - (place & 1) : place;
     gl::PixelStore& store = pack ? context.pixel_store.pack : context.pixel_store.unpack;
-    const GLint value = params.v[0].integer();
-    GLint* number = nullptr;
-    switch (pname) {
-    case GL_UNPACK_SWAP_BYTES:
-    case GL_PACK_SWAP_BYTES:
-        store.swap_bytes = numeric::to_bool(params.v[0].real());
+    if (index < 2) {
+        (index == 0 ? store.swap_bytes : store.lsb_first) = numeric::to_bool(params.v[0].real());
         return;
-    case GL_UNPACK_LSB_FIRST:
-    case GL_PACK_LSB_FIRST:
-        store.lsb_first = numeric::to_bool(params.v[0].real());
-        return;
-    case GL_UNPACK_ALIGNMENT:
-    case GL_PACK_ALIGNMENT:
-        if (value != 1 && value != 2 && value != 4 && value != 8)
-            return error(context, GL_INVALID_VALUE);
-        store.alignment = value;
-        return;
-    case GL_UNPACK_ROW_LENGTH:
-    case GL_PACK_ROW_LENGTH:
-        number = &store.row_length;
-        break;
-    case GL_UNPACK_SKIP_ROWS:
-    case GL_PACK_SKIP_ROWS:
-        number = &store.skip_rows;
-        break;
-    case GL_UNPACK_SKIP_PIXELS:
-    case GL_PACK_SKIP_PIXELS:
-        number = &store.skip_pixels;
-        break;
-    case GL_UNPACK_IMAGE_HEIGHT:
-    case GL_PACK_IMAGE_HEIGHT:
-        number = &store.image_height;
-        break;
-    case GL_UNPACK_SKIP_IMAGES:
-    case GL_PACK_SKIP_IMAGES:
-        number = &store.skip_images;
-        break;
-    default:
-        return error(context, GL_INVALID_ENUM);
     }
-    if (value < 0)
+    const GLint value = params.v[0].integer();
+    const bool is_alignment = index == GL_PACK_ALIGNMENT - GL_PACK_SWAP_BYTES;
+    if (is_alignment ? value != 1 && value != 2 && value != 4 && value != 8 : value < 0)
         return error(context, GL_INVALID_VALUE);
-    *number = value;
+    store.*numbers[index - 2] = value;
 }
 
 // Every command has reached the surface when it returns. A window with a back buffer shows it at SwapBuffers,
