@@ -9,11 +9,13 @@ namespace spangle::gl {
 inline constexpr GLenum first_palette_format = GL_PALETTE4_RGB8_OES;
 inline constexpr unsigned palette_formats = 10, compressed_formats = palette_formats + 1;
 
+// False of every image in a build without these.
 constexpr bool is_palette(GLenum internal_format) {
-    return internal_format - first_palette_format < palette_formats;
+    return SPANGLE_FEATURE_COMPRESSED_TEXTURES && internal_format - first_palette_format < palette_formats;
 }
 constexpr bool is_compressed(GLenum internal_format) {
-    return is_palette(internal_format) || internal_format == GL_ETC1_RGB8_OES;
+    return SPANGLE_FEATURE_COMPRESSED_TEXTURES &&
+           (is_palette(internal_format) || internal_format == GL_ETC1_RGB8_OES);
 }
 /// Of the entries.
 constexpr raster::TexelFormat palette_format_of(GLenum internal_format) {

@@ -142,10 +142,6 @@ BaseFormat base_format_of(TexelFormat format, GLenum internal_format) {
     }
 }
 
-bool is_depth(TexelFormat format) {
-    return format == TexelFormat::z16 || format == TexelFormat::z24;
-}
-
 unsigned texel_size(TexelFormat format) {
     return static_cast<unsigned>(raster::texel_bytes(raster::sampled(format)));
 }

@@ -18,7 +18,11 @@ bool texel_format_of(GLint& internal_format, PixelFormat surface, raster::TexelF
 /// Of the table above and of CompressedTexImage.
 raster::BaseFormat base_format_of(raster::TexelFormat format, GLenum internal_format);
 
-bool is_depth(raster::TexelFormat format);
+/// False of every image in a build without these.
+constexpr bool is_depth(raster::TexelFormat format) {
+    return SPANGLE_FEATURE_DEPTH_TEXTURES &&
+           (format == raster::TexelFormat::z16 || format == raster::TexelFormat::z24);
+}
 
 unsigned texel_size(raster::TexelFormat format);
 
