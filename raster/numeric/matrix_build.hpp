@@ -120,6 +120,10 @@ constexpr Block determinant2(Block a, Block b, Block c, Block d) {
                     : make_block(shift_right_round(p * 4, eq - ep) - q * 4, eq - 2);
 }
 
+constexpr int next_axis(int i) {
+    return i == 2 ? 0 : i + 1;
+}
+
 /// Of three each.
 constexpr Block dot(const Block* a, const Block* b) {
     return add(add(mul(a[0], b[0]), mul(a[1], b[1])), mul(a[2], b[2]));
@@ -144,7 +148,8 @@ constexpr NormalMatrix inverse_transpose(const Matrix& a) {
     NormalMatrix r;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) { // cofactor of (i, j): cyclic indices carry the sign
-            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const int i1 = detail::next_axis(i), i2 = detail::next_axis(i1), j1 = detail::next_axis(j),
+                      j2 = detail::next_axis(j1);
             r.at[3 * j + i] =
                 detail::determinant2(v[3 * j1 + i1], v[3 * j2 + i1], v[3 * j1 + i2], v[3 * j2 + i2]);
         }
