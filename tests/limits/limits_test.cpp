@@ -373,5 +373,44 @@ TEST_F(Limits, BlendedAndDitheredPictureIsTheSame) {
     EXPECT_EQ(hash(), 853212545u);
 }
 
+#if !SPANGLE_FEATURE_COLOR_INDEX && !SPANGLE_FEATURE_POLYGON_OFFSET
+/// Whether a name of a system that was left out is refused as one that is known.
+TEST_F(Limits, NamesOfALeftOutSystemAreKnownWhereTheyBelong) {
+    GLint value[16] = {};
+    void* pointer = nullptr;
+    const auto get = [&](GLenum name) {
+        glGetIntegerv(name, value);
+        return glGetError();
+    };
+    const auto get_pointer = [&](GLenum name) {
+        glGetPointerv(name, &pointer);
+        return glGetError();
+    };
+    const auto enable = [](GLenum name) {
+        glEnable(name);
+        return glGetError();
+    };
+    const auto is_enabled = [](GLenum name) {
+        EXPECT_FALSE(glIsEnabled(name));
+        return glGetError();
+    };
+    const GLenum known = GL_INVALID_OPERATION, unknown = GL_INVALID_ENUM;
+    EXPECT_EQ(get(GL_CURRENT_INDEX), known);
+    EXPECT_EQ(get(GL_INDEX_ARRAY), known);
+    EXPECT_EQ(get(GL_POLYGON_OFFSET_FILL), known);
+    EXPECT_EQ(get(GL_INDEX_ARRAY_POINTER), unknown);
+    EXPECT_EQ(get_pointer(GL_INDEX_ARRAY_POINTER), known);
+    EXPECT_EQ(get_pointer(GL_CURRENT_INDEX), unknown);
+    EXPECT_EQ(is_enabled(GL_INDEX_ARRAY), known);
+    EXPECT_EQ(is_enabled(GL_POLYGON_OFFSET_FILL), known);
+    EXPECT_EQ(is_enabled(GL_CURRENT_INDEX), unknown);
+    EXPECT_EQ(enable(GL_POLYGON_OFFSET_FILL), known);
+    EXPECT_EQ(enable(GL_INDEX_ARRAY), unknown);
+    EXPECT_EQ(enable(GL_CURRENT_INDEX), unknown);
+    glIndexi(1);
+    EXPECT_EQ(glGetError(), known);
+}
+#endif
+
 } // namespace
 } // namespace spangle::test

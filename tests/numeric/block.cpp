@@ -1,7 +1,9 @@
 // Block form, matrices and transforms against double and long double.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "raster/numeric/matrix_build.hpp"
 #include "tests/numeric/random.hpp"
@@ -53,6 +55,22 @@ TEST(Block, HoldsEveryFloatExactly) {
     }
     for (std::uint32_t b : {0u, 1u, 0x80000001u, 0x7FFFFFu, 0x800000u, 0x7F7FFFFFu, 0xFF7FFFFFu})
         EXPECT_EQ(to_real(to_element(Real{b})).bits, b) << std::hex << b;
+}
+
+/// To nearest, halves up, held back at the ends: where one word is what is left, too.
+TEST(Block, ShiftsRoundToNearest) {
+    std::mt19937_64 random(11);
+    for (int i = 0; i < 1000000; ++i) {
+        const int n = 1 + static_cast<int>(random() % 40);
+        const int bits = n + 30 < 62 ? n + 30 : 62; // of the value: what is left has 31 at most, and a sign
+        const std::int64_t v = static_cast<std::int64_t>(random()) >> (63 - bits),
+                           half = std::int64_t{1} << (n - 1);
+        const std::int64_t nearest = (v + half) >> n;
+        if (nearest > INT32_MAX || nearest < INT32_MIN)
+            continue;
+        ASSERT_EQ(detail::shift_to_block(v, n), std::clamp<std::int64_t>(nearest, -block_max, block_max))
+            << v << ' ' << n;
+    }
 }
 
 TEST(Block, VectorsKeepTheirLargestComponentWhole) {

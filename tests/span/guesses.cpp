@@ -109,6 +109,22 @@ TEST(Guesses, HoldTheDividedColour) {
     hold_the_divided_colour(true);
 }
 
+/// Whatever a doubt may reach of the next step is open, nothing else is; a whole step or more: all.
+TEST(Guesses, DoubtsOpenWhatTheyReach) {
+    RandomVertices source(80);
+    for (int i = 0; i < 100000; ++i) {
+        const std::uint32_t most = 1 + (source.word() >> (1 + source.below(31))), v = source.word();
+        Span<Fixed>::Guess guess{};
+        guess.doubt(most);
+        const auto reaches = [&](int bits) {
+            const std::uint64_t step = std::uint64_t{1} << (32 - bits);
+            return v % step + most >= step;
+        };
+        ASSERT_EQ(v << 5 >= guess.open5, reaches(5)) << v << ' ' << most;
+        ASSERT_EQ(v << 6 >= guess.open6, reaches(6)) << v << ' ' << most;
+    }
+}
+
 TEST(Guesses, PicturesAreThoseOfDivisions) {
     for (std::size_t i = 0; i < fused_span_count(); ++i) {
         const FusedSpan& fused = fused_spans()[i];
