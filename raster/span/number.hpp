@@ -149,10 +149,17 @@ struct Exact {
     }
 
   private:
-    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits): both words of a product with 4 bits less.
+    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits).
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
-        constexpr int component = Bits == 5 ? 0 : 1;
-        return (color_in_steps(v, component) << 4) + (v * exact_steps.of(component) >> 28);
+        if constexpr (Bits == 5 || Bits == 6) { // both words of a product with 4 bits less
+            constexpr int component = Bits == 5 ? 0 : 1;
+            return (color_in_steps(v, component) << 4) + (v * exact_steps.of(component) >> 28);
+        }
+        constexpr std::uint64_t factor =
+            ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
+        // v factor / 2^32; of two products, not of the shifts that a compiler finds for 64 bits
+        return v * static_cast<std::uint32_t>(factor >> 32) +
+               numeric::mul_high_u32(v, static_cast<std::uint32_t>(factor));
     }
     static constexpr ColorSteps<32> steps5{};
     static constexpr ColorSteps<64> steps6{};

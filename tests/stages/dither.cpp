@@ -83,7 +83,7 @@ TEST(Dither, DependsOnThePlaceAlone) {
 }
 
 /// Smooth shading, large and small triangles, in both tiers: what doubles give, but where a colour lies on a
-/// step's threshold.
+/// step's threshold; the balanced tier counts in steps of which the last is a 290th of one too large.
 TEST(Dither, SmoothColorsAreThoseOfDoubles) {
     for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
         for (const Tier tier : {Tier::exact, Tier::balanced})
@@ -104,7 +104,8 @@ TEST(Dither, SmoothColorsAreThoseOfDoubles) {
                 quad<DoubleVertex>(state, exact, corner);
                 const Difference d = difference(fixed, exact);
                 EXPECT_LE(d.largest, 1) << size;
-                EXPECT_LE(d.pixels, 2) << size;
+                EXPECT_LE(d.pixels, tier == Tier::exact ? 2 : 2 + static_cast<int>(size * size / 200))
+                    << size;
             }
 }
 
