@@ -13,6 +13,8 @@
 #include <xf86drm.h>
 #include <xf86drmMode.h>
 
+#include "tests/hal_kernel/files.hpp"
+
 namespace kernel_test {
 namespace {
 
@@ -29,7 +31,12 @@ using Connector = std::unique_ptr<drmModeConnector, Release<drmModeFreeConnector
 
 } // namespace
 
-DrmCard::DrmCard(const char* path, unsigned bits) : file_(open(path, O_RDWR | O_CLOEXEC)), bits_(bits) {
+/// The kernel makes the node a moment before there is a card behind it.
+DrmCard::DrmCard(const char* path, unsigned bits) : bits_(bits) {
+    await("open the card", [&] {
+        file_ = open(path, O_RDWR | O_CLOEXEC);
+        return file_ >= 0 || errno != ENODEV;
+    });
     demand(file_ >= 0, path);
     set_mode();
 }

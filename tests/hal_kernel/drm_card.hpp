@@ -25,7 +25,7 @@ class DrmCard {
     void flush(spangle::Rect area);
 
   private:
-    int file_;
+    int file_ = -1;
     unsigned bits_;
     int width_ = 0, height_ = 0;
     std::uint32_t handle_ = 0, pitch_ = 0, framebuffer_ = 0;

@@ -145,6 +145,21 @@ void Gadget::serve_control() {
     }
 }
 
+/// The host is done with a transfer when the last packet is with the controller, and its next request may be
+/// read before that packet: whatever came before a request is the function's first. A thread that sleeps in
+/// read() has none; one that was woken does not sleep.
+void Gadget::await_packets() const {
+    const auto settled = [&] {
+        const Hand hand = hand_;
+        if (hand != Hand::reads)
+            return hand == Hand::empty;
+        const std::string status = read_text("/proc/self/task/" + std::to_string(reader_) + "/stat");
+        return status[status.rfind(')') + 2] == 'S' && hand_ == Hand::reads;
+    };
+    while (plugged_ && !settled())
+        std::this_thread::yield();
+}
+
 /// A transfer in the wrong direction is a STALL; once the data of a request were read it is too late for
 /// that.
 void Gadget::answer(const usb_functionfs_event& event) {
@@ -152,6 +167,7 @@ void Gadget::answer(const usb_functionfs_event& event) {
     const spangle::sim::UsbSetup setup = {s.bRequestType, s.bRequest, s.wValue, s.wIndex, s.wLength};
     Bytes bytes(setup.length), in;
     const bool to_host = (setup.type & 0x80) != 0;
+    await_packets();
     if (!to_host && read(control_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
         return;
     const std::lock_guard lock(mutex_);
@@ -166,22 +182,34 @@ void Gadget::answer(const usb_functionfs_event& event) {
 
 /// Packet by packet: how long a transfer is only the function knows.
 void Gadget::serve_pipe() {
+    reader_ = gettid();
+    halted_ = false;
     while (plugged_) {
         if (!behave()) {
             std::this_thread::sleep_for(moment);
             continue;
         }
         std::uint8_t packet[packet_bytes];
+        hand_ = Hand::reads;
         const ssize_t count = read(pipe_, packet, sizeof packet);
-        if (count <= 0) { // not configured, or gone
+        hand_ = count > 0 ? Hand::full : Hand::empty;
+        if (count > 0)
+            take(packet, static_cast<std::size_t>(count));
+        else // not configured, or gone
             std::this_thread::sleep_for(moment);
-            continue;
-        }
-        const std::lock_guard lock(mutex_);
-        until_fate_ -= std::min(until_fate_, static_cast<std::size_t>(count));
-        if (!function_.bulk_out(1, packet, static_cast<std::size_t>(count)))
-            (void)!write(pipe_, packet, 1); // halts it
+        hand_ = Hand::empty;
     }
+}
+
+/// Nobody tells when the host clears a halt; a packet comes only after that.
+void Gadget::take(const std::uint8_t* packet, std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    if (halted_)
+        function_.clear_halt();
+    until_fate_ -= std::min(until_fate_, count);
+    halted_ = !function_.bulk_out(1, packet, count);
+    if (halted_)
+        (void)!write(pipe_, packet, 1); // halts it
 }
 
 /// False: reads nothing now.

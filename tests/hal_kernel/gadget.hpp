@@ -4,6 +4,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <thread>
 
@@ -40,12 +42,18 @@ class Gadget {
     std::size_t until_fate_ = 0;
     int control_ = -1, pipe_ = -1; ///< ep0, ep1
     std::atomic<bool> plugged_ = false;
+    enum class Hand { empty, reads, full }; ///< what the pipe's thread has
+    std::atomic<Hand> hand_ = Hand::empty;
+    std::atomic<int> reader_ = 0; ///< that thread, as the kernel numbers it
+    bool halted_ = false;         ///< the function refused a packet, and none came since
     std::thread control_thread_, pipe_thread_;
 
     void describe();
     void serve_control();
     void answer(const usb_functionfs_event& event);
     void serve_pipe();
+    void take(const std::uint8_t* packet, std::size_t count);
+    void await_packets() const;
     bool behave();
     void leave();
 };
