@@ -73,8 +73,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     chain.add<Store>();
 }
 
-/// The stages one after the other.
-void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
+/// The stages one after the other, in builds with a chain.
+[[maybe_unused]] void assemble_chain(Variant& variant, const Key& key, const FragmentState& state) {
     switch (key.number) {
     case Number::raw565:
         if (has_format(PixelFormat::rgb565_be) && drawn(key.format) == PixelFormat::rgb565_be)

@@ -251,7 +251,8 @@ void primitives() {
 /// Arrays whose components have a type that the build leaves out.
 void arrays() {
     static constexpr GLdouble nothing[4] = {};
-    for (const GLenum type : {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED}) {
+    for (const int name : {GL_BYTE, GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED}) {
+        const auto type = static_cast<GLenum>(name);
         said.clear();
         glVertexPointer(3, type, 0, nothing);
         check(gl::has_array_type(type) ? glGetError() == GL_NO_ERROR
