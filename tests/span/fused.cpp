@@ -180,6 +180,7 @@ TEST(Fused, WidePatchesAreTheirChain) {
             chain_canvas.noise(static_cast<std::uint32_t>(round));
             fused_canvas.noise(static_cast<std::uint32_t>(round));
             Triangle t = random_triangle(source, wide, high, key.kind);
+            const auto far = static_cast<std::int32_t>(source.below(0x7FC00000));
             for (int k = 0; k < 3; ++k) {
                 FixedVertex& v = t.v[k];
                 v.x = (k == 1 ? wide - 1 : 0) * 256 + static_cast<std::int32_t>(source.below(256));
@@ -187,6 +188,9 @@ TEST(Fused, WidePatchesAreTheirChain) {
                 v.z = source.below(1 << 20);
                 v.w_mantissa = 0xF0000000u + source.below(1u << 26);
                 v.w_exponent = t.v[0].w_exponent;
+                if (round % 3 == 0) // often far beyond where fog ends
+                    v.fog_mantissa = far + static_cast<std::int32_t>(source.below(1u << 20)),
+                    v.fog_exponent = -27;
                 v.tex[0].s = static_cast<std::int32_t>(source.below(1u << 26));
                 v.tex[0].t = static_cast<std::int32_t>(source.below(1u << 26));
             }
@@ -197,6 +201,46 @@ TEST(Fused, WidePatchesAreTheirChain) {
         }
     }
     EXPECT_GE(lit, 6);
+}
+
+/// So many repeats away that the high word of a coordinate does not say all: one in 4,000 fragments lies
+/// where the low one and what is added to it decide on the texel. Nearer than any fog.
+TEST(Fused, TexelsManyRepeatsAwayAreTheirChain) {
+    constexpr int wide = 128, high = 64;
+    int divided = 0;
+    for (std::size_t i = 0; i < fused_span_count(); ++i) {
+        const FusedSpan& fused = fused_spans()[i];
+        const Key& key = fused.key;
+        if (key.number != Number::exact || key.kind != Kind::full || key.unit[0].env != TexEnv::modulate)
+            continue;
+        ++divided;
+        const StateOfKey of(key, wide, high);
+        Canvas chain_canvas(wide, high, key.format, key.depth_format),
+            fused_canvas(wide, high, key.format, key.depth_format);
+        DrawState state = compile<FixedVertex>(of.state, chain_canvas.surface);
+        const DrawState chained = in_chain(state, key);
+        state.shapes = state.tiles = false;
+        state.variant[static_cast<unsigned>(Kind::full)].run = reinterpret_cast<AnyFunction>(fused.narrow);
+        RandomVertices source(37);
+        for (int round = 0; round < 24; ++round) {
+            chain_canvas.noise(static_cast<std::uint32_t>(round));
+            fused_canvas.noise(static_cast<std::uint32_t>(round));
+            Triangle t = random_triangle(source, wide, high, key.kind);
+            for (int k = 0; k < 3; ++k) {
+                FixedVertex& v = t.v[k];
+                v.x = (k == 1 ? wide - 1 : 0) * 256 + static_cast<std::int32_t>(source.below(256));
+                v.y = (k == 2 ? high - 1 : 0) * 256 + static_cast<std::int32_t>(source.below(256));
+                v.z = source.below(1 << 20);
+                v.w_exponent = -32;
+                v.fog_mantissa = 0;
+                v.tex[0].exponent = -18;
+            }
+            draw(chained, chain_canvas.surface, t);
+            draw(state, fused_canvas.surface, t);
+            ASSERT_EQ(chain_canvas.color, fused_canvas.color) << i << " round " << round;
+        }
+    }
+    EXPECT_GE(divided, 4);
 }
 
 TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {
