@@ -141,20 +141,20 @@ struct Exact {
     /// floor(v (2^Bits - 1) + t), t given in 32nds, odd: exact steps stay (GL 1.3, 4.1.8).
     template <unsigned Bits> SPANGLE_INLINE static L::U16 dithered(T v, L::U16 threshold32) {
         // The threshold is at most 31/32 of a step, so nothing wraps.
-        return (steps<Bits>(v) + (threshold32 << (27 - Bits))) >> (32 - Bits);
+        return (steps<Bits>(v) + (threshold32 << (steps_word<Bits> - 5 - Bits))) >> (steps_word<Bits> - Bits);
     }
     /// v (2^Bits - 1) in whole 32nds.
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps32(T v) {
-        return steps<Bits>(v) >> (27 - Bits);
+        return steps<Bits>(v) >> (steps_word<Bits> - 5 - Bits);
     }
 
   private:
-    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(32 - Bits).
+    /// Of steps and their fractions.
+    template <unsigned Bits> static constexpr unsigned steps_word = Bits == 5 || Bits == 6 ? 28 : 32;
+    /// v (2^Bits - 1), up to 2^Bits - 1 steps of 2^(steps_word - Bits).
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t steps(T v) {
-        if constexpr (Bits == 5 || Bits == 6) { // both words of a product with 4 bits less
-            constexpr int component = Bits == 5 ? 0 : 1;
-            return (color_in_steps(v, component) << 4) + (v * exact_steps.of(component) >> 28);
-        }
+        if constexpr (Bits == 5 || Bits == 6)
+            return color_in_steps(v, Bits == 5 ? 0 : 1);
         constexpr std::uint64_t factor =
             ((((std::uint64_t{1} << Bits) - 1) << (64 - Bits - color_fraction_bits)) + 254) / 255;
         // v factor / 2^32; of two products, not of the shifts that a compiler finds for 64 bits

@@ -1,6 +1,7 @@
 // Smooth colours that are dithered: counted in steps by set-up, and stored with one sum.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -66,16 +67,23 @@ TEST(Dithered, NearAndGuessedSteps) {
 
 /// In 27 and 26 bits: the whole product, less what is below them.
 TEST(Dithered, StepsOfTheExactTier) {
-    std::mt19937 random(9);
-    for (int i = 0; i < 1000000; ++i) {
-        const std::uint32_t c = i == 0 ? color_one : random() % (color_one + 1);
+    const auto expect_floor = [](std::uint32_t c) {
         const auto floor32 = [&](std::uint64_t levels, int up) {
             const std::uint64_t factor = ((levels << up) + 254) / 255; // 36 bits
             return static_cast<std::uint32_t>(c * factor >> 32);
         };
         ASSERT_EQ(Exact::steps32<5>(c), floor32(31, 39) >> 22) << c;
         ASSERT_EQ(Exact::steps32<6>(c), floor32(63, 38) >> 21) << c;
-    }
+    };
+    std::mt19937 random(9);
+    for (int i = 0; i < 1000000; ++i)
+        ASSERT_NO_FATAL_FAILURE(expect_floor(random() % (color_one + 1)));
+    for (const std::uint32_t levels : {31 * 32, 63 * 32}) // where a 32nd of a step begins
+        for (std::uint32_t n = 0; n <= levels; ++n) {
+            const auto c = static_cast<std::uint32_t>(std::uint64_t{color_one} * n / levels);
+            for (const std::uint32_t near : {c - (n != 0), c, c + 1})
+                ASSERT_NO_FATAL_FAILURE(expect_floor(std::min(near, color_one)));
+        }
 }
 
 TEST(Dithered, DifferencesTakeNoMoreBits) {
