@@ -3,6 +3,7 @@
 #include <new>
 
 #include "gl/context/hooks.hpp"
+#include "gl/context/initial.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
 #include "gl/vertex/engine.hpp"
@@ -71,7 +72,7 @@ Context* create_context(Arena& arena, const ContextConfig& config, Context* shar
         arena.free(group_memory);
         return nullptr;
     }
-    auto* const context = new (memory) Context(); // zeroed first: what begins as 0 takes no code
+    Context* const context = begin_context(memory);
     context->arena = &arena;
     context->tier = config.tier;
     context->engine = config.engine;

@@ -46,7 +46,7 @@ class NameTable {
 
     Entry* entries_ = nullptr;
     std::uint32_t capacity_ = 0, count_ = 0;
-    unsigned shift_ = 31; ///< 32 - log2(capacity)
+    unsigned shift_ = 0; ///< 32 - log2(capacity), where there is one
 };
 
 } // namespace spangle::gl

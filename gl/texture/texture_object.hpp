@@ -109,7 +109,7 @@ struct TextureObject {
     mutable bool view_valid = false, complete = false;
     mutable raster::Texture view;
 
-    explicit TextureObject(TextureKind k = TextureKind::two) : kind(k) {}
+    constexpr explicit TextureObject(TextureKind k = TextureKind::two) : kind(k) {}
     LevelImage*& image(unsigned face, GLint l);
     const LevelImage* image(unsigned face, GLint l) const {
         return const_cast<TextureObject*>(this)->image(face, l);

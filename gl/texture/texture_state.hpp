@@ -28,7 +28,7 @@ struct TexEnvState {
 
 struct TextureUnitState {
 #if SPANGLE_FEATURE_TEXGEN
-    TextureUnitState() {
+    constexpr TextureUnitState() {
         for (int c = 0; c < 2; ++c)
             gen[c].object_plane[c] = gen[c].eye_plane[c] = numeric::one;
     }

@@ -12,7 +12,7 @@ struct BufferObject;
 
 struct ClientArray {
     /// Not in line: there are many.
-    [[gnu::noinline]] explicit ClientArray(GLint components = 4, GLenum component = GL_FLOAT)
+    [[gnu::noinline]] constexpr explicit ClientArray(GLint components = 4, GLenum component = GL_FLOAT)
         : size(components), type(component) {}
 
     bool enabled = false;

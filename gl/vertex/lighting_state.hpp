@@ -27,7 +27,7 @@ struct Material {
 
 #if SPANGLE_FEATURE_LIGHTING
 struct LightingState {
-    LightingState() {
+    constexpr LightingState() {
         for (int c = 0; c < 3; ++c)
             light[0].diffuse[c] = light[0].specular[c] = numeric::one;
     }

@@ -1,0 +1,12 @@
+// What a context begins as (GL 1.3, tables 6.5 to 6.33).
+#pragma once
+
+#include "gl/context/context.hpp"
+
+namespace spangle::gl {
+
+/// Makes a context in memory of that size. Entries of matrix stacks above their top are written before they
+/// are read.
+Context* begin_context(void* memory);
+
+} // namespace spangle::gl
