@@ -414,6 +414,12 @@ template <class M, class L> class Pipeline {
         const Vertex& vertex;
         const Window& window; ///< of the side that is seen
     };
+    /// Corners of a polygon, likewise; without windows of their own it is the front.
+    struct Seen {
+        Vertex* const* corners;
+        const Window* back = nullptr;
+        const Window& operator()(int i) const { return back != nullptr ? back[i] : corners[i]->window; }
+    };
 
     // pipeline_vertex.hpp
     [[gnu::noinline]] void process(Vertex& v) const;
@@ -526,18 +532,14 @@ template <class M, class L> class Pipeline {
     /// `part` has room for n; `whole` has the sign of the polygon before it was cut, or is 0.
     void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
                  std::int64_t whole = 0);
-    template <class At>
-    SPANGLE_INLINE void draw(At at, Vertex* const* corners, int n, const Window& provoking, int side,
+    SPANGLE_INLINE void draw(const Seen& at, int n, const Window& provoking, int side,
                              const std::int64_t* part);
-    template <class At>
-    [[gnu::noinline]] void fill_whole(At at, int n, const Window& provoking, const std::int64_t* part);
+    [[gnu::noinline]] void fill_whole(const Seen& at, int n, const Window& provoking,
+                                      const std::int64_t* part);
     [[gnu::noinline]] void fill_corners(const Window* const* corner, int n, const Window& provoking,
                                         const std::int64_t* part);
-    template <class At>
-    [[gnu::noinline]] void set_offset(At at, int n, GLenum mode, const std::int64_t* part);
-    template <class At>
-    [[gnu::noinline]] void outline(At at, Vertex* const* corners, int n, const Window& provoking,
-                                   GLenum mode);
+    [[gnu::noinline]] void set_offset(const Seen& at, int n, GLenum mode, const std::int64_t* part);
+    [[gnu::noinline]] void outline(const Seen& at, int n, const Window& provoking, GLenum mode);
     [[gnu::noinline]] void draw_back(Vertex* const* corners, int n, const Vertex& provoking,
                                      const std::int64_t* part);
 

@@ -267,24 +267,22 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
     for (int i = 0; i < n && !flat_; ++i)
         color(*corners[i]);
     color(provoking);
-    draw([corners](int i) -> Window& { return corners[i]->window; }, corners, n, provoking.window,
-         ccw == front_is_ccw_ ? 0 : 1, part);
+    draw({corners}, n, provoking.window, ccw == front_is_ccw_ ? 0 : 1, part);
 }
 
 /// The polygon as the mode of its side says. at(i): the window vertex of corner i, coloured.
 template <class M, class L>
-template <class At>
-SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, const Window& provoking,
-                                         int side, const std::int64_t* part) {
+SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& provoking, int side,
+                                         const std::int64_t* part) {
     if (offsets() && !captures())
         set_offset(at, n, face_mode_[side], part);
     if (outlined() && face_mode_[side] != GL_FILL)
-        return outline(at, corners, n, provoking, face_mode_[side]);
+        return outline(at, n, provoking, face_mode_[side]);
     if (captures())
         return capture(
             GL_POLYGON_TOKEN,
             [&](int i) {
-                return Corner{*corners[i], flat_ ? provoking : at(i)};
+                return Corner{*at.corners[i], flat_ ? provoking : at(i)};
             },
             n);
     if (fills_whole())
@@ -296,8 +294,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(At at, Vertex* const* corners, int n, c
 }
 
 template <class M, class L>
-template <class At>
-void Pipeline<M, L>::fill_whole(At at, int n, const Window& provoking, const std::int64_t* part) {
+void Pipeline<M, L>::fill_whole(const Seen& at, int n, const Window& provoking, const std::int64_t* part) {
     const Window* some[clip_vertices];
     const Window** corner = some;
 #if SPANGLE_GATHERS_POLYGONS
@@ -330,8 +327,7 @@ void Pipeline<M, L>::fill_corners(const Window* const* corner, int n, const Wind
 
 /// What all fragments of a polygon get, that of its largest part where it is not flat.
 template <class M, class L>
-template <class At>
-void Pipeline<M, L>::set_offset(At at, int n, GLenum mode, const std::int64_t* part) {
+void Pipeline<M, L>::set_offset(const Seen& at, int n, GLenum mode, const std::int64_t* part) {
     const PolygonState& polygon = context_->polygon;
     raster::PrimitiveState& out = context_->fragments.primitive;
     const bool on = mode == GL_FILL   ? polygon.offset_fill
@@ -350,8 +346,8 @@ void Pipeline<M, L>::set_offset(At at, int n, GLenum mode, const std::int64_t* p
 
 /// Boundary edges as lines, or the vertices that start them as points (GL 1.3, 3.5.4).
 template <class M, class L>
-template <class At>
-void Pipeline<M, L>::outline(At at, Vertex* const* corners, int n, const Window& provoking, GLenum mode) {
+void Pipeline<M, L>::outline(const Seen& at, int n, const Window& provoking, GLenum mode) {
+    Vertex* const* const corners = at.corners;
     stipple_starts_ = stipple_starts_ || mode_ != GL_POLYGON; // those come in parts
     context_->fragments.primitive.stippled = false;
     for (int i = 0; i < n; ++i) {
@@ -380,14 +376,14 @@ void Pipeline<M, L>::draw_back(Vertex* const* corners, int n, const Vertex& prov
     if (has_gathered()) { // nobody else has these
         for (int i = 0; i < n; ++i)
             back_of(*corners[i], corners[i]->window);
-        return draw([corners](int i) -> Window& { return corners[i]->window; }, corners, n, flat, 1, part);
+        return draw({corners}, n, flat, 1, part);
     }
     Window back[clip_vertices];
     for (int i = 0; i < n; ++i) {
         back[i] = corners[i]->window;
         back_of(*corners[i], back[i]);
     }
-    draw([&back](int i) -> Window& { return back[i]; }, corners, n, flat, 1, part);
+    draw({corners, back}, n, flat, 1, part);
 }
 
 } // namespace spangle::gl
