@@ -72,16 +72,21 @@ struct Context {
     GLenum error_code = GL_NO_ERROR;
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
+    // Small chapters first: instructions of microcontrollers reach 4 KB.
+    Drawable drawable;
+    raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
+    const Engine* engine = nullptr;
+    void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes of it
+    Arena* arena = nullptr;
+    ShareGroup* share = nullptr;
+
     CurrentState current;
-    TransformState transform;
-    LightingState lighting;
-    ArraysState arrays;
-    ArrayBindings array_bindings;
     PolygonState polygon;
     FragmentOpsState fragment_ops;
     FogState fog;
+    ArraysState arrays;
+    ArrayBindings array_bindings;
     QueryState query;
-    TextureState texture;
     PixelStoreState pixel_store;
     PixelModeState pixel_mode;
     HintState hint;
@@ -89,14 +94,10 @@ struct Context {
     AttribState attrib;
     RenderState render;
     EvalState eval;
-
     FragmentCache fragments;
-    Drawable drawable;
-    raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
-    const Engine* engine = nullptr;
-    void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes of it
-    Arena* arena = nullptr;
-    ShareGroup* share = nullptr;
+    LightingState lighting;
+    TextureState texture;
+    TransformState transform;
 
     void changed(Dirty bits) { dirty = static_cast<std::uint8_t>(dirty | bits); }
     bool inside_begin_end() const { return (gate & gate_inside) != 0; }

@@ -8,15 +8,12 @@ namespace spangle::gl {
 
 /// A stack of matrices (GL 1.3, table 6.11).
 template <int Depth> struct MatrixStack {
-    numeric::Matrix entry[Depth];
     int top = 0;
+    numeric::Matrix entry[Depth];
 };
 
 struct TransformState {
     GLenum matrix_mode = GL_MODELVIEW;
-    MatrixStack<modelview_stack_entries> modelview;
-    MatrixStack<projection_stack_entries> projection;
-    MatrixStack<texture_stack_entries> texture[texture_units];
     GLint viewport[4] = {0, 0, 0, 0};
     Real depth_range[2] = {numeric::zero, numeric::one};
     bool normalize = false;
@@ -25,6 +22,9 @@ struct TransformState {
     bool clip_plane_on[max_clip_planes] = {};
     Real clip_plane[max_clip_planes][4] = {}; ///< in eye space
 #endif
+    MatrixStack<projection_stack_entries> projection;
+    MatrixStack<texture_stack_entries> texture[texture_units];
+    MatrixStack<modelview_stack_entries> modelview; ///< the longest last, as in Context
 };
 
 } // namespace spangle::gl
