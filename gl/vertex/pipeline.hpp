@@ -216,27 +216,31 @@ template <class M, class L> class Pipeline {
     Window unlit_{};           ///< holds the current colour in the rasterizer's units
     Real unlit_color_[4] = {}; ///< of which this was converted
     bool has_unlit_color_ = false;
-    Vertex slot_[slot_count];
-#if SPANGLE_TWO_SIDES
-    typename M::Colors back_[slot_count]; ///< of slot_, while back_known
-#endif
 #if SPANGLE_VERTEX_CACHE != 1
-    Kept kept_;
-    bool keeps_placed_ = false; ///< which of them
+    bool keeps_placed_ = false; ///< which of kept_
     std::uint32_t in_turn_ = 0; ///< vertices given by themselves since the last elements
 #endif
 #if SPANGLE_CLIPPING
-    Cut cut_[cut_count];
     std::uint32_t free_cuts_ = 0; ///< bit i: cut_[i] is nobody's corner
-#endif
-#if SPANGLE_FEATURE_FEEDBACK
-    typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
 #endif
 #if SPANGLE_GATHERS_POLYGONS
     Cut* gathered_ = nullptr; ///< corners of a polygon that is drawn when all are there, in the arena
     int gathered_count_ = 0, gathered_room_ = 0;
     const Window** gathered_windows_ = nullptr; ///< room for those of what is left of it
     bool gathering_lost_ = false;               ///< the arena had no room for all of them
+#endif
+    Vertex slot_[slot_count];
+#if SPANGLE_TWO_SIDES
+    typename M::Colors back_[slot_count]; ///< of slot_, while back_known
+#endif
+#if SPANGLE_FEATURE_FEEDBACK
+    typename M::Eye texture_[slot_count]; ///< of slot_, while primitives are fed back
+#endif
+#if SPANGLE_VERTEX_CACHE != 1
+    Kept kept_;
+#endif
+#if SPANGLE_CLIPPING
+    Cut cut_[cut_count];
 #endif
 
     void derive(Context& context) {
