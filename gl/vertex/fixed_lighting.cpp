@@ -17,6 +17,11 @@ std::int32_t intensity(Real v) {
     return numeric::to_fixed(v, intensity_bits);
 }
 
+[[gnu::noinline]] void set_intensities(const Real* from, std::int32_t (&to)[3]) {
+    for (int c = 0; c < 3; ++c)
+        to[c] = intensity(from[c]);
+}
+
 /// Product of two intensities, saturated.
 std::int32_t times(std::int32_t a, std::int32_t b) {
     return numeric::saturate_i32((numeric::mul_s32(a, b) + (1 << (intensity_bits - 1))) >> intensity_bits);
@@ -146,8 +151,7 @@ void FixedLighting::derive(const Context& context) {
         const std::int32_t(&row)[3] = normal_matrix_.row;
         common_rows_ = row[0] == row[1] && row[1] == row[2];
     }
-    for (int c = 0; c < 3; ++c)
-        model_ambient_[c] = intensity(state.model_ambient[c]);
+    set_intensities(state.model_ambient, model_ambient_);
     count_ = 0;
     needs_eye_ = local_viewer_;
     all_simple_ = !local_viewer_;
@@ -163,15 +167,12 @@ void FixedLighting::derive(const Context& context) {
 
 void FixedLighting::derive_source(const Light& light, const numeric::NormalMatrix& normal,
                                   Source& out) const {
-    for (int c = 0; c < 3; ++c) {
-        out.ambient[c] = intensity(light.ambient[c]);
-        out.diffuse[c] = intensity(light.diffuse[c]);
-    }
+    set_intensities(light.ambient, out.ambient);
+    set_intensities(light.diffuse, out.diffuse);
     const numeric::Block4 p =
         numeric::to_block(light.position[0], light.position[1], light.position[2], light.position[3]);
     if (has_specular)
-        for (int c = 0; c < 3; ++c)
-            out.specular[c] = intensity(light.specular[c]);
+        set_intensities(light.specular, out.specular);
     out.directional = !has_local_lights || p.m[3] == 0;
     out.spot = !(light.spot_cutoff == Real{0x43340000});
     if (out.directional) {

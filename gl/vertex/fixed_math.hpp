@@ -370,21 +370,12 @@ struct FixedMath {
         for (int u = 0; u < texture_units; ++u) {
             if ((units >> u & 1) == 0)
                 continue;
-            const auto part = [&](std::int32_t Window::TexCoord::*m) {
-                return mix(numeric::make_block(a.tex[u].*m, a.tex[u].exponent),
-                           numeric::make_block(b.tex[u].*m, b.tex[u].exponent), t);
+            const bool with_r = (units >> (u + third_coordinate) & 1) != 0;
+            const auto strq = [&](const Window& v) {
+                return numeric::Block4{{v.tex[u].s, v.tex[u].t, with_r ? v.r[u] : 0, v.tex[u].q},
+                                       v.tex[u].exponent};
             };
-            if ((units >> (u + third_coordinate) & 1) != 0) {
-                const numeric::Block r = mix(numeric::make_block(a.r[u], a.tex[u].exponent),
-                                             numeric::make_block(b.r[u], b.tex[u].exponent), t);
-                set_texture(out, u,
-                            numeric::to_block(part(&Window::TexCoord::s), part(&Window::TexCoord::t), r,
-                                              part(&Window::TexCoord::q)));
-            } else {
-                set_texture(out, u,
-                            numeric::to_block(part(&Window::TexCoord::s), part(&Window::TexCoord::t),
-                                              part(&Window::TexCoord::q)));
-            }
+            set_texture(out, u, mix(strq(a), strq(b), t));
             set_q_is_one(out, u, a.tex[u].q_is_one != 0 && b.tex[u].q_is_one != 0);
         }
     }
@@ -724,7 +715,7 @@ struct FixedMath {
         return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, -most, most));
     }
 
-    static std::uint32_t mix_unsigned(std::uint32_t a, std::uint32_t b, Parameter t) {
+    SPANGLE_RUN_INLINE static std::uint32_t mix_unsigned(std::uint32_t a, std::uint32_t b, Parameter t) {
         const std::int64_t d = static_cast<std::int64_t>(b) - a; // 28 bits, times 30
         return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
     }

@@ -40,6 +40,8 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
 /// A vertex at t of the edge from a to b.
 template <class M, class L>
 void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
+    const auto mix_part = [&](auto Cut::*part)
+                              SPANGLE_RUN_LAMBDA { out.*part = M::mix(a.*part, b.*part, t); };
     M::mix(a.window, b.window, t, units_, out.window);
 #if SPANGLE_FEATURE_FOG
     if (fog_) {
@@ -52,13 +54,13 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
-        out.eye = M::mix(a.eye, b.eye, t);
+        mix_part(&Cut::eye);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
-        out.texture = M::mix(a.texture, b.texture, t);
+        mix_part(&Cut::texture);
 #endif
-    out.clip = M::mix(a.clip, b.clip, t);
+    mix_part(&Cut::clip);
     out.flags = flags_of(out.clip) | is_cut;
 #if SPANGLE_TWO_SIDES
     L::mix(a.light, b.light, t, out.light);
