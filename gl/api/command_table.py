@@ -180,8 +180,10 @@ class Family:
                 often = self.listing == "attribute"
                 forms = [len(pad) > 1 and ("reals" if often and code in ("fi", "f")[vectorial] else "components") for vectorial in (0, 1)]
                 kind = element(code, convert)
+                wide = widened(code, convert)
                 yield self.entry(stem + suffix, leading + [(c, n) for n in names[:size]], one, first_tries + [("real", value)] * size,
-                                 body=forms[0] and self.array(c, names[:size]) + self.components_at(forms[0], first, kind, size, "nullptr"))
+                                 body=forms[0] and self.array(C_TYPES[wide], names[:size]) +
+                                      self.components_at(forms[0], first, element(wide, convert), size, "nullptr"))
                 yield self.entry(stem + vector, leading + [(f"const {c}*", "v")], many, first_tries + [("values", value)], "v",
                                  body=forms[1] and self.components_at(forms[1], first, kind, size, self.null_text(stem + vector)))
 
@@ -218,8 +220,9 @@ class Family:
             vector = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v"
             names = ["x1", "y1", "x2", "y2"]
             yield self.entry("glRect" + suffix, [(c, n) for n in names], [], [("real", value)] * 4,
-                             body=self.array(c, names) + self.reals_at(code, 4, "nullptr"))
-            corners = self.array(c, ("v1[0]", "v1[1]", "v2[0]", "v2[1]")) + self.reals_at(code, 4, "nullptr")
+                             body=self.array(C_TYPES[widened(code)], names) + self.reals_at(widened(code), 4, "nullptr"))
+            wide = widened(code)
+            corners = self.array(C_TYPES[wide], ("v1[0]", "v1[1]", "v2[0]", "v2[1]")) + self.reals_at(wide, 4, "nullptr")
             yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", value)] * 2,
                              body=self.null_guard("glRect" + vector, "v1 == nullptr || v2") + corners)
 
@@ -244,8 +247,9 @@ class Family:
         for code, suffix in self.types:
             c, form = C_TYPES[code], f"convert::Number::{CONVERT_AS.get(code, code)}"
             place = ", ".join(call)
+            single = form if code != "d" else "convert::Number::f"
             yield Entry(self, f"gl{self.name}{suffix}", leading + [(c, "param")],
-                        f"    issue_param<family::{self.name}, shape::{self.name}>({place}, &param, {form});\n", tries + [("pvalue", None)])
+                        f"    issue_param<family::{self.name}, shape::{self.name}>({place}, convert::word(param), {single});\n", tries + [("pvalue", None)])
             if not self.data.get("scalar_only"):
                 name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
                 yield Entry(self, name, leading + [(f"const {c}*", "params")],
@@ -308,6 +312,11 @@ def normalize(code, name):
 def element(code, convert=cast):
     """The type of an array's elements and what becomes of them."""
     return "convert::Element::" + convert(code, "").removeprefix("convert::").removesuffix("()")
+
+
+def widened(code, convert=cast):
+    """As which type an argument is put in an array: registers hold words, which are stored as they are."""
+    return "i" if code == "s" and convert is cast else code
 
 
 def load():

@@ -161,9 +161,9 @@ Shape find_shape(const ShapeRow* rows, GLenum pname) {
 namespace spangle::gl::convert {
 
 /// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
-Params scalar(Shape shape, const void* value, Number type) {
+Params scalar(Shape shape, std::uint32_t word, Number type) {
     if (shape.count == 1)
-        return vector(shape, value, type);
+        return vector(shape, &word, type);
     return {};
 }
 

@@ -86,7 +86,17 @@ Matrix16 matrix(const void* m, Element kind);
 
 // Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
 enum class Number : std::uint8_t { f, i, d, x }; ///< of client memory
-Params scalar(Shape shape, const void* value, Number type);
+/// A single value comes in a register, whatever its type: a double as the float that is kept of it.
+inline std::uint32_t word(GLfloat v) {
+    return std::bit_cast<std::uint32_t>(v);
+}
+inline std::uint32_t word(GLdouble v) {
+    return cast_d(v).bits;
+}
+inline std::uint32_t word(GLint v) {
+    return static_cast<std::uint32_t>(v);
+}
+Params scalar(Shape shape, std::uint32_t word, Number type);
 Params vector(Shape shape, const void* values, Number type);
 /// And back, for their queries. Nothing is written when `found.count` is 0.
 void store(Shape shape, const Params& found, void* out, Number type);

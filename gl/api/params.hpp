@@ -18,15 +18,15 @@ inline constexpr ParamFamily<std::remove_const_t<decltype(command<F>)>> params_o
 // What families share. What stands before the pname is a target, or nothing; the family comes last, so that
 // the arguments of an entry point stay where they are.
 template <class C>
-[[gnu::noinline]] void issue_value(GLenum pname, const void* value, convert::Number type,
+[[gnu::noinline]] void issue_value(GLenum pname, std::uint32_t word, convert::Number type,
                                    const ParamFamily<C>& family) {
-    issue_command(*family.command, pname, convert::scalar(find_shape(family.rows, pname), value, type));
+    issue_command(*family.command, pname, convert::scalar(find_shape(family.rows, pname), word, type));
 }
 template <class C>
-[[gnu::noinline]] void issue_value(GLenum target, GLenum pname, const void* value, convert::Number type,
+[[gnu::noinline]] void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
                                    const ParamFamily<C>& family) {
     issue_command(*family.command, target, pname,
-                  convert::scalar(find_shape(family.rows, pname), value, type));
+                  convert::scalar(find_shape(family.rows, pname), word, type));
 }
 template <class C>
 [[gnu::noinline]] void issue_values(GLenum pname, const void* values, convert::Number type,
@@ -45,15 +45,15 @@ template <class C>
 }
 
 template <class F, const auto& rows>
-[[gnu::noinline]] void issue_param(GLenum pname, const void* value, convert::Number type) {
+[[gnu::noinline]] void issue_param(GLenum pname, std::uint32_t word, convert::Number type) {
     if constexpr (F::listing == Listing::never)
-        issue<F>(pname, convert::scalar(find_shape(rows, pname), value, type));
+        issue<F>(pname, convert::scalar(find_shape(rows, pname), word, type));
     else
-        issue_value(pname, value, type, params_of<F, rows>);
+        issue_value(pname, word, type, params_of<F, rows>);
 }
 template <class F, const auto& rows>
-[[gnu::noinline]] void issue_param(GLenum target, GLenum pname, const void* value, convert::Number type) {
-    issue_value(target, pname, value, type, params_of<F, rows>);
+[[gnu::noinline]] void issue_param(GLenum target, GLenum pname, std::uint32_t word, convert::Number type) {
+    issue_value(target, pname, word, type, params_of<F, rows>);
 }
 
 template <class F, const auto& rows>

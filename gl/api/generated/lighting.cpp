@@ -16,7 +16,7 @@ extern "C" {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
-    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::f);
+    issue_param<family::Light, shape::Light>(light, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
@@ -24,7 +24,7 @@ void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
-    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::i);
+    issue_param<family::Light, shape::Light>(light, pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
@@ -36,7 +36,7 @@ void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
-    issue_param<family::Light, shape::Light>(light, pname, &param, convert::Number::x);
+    issue_param<family::Light, shape::Light>(light, pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) {
@@ -68,7 +68,7 @@ void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
-    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::f);
+    issue_param<family::LightModel, shape::LightModel>(pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
@@ -76,7 +76,7 @@ void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
-    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::i);
+    issue_param<family::LightModel, shape::LightModel>(pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
@@ -88,7 +88,7 @@ void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
-    issue_param<family::LightModel, shape::LightModel>(pname, &param, convert::Number::x);
+    issue_param<family::LightModel, shape::LightModel>(pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
@@ -100,7 +100,7 @@ void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
-    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::f);
+    issue_param<family::Material, shape::Material>(face, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
@@ -108,7 +108,7 @@ void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
-    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::i);
+    issue_param<family::Material, shape::Material>(face, pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
@@ -120,7 +120,7 @@ void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
-    issue_param<family::Material, shape::Material>(face, pname, &param, convert::Number::x);
+    issue_param<family::Material, shape::Material>(face, pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params) {
@@ -192,7 +192,7 @@ void GLAPIENTRY glPointSizexOES(GLfixed size) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS
 
 void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param) {
-    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::f);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
@@ -200,7 +200,7 @@ void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
-    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::i);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
@@ -212,7 +212,7 @@ void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_POINT_PARAMETERS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param) {
-    issue_param<family::PointParameter, shape::PointParameter>(pname, &param, convert::Number::x);
+    issue_param<family::PointParameter, shape::PointParameter>(pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params) {

@@ -256,21 +256,21 @@ void GLAPIENTRY glClearStencil(GLint s) {
 }
 
 void GLAPIENTRY glPixelStoref(GLenum pname, GLfloat param) {
-    issue_param<family::PixelStore, shape::PixelStore>(pname, &param, convert::Number::f);
+    issue_param<family::PixelStore, shape::PixelStore>(pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glPixelStorei(GLenum pname, GLint param) {
-    issue_param<family::PixelStore, shape::PixelStore>(pname, &param, convert::Number::i);
+    issue_param<family::PixelStore, shape::PixelStore>(pname, convert::word(param), convert::Number::i);
 }
 
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
 
 void GLAPIENTRY glPixelTransferf(GLenum pname, GLfloat param) {
-    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, &param, convert::Number::f);
+    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
-    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, &param, convert::Number::i);
+    issue_param<family::PixelTransfer, shape::PixelTransfer>(pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values) {
@@ -331,7 +331,7 @@ void GLAPIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GL
 #if SPANGLE_FEATURE_FOG
 
 void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
-    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::f);
+    issue_param<family::Fog, shape::Fog>(pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
@@ -339,7 +339,7 @@ void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glFogi(GLenum pname, GLint param) {
-    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::i);
+    issue_param<family::Fog, shape::Fog>(pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
@@ -351,7 +351,7 @@ void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_FOG && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
-    issue_param<family::Fog, shape::Fog>(pname, &param, convert::Number::x);
+    issue_param<family::Fog, shape::Fog>(pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params) {

@@ -178,7 +178,7 @@ GLboolean GLAPIENTRY glIsTexture(GLuint texture) {
 }
 
 void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
-    issue_param<family::TexParameter, shape::TexParameter>(target, pname, &param, convert::Number::f);
+    issue_param<family::TexParameter, shape::TexParameter>(target, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
@@ -186,7 +186,7 @@ void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* par
 }
 
 void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
-    issue_param<family::TexParameter, shape::TexParameter>(target, pname, &param, convert::Number::i);
+    issue_param<family::TexParameter, shape::TexParameter>(target, pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
@@ -196,7 +196,7 @@ void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* param
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
-    issue_param<family::TexParameter, shape::TexParameter>(target, pname, &param, convert::Number::x);
+    issue_param<family::TexParameter, shape::TexParameter>(target, pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* params) {
@@ -222,7 +222,7 @@ void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* par
 #endif
 
 void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
-    issue_param<family::TexEnv, shape::TexEnv>(target, pname, &param, convert::Number::f);
+    issue_param<family::TexEnv, shape::TexEnv>(target, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
@@ -230,7 +230,7 @@ void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
-    issue_param<family::TexEnv, shape::TexEnv>(target, pname, &param, convert::Number::i);
+    issue_param<family::TexEnv, shape::TexEnv>(target, pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
@@ -240,7 +240,7 @@ void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
-    issue_param<family::TexEnv, shape::TexEnv>(target, pname, &param, convert::Number::x);
+    issue_param<family::TexEnv, shape::TexEnv>(target, pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params) {

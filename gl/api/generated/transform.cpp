@@ -230,7 +230,7 @@ void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
-    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::f);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
@@ -238,7 +238,7 @@ void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
 }
 
 void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
-    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::i);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, convert::word(param), convert::Number::i);
 }
 
 void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
@@ -246,7 +246,7 @@ void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
 }
 
 void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
-    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::d);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, convert::word(param), convert::Number::f);
 }
 
 void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
@@ -258,7 +258,7 @@ void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
-    issue_param<family::TexGen, shape::TexGen>(coord, pname, &param, convert::Number::x);
+    issue_param<family::TexGen, shape::TexGen>(coord, pname, convert::word(param), convert::Number::x);
 }
 
 void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {

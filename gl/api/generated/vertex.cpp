@@ -22,8 +22,8 @@ void GLAPIENTRY glEnd() {
 }
 
 void GLAPIENTRY glVertex2s(GLshort x, GLshort y) {
-    const GLshort given[] = {x, y};
-    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLint given[] = {x, y};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glVertex2sv(const GLshort* v) {
@@ -71,8 +71,8 @@ void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort given[] = {x, y, z};
-    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLint given[] = {x, y, z};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glVertex3sv(const GLshort* v) {
@@ -120,8 +120,8 @@ void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    const GLshort given[] = {x, y, z, w};
-    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLint given[] = {x, y, z, w};
+    issue_components<family::Vertex>(given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glVertex4sv(const GLshort* v) {
@@ -169,8 +169,8 @@ void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord1s(GLshort s) {
-    const GLshort given[] = {s};
-    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 1), nullptr);
+    const GLint given[] = {s};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_i, 1), nullptr);
 }
 
 void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
@@ -218,8 +218,8 @@ void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
-    const GLshort given[] = {s, t};
-    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLint given[] = {s, t};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
@@ -267,8 +267,8 @@ void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
-    const GLshort given[] = {s, t, r};
-    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLint given[] = {s, t, r};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
@@ -316,8 +316,8 @@ void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
-    const GLshort given[] = {s, t, r, q};
-    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLint given[] = {s, t, r, q};
+    issue_components<family::TexCoord>(given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
@@ -365,8 +365,8 @@ void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
-    const GLshort given[] = {s};
-    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 1), nullptr);
+    const GLint given[] = {s};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 1), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
@@ -414,8 +414,8 @@ void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
-    const GLshort given[] = {s, t};
-    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLint given[] = {s, t};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
@@ -463,8 +463,8 @@ void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r) {
-    const GLshort given[] = {s, t, r};
-    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLint given[] = {s, t, r};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
@@ -512,8 +512,8 @@ void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
 #endif
 
 void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q) {
-    const GLshort given[] = {s, t, r, q};
-    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLint given[] = {s, t, r, q};
+    issue_components<family::MultiTexCoord>(target, given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
@@ -973,8 +973,8 @@ void GLAPIENTRY glFogCoorddv(const GLdouble* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
-    const GLshort given[] = {x, y};
-    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLint given[] = {x, y};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
@@ -1026,8 +1026,8 @@ void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort given[] = {x, y, z};
-    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLint given[] = {x, y, z};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
@@ -1079,8 +1079,8 @@ void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
-    const GLshort given[] = {x, y, z, w};
-    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_s, 4), nullptr);
+    const GLint given[] = {x, y, z, w};
+    issue_components<family::RasterPos>(given, convert::components(convert::Element::cast_i, 4), nullptr);
 }
 
 void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
@@ -1132,8 +1132,8 @@ void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
 #if SPANGLE_FEATURE_RASTER_POS
 
 void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y) {
-    const GLshort given[] = {x, y};
-    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_s, 2), nullptr);
+    const GLint given[] = {x, y};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_i, 2), nullptr);
 }
 
 void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
@@ -1168,8 +1168,8 @@ void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
 }
 
 void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
-    const GLshort given[] = {x, y, z};
-    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_s, 3), nullptr);
+    const GLint given[] = {x, y, z};
+    issue_components<family::WindowPos>(given, convert::components(convert::Element::cast_i, 3), nullptr);
 }
 
 void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
@@ -1206,15 +1206,15 @@ void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
 #endif
 
 void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
-    const GLshort given[] = {x1, y1, x2, y2};
-    issue_reals<family::Rect, convert::Element::cast_s, 4>(given, nullptr);
+    const GLint given[] = {x1, y1, x2, y2};
+    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
     if (v1 == nullptr || v2 == nullptr)
         return refuse_null(SPANGLE_TEXT("glRectsv: null pointer"));
-    const GLshort given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_s, 4>(given, nullptr);
+    const GLint given[] = {v1[0], v1[1], v2[0], v2[1]};
+    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
 }
 
 void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
