@@ -2,6 +2,8 @@
 // family, whatever the type of their components.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <utility>
 
 #include "gl/api/convert.hpp"
@@ -30,6 +32,43 @@ template <class F>
                                         const char* null_text) {
     if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{}, target);
+}
+
+/// Up to three words, as they came in registers.
+template <class F>
+[[gnu::noinline]] void issue_given(std::uint32_t x, std::uint32_t y, std::uint32_t z,
+                                   convert::Components kind) {
+    const std::uint32_t given[] = {x, y, z};
+    issue_components<F>(given, kind, static_cast<const char*>(nullptr));
+}
+template <class F>
+[[gnu::noinline]] void issue_given(GLenum target, std::uint32_t x, std::uint32_t y,
+                                   convert::Components kind) {
+    const std::uint32_t given[] = {x, y};
+    issue_components<F>(target, given, kind, static_cast<const char*>(nullptr));
+}
+
+template <std::size_t i, class T, std::size_t count> inline std::uint32_t word_at(const T (&given)[count]) {
+    if constexpr (i < count)
+        return std::bit_cast<std::uint32_t>(given[i]);
+    return 0;
+}
+
+/// Components given one by one.
+template <class F, class T, std::size_t count>
+inline void issue_components(const T (&given)[count], convert::Components kind, std::nullptr_t) {
+    if constexpr (!converts_in_line && sizeof(T) == 4 && count <= 3)
+        issue_given<F>(word_at<0>(given), word_at<1>(given), word_at<2>(given), kind);
+    else
+        issue_components<F>(static_cast<const void*>(given), kind, static_cast<const char*>(nullptr));
+}
+template <class F, class T, std::size_t count>
+inline void issue_components(GLenum target, const T (&given)[count], convert::Components kind,
+                             std::nullptr_t) {
+    if constexpr (!converts_in_line && sizeof(T) == 4 && count <= 2)
+        issue_given<F>(target, word_at<0>(given), word_at<1>(given), kind);
+    else
+        issue_components<F>(target, static_cast<const void*>(given), kind, static_cast<const char*>(nullptr));
 }
 
 /// Families of the same signature share this.
@@ -66,6 +105,14 @@ inline void issue_reals(const T* v, const char* null_text) {
     } else {
         issue_loaded(command<F>, v, convert::components(kind, count), null_text);
     }
+}
+
+template <class F, convert::Element kind, unsigned count, class T>
+inline void issue_reals(const T (&given)[count], std::nullptr_t) {
+    if constexpr (!converts_in_line && F::listing == Listing::attribute)
+        issue_components<F>(given, convert::components(kind, count), nullptr);
+    else
+        issue_reals<F, kind, count>(static_cast<const T*>(given), static_cast<const char*>(nullptr));
 }
 
 [[gnu::noinline]] inline void issue_loaded_matrix(const Command<const Matrix16&>& command, const void* m,
