@@ -119,6 +119,7 @@ class Family:
         self.returns = self.returns.replace("GLconst ", "const GL").replace("GLvoid", "void")
         self.types = [self.type_suffix(word) for word in data.get("types", "").split()]
         self.data, self.by_name = data, by_name
+        self.image = data.get("image", False)
         self.pnames = dict(by_name[data["of"]].pnames if "of" in data else {}, **data.get("pnames", {}))
         self.pnames.pop(data.get("without"), None)
         self.entries = list(getattr(self, "entries_" + self.kind)())
@@ -153,6 +154,8 @@ class Family:
                     params.append((arg.c_type, arg.name))
                     call.append(f"{arg.name} != 0" if arg.type == "boolean" else arg.name)
                     tries.append((arg.type, arg))
+            if self.image:
+                call = [self.image_command()]
             reals = len(params) > 1 and all(arg.type == "real" for arg in self.args)
             yield self.entry("gl" + self.name + suffix, params, call, tries,
                              body=self.array(C_TYPES[code], [n for _, n in params]) + self.reals_at(code, len(params), "nullptr") if reals else None)
@@ -161,6 +164,15 @@ class Family:
                 yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
                                  [cast(code, f"v[{i}]") for i in range(len(self.args))], [("values", value)], "v",
                                  body=self.reals_at(code, len(params), self.null_text("gl" + self.name + vector)) if reals else None)
+
+    def image_command(self):
+        """The arguments of a texture image, the same for any number of dimensions."""
+        names = [a.name for a in self.args]
+        sizes = [n for n in ("width", "height", "depth") if n in names]
+        beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
+        size = ", ".join(sizes + ["1"] * (3 - len(sizes)))
+        volume = ", true" if len(sizes) == 3 else ""
+        return f"ImageCommand{{{{{', '.join(beside)}}}, {{{size}}}, format, type, pixels{volume}}}"
 
     def entries_components(self):
         pad = ["numeric::one" if p == "1" else "numeric::zero" for p in self.data["pad"].split()]
@@ -297,7 +309,8 @@ class Family:
 
     @property
     def signature(self):
-        params = ["Context& context"] + [f"{t} {n}".replace("* ", "* ") for t, n in self.canonical]
+        given = [("const ImageCommand&", "image")] if self.image else self.canonical
+        params = ["Context& context"] + [f"{t} {n}".replace("* ", "* ") for t, n in given]
         return ", ".join(params)
 
 

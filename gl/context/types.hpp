@@ -51,6 +51,18 @@ struct Values {
     GLenum type;
 };
 
+/// What a command that takes an image is given, and what lists keep of it.
+struct ImageCommand {
+    GLint arguments[5]; ///< whatever the command has beside; of textures target and level come first
+    GLsizei size[3];    ///< 1 where the image has fewer dimensions
+    GLenum format, type;
+    const void* pixels;
+    bool volume = false; ///< IMAGE_HEIGHT and SKIP_IMAGES count
+
+    GLenum target() const { return static_cast<GLenum>(arguments[0]); }
+    GLint level() const { return arguments[1]; }
+};
+
 /// A matrix as given, column-major: element (row i, column j) is m[4 * j + i].
 struct Matrix16 {
     Real m[16];

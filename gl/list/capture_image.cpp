@@ -23,7 +23,7 @@ struct Extent {
     }
 };
 
-Extent extent_of(const ListedImage& image, const PixelLayout& layout) {
+Extent extent_of(const ImageCommand& image, const PixelLayout& layout) {
     const auto width = static_cast<std::uint64_t>(image.size[0]);
     const std::uint64_t row =
         layout.kind == ElementKind::bitmap ? (width + 7) / 8 : width * layout.group_bytes();
@@ -32,7 +32,7 @@ Extent extent_of(const ListedImage& image, const PixelLayout& layout) {
             static_cast<std::size_t>(image.size[2])};
 }
 
-bool sensible(const ListedImage& image, GLsizei most, PixelLayout& layout) {
+bool sensible(const ImageCommand& image, GLsizei most, PixelLayout& layout) {
     for (const GLsizei side : image.size)
         if (side < 0 || side > most)
             return false;
@@ -60,7 +60,7 @@ void copy_row(const PixelStore& store, const PixelLayout& layout, const unsigned
         }
 }
 
-void copy_image(const PixelStore& store, const PixelLayout& layout, const ListedImage& image,
+void copy_image(const PixelStore& store, const PixelLayout& layout, const ImageCommand& image,
                 const Extent& extent, unsigned char* to) {
     const ImageRows rows = image_rows(store, layout, image.size[0]);
     const std::size_t next_image = image_stride(store, rows, image.size[1]);
@@ -78,7 +78,7 @@ constexpr std::uint32_t fixed_words = 13;
 
 } // namespace
 
-void capture_image(Context& context, const Player* player, const ListedImage& image, GLsizei most) {
+void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most) {
     PixelLayout layout;
     const bool keep = sensible(image, most, layout);
     const Extent extent = keep ? extent_of(image, layout) : Extent{0, 0, 0};
@@ -100,8 +100,8 @@ void capture_image(Context& context, const Player* player, const ListedImage& im
 }
 
 const Word* play_image(Context& context, const Word* words, const char* refusal,
-                       void (*run)(Context&, const ListedImage&)) {
-    ListedImage image;
+                       void (*run)(Context&, const ImageCommand&)) {
+    ImageCommand image;
     for (GLint& argument : image.arguments)
         argument = static_cast<GLint>(*words++);
     for (GLsizei& side : image.size)

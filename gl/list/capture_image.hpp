@@ -2,26 +2,18 @@
 // of that moment, and played with a state that describes the copy (GL 1.3, 3.6.1 and 5.4).
 #pragma once
 
+#include "gl/context/types.hpp"
 #include "gl/list/record.hpp"
 #include "gl/pixel/pixel_layout.hpp"
 
 namespace spangle::gl::list {
 
-/// What the commands that take an image have in common.
-struct ListedImage {
-    GLint arguments[5]; ///< whatever the command has beside
-    GLsizei size[3];    ///< 1 where the image has fewer dimensions
-    GLenum format, type;
-    const void* pixels;
-    bool volume = false; ///< IMAGE_HEIGHT and SKIP_IMAGES count
-};
-
 /// Images whose sides are above `most`, or that no command takes, are kept without their pixels: the command
 /// refuses them when it is played.
-void capture_image(Context& context, const Player* player, const ListedImage& image, GLsizei most);
+void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most);
 
 /// Calls run(context, image) unless between Begin and End.
 const Word* play_image(Context& context, const Word* words, const char* refusal,
-                       void (*run)(Context&, const ListedImage&));
+                       void (*run)(Context&, const ImageCommand&));
 
 } // namespace spangle::gl::list

@@ -10,7 +10,6 @@ namespace spangle::gl {
 
 namespace {
 
-using list::ListedImage;
 using list::Word;
 
 /// Of any size.
@@ -19,7 +18,7 @@ using list::Word;
 #if SPANGLE_FEATURE_DRAW_PIXELS
 const Word* play_draw_pixels(Context& context, const Word* words) {
     return list::play_image(context, words, family::DrawPixels::refusal,
-                            [](Context& c, const ListedImage& i) {
+                            [](Context& c, const ImageCommand& i) {
                                 cmd::DrawPixels(c, i.size[0], i.size[1], i.format, i.type, i.pixels);
                             });
 }
@@ -27,7 +26,7 @@ const Word* play_draw_pixels(Context& context, const Word* words) {
 
 #if SPANGLE_FEATURE_BITMAPS
 const Word* play_bitmap(Context& context, const Word* words) {
-    return list::play_image(context, words, family::Bitmap::refusal, [](Context& c, const ListedImage& i) {
+    return list::play_image(context, words, family::Bitmap::refusal, [](Context& c, const ImageCommand& i) {
         const auto real = [&i](int n) { return Real{static_cast<std::uint32_t>(i.arguments[n])}; };
         cmd::Bitmap(c, i.size[0], i.size[1], real(0), real(1), real(2), real(3),
                     static_cast<const GLubyte*>(i.pixels));

@@ -13,7 +13,6 @@ namespace spangle::gl {
 
 namespace {
 
-using list::ListedImage;
 using list::Word;
 
 constexpr GLsizei most = max_texture_size + 2; // with its border
@@ -28,156 +27,50 @@ bool runs_now(Context& context, const char* refusal) {
     return !context.list.execute && allowed_outside(context, refusal);
 }
 
-const Word* play_tex_image_2d(Context& context, const Word* words) {
-    return list::play_image(
-        context, words, family::TexImage2D::refusal, [](Context& c, const ListedImage& i) {
-            cmd::TexImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
-                            i.size[1], i.arguments[3], i.format, i.type, i.pixels);
-        });
+template <class F> const Word* play_texels(Context& context, const Word* words) {
+    return list::play_image(context, words, F::refusal, F::run);
 }
-const Word* play_tex_sub_image_2d(Context& context, const Word* words) {
-    return list::play_image(
-        context, words, family::TexSubImage2D::refusal, [](Context& c, const ListedImage& i) {
-            cmd::TexSubImage2D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2],
-                               i.arguments[3], i.size[0], i.size[1], i.format, i.type, i.pixels);
-        });
+
+template <class F> void capture_sub_image(Context& context, const ImageCommand& image) {
+    list::capture_image(context, &list::player<&play_texels<F>>, image,
+                        image.volume ? max_3d_texture_size + 2 : most);
+}
+template <class F> void capture_whole_image(Context& context, const ImageCommand& image) {
+    if (!is_query(image.target()))
+        capture_sub_image<F>(context, image);
+    else if (runs_now(context, F::refusal))
+        F::run(context, image);
 }
 
 } // namespace
 
 namespace encode {
 
-void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
-    if (is_query(target)) {
-        if (runs_now(context, family::TexImage2D::refusal))
-            cmd::TexImage2D(context, target, level, internalformat, width, height, border, format, type,
-                            pixels);
-        return;
-    }
-    list::capture_image(context, &list::player<&play_tex_image_2d>,
-                        {{static_cast<GLint>(target), level, internalformat, border, 0},
-                         {width, height, 1},
-                         format,
-                         type,
-                         pixels},
-                        most);
+void TexImage2D(Context& context, const ImageCommand& image) {
+    capture_whole_image<family::TexImage2D>(context, image);
 }
-
-void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
-                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
-    list::capture_image(
-        context, &list::player<&play_tex_sub_image_2d>,
-        {{static_cast<GLint>(target), level, xoffset, yoffset, 0}, {width, height, 1}, format, type, pixels},
-        most);
+void TexSubImage2D(Context& context, const ImageCommand& image) {
+    capture_sub_image<family::TexSubImage2D>(context, image);
 }
-
-} // namespace encode
-
 #if SPANGLE_FEATURE_TEXTURE_1D
-
-namespace {
-
-const Word* play_tex_image_1d(Context& context, const Word* words) {
-    return list::play_image(
-        context, words, family::TexImage1D::refusal, [](Context& c, const ListedImage& i) {
-            cmd::TexImage1D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
-                            i.arguments[3], i.format, i.type, i.pixels);
-        });
+void TexImage1D(Context& context, const ImageCommand& image) {
+    capture_whole_image<family::TexImage1D>(context, image);
 }
-const Word* play_tex_sub_image_1d(Context& context, const Word* words) {
-    return list::play_image(context, words, family::TexSubImage1D::refusal,
-                            [](Context& c, const ListedImage& i) {
-                                cmd::TexSubImage1D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1],
-                                                   i.arguments[2], i.size[0], i.format, i.type, i.pixels);
-                            });
+void TexSubImage1D(Context& context, const ImageCommand& image) {
+    capture_sub_image<family::TexSubImage1D>(context, image);
 }
-
-} // namespace
-
-namespace encode {
-
-void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLint border, GLenum format, GLenum type, const void* pixels) {
-    if (is_query(target)) {
-        if (runs_now(context, family::TexImage1D::refusal))
-            cmd::TexImage1D(context, target, level, internalformat, width, border, format, type, pixels);
-        return;
-    }
-    list::capture_image(
-        context, &list::player<&play_tex_image_1d>,
-        {{static_cast<GLint>(target), level, internalformat, border, 0}, {width, 1, 1}, format, type, pixels},
-        most);
-}
-
-void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
-                   GLenum type, const void* pixels) {
-    list::capture_image(
-        context, &list::player<&play_tex_sub_image_1d>,
-        {{static_cast<GLint>(target), level, xoffset, 0, 0}, {width, 1, 1}, format, type, pixels}, most);
-}
-
-} // namespace encode
-
 #endif
 #if SPANGLE_FEATURE_TEXTURE_3D
-
-namespace {
-
-const Word* play_tex_image_3d(Context& context, const Word* words) {
-    return list::play_image(
-        context, words, family::TexImage3D::refusal, [](Context& c, const ListedImage& i) {
-            cmd::TexImage3D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1], i.arguments[2], i.size[0],
-                            i.size[1], i.size[2], i.arguments[3], i.format, i.type, i.pixels);
-        });
+void TexImage3D(Context& context, const ImageCommand& image) {
+    capture_whole_image<family::TexImage3D>(context, image);
 }
-const Word* play_tex_sub_image_3d(Context& context, const Word* words) {
-    return list::play_image(context, words, family::TexSubImage3D::refusal,
-                            [](Context& c, const ListedImage& i) {
-                                cmd::TexSubImage3D(c, static_cast<GLenum>(i.arguments[0]), i.arguments[1],
-                                                   i.arguments[2], i.arguments[3], i.arguments[4], i.size[0],
-                                                   i.size[1], i.size[2], i.format, i.type, i.pixels);
-                            });
+void TexSubImage3D(Context& context, const ImageCommand& image) {
+    capture_sub_image<family::TexSubImage3D>(context, image);
 }
-
-} // namespace
-
-namespace encode {
-
-void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
-    if (is_query(target)) {
-        if (runs_now(context, family::TexImage3D::refusal))
-            cmd::TexImage3D(context, target, level, internalformat, width, height, depth, border, format,
-                            type, pixels);
-        return;
-    }
-    list::capture_image(context, &list::player<&play_tex_image_3d>,
-                        {{static_cast<GLint>(target), level, internalformat, border, 0},
-                         {width, height, depth},
-                         format,
-                         type,
-                         pixels,
-                         true},
-                        max_3d_texture_size + 2);
-}
-
-void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
-                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
-                   const void* pixels) {
-    list::capture_image(context, &list::player<&play_tex_sub_image_3d>,
-                        {{static_cast<GLint>(target), level, xoffset, yoffset, zoffset},
-                         {width, height, depth},
-                         format,
-                         type,
-                         pixels,
-                         true},
-                        max_3d_texture_size + 2);
-}
+#endif
 
 } // namespace encode
 
-#endif
 #if SPANGLE_FEATURE_COMPRESSED_TEXTURES
 
 namespace {

@@ -9,13 +9,8 @@ namespace spangle::gl {
 
 namespace {
 
-struct ClientImage {
-    GLenum format, type;
-    const void* pixels;
-};
-
 /// Format and type of a client image; false: the error is set.
-bool find_layout(Context& context, const ClientImage& client, PixelLayout& layout) {
+bool find_layout(Context& context, const ImageCommand& client, PixelLayout& layout) {
     if (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES) {
         error(context, GL_INVALID_OPERATION,
               SPANGLE_TEXT("glTexImage: this build has no SPANGLE_FEATURE_DEPTH_TEXTURES"));
@@ -52,88 +47,72 @@ void make_image(Context& context, const ImageRequest& request, LevelShape shape,
     put_image(context, texture, request.target.face, request.level, image);
 }
 
-void tex_image(Context& context, const ImageRequest& request, const ClientImage& client) {
+void tex_image(Context& context, unsigned dimensions, const ImageCommand& given) {
+    ImageTarget of;
+    if (!find_image_target(context, given.target(), dimensions, of))
+        return;
+    const ImageRequest request{of,
+                               given.level(),
+                               given.arguments[2],
+                               {given.size[0], given.size[1], given.size[2]},
+                               given.arguments[3]};
     PixelLayout layout;
     LevelShape shape;
-    if (!find_layout(context, client, layout) || !shape_of(context, request, shape) ||
+    if (!find_layout(context, given, layout) || !shape_of(context, request, shape) ||
         !goes_into(context, layout, shape.format))
         return;
-    if (request.target.proxy)
-        context.texture.proxy(request.target.kind, request.level) = shape;
+    if (of.proxy)
+        context.texture.proxy(of.kind, request.level) = shape;
     else
-        make_image(context, request, shape, layout, client.pixels);
+        make_image(context, request, shape, layout, given.pixels);
 }
 
-void tex_sub_image(Context& context, const SubImage& sub, const ClientImage& client) {
+void tex_sub_image(Context& context, unsigned dimensions, const ImageCommand& given) {
+    ImageTarget of;
+    if (!find_stored_target(context, given.target(), dimensions, of))
+        return;
     PixelLayout layout;
     TexelBox box;
-    if (!find_layout(context, client, layout))
+    if (!find_layout(context, given, layout))
         return;
-    LevelImage* const image = find_box(context, sub, box);
+    const GLint* const at = given.arguments + 2;
+    LevelImage* const image = find_box(
+        context, {of, given.level(), {at[0], at[1], at[2]}, {given.size[0], given.size[1], given.size[2]}},
+        box);
     if (image == nullptr || !goes_into(context, layout, image->shape.format) || box.size[0] == 0 ||
         box.size[1] == 0 || box.size[2] == 0)
         return;
-    if (client.pixels == nullptr)
+    if (given.pixels == nullptr)
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage: null pointer"));
-    store_texels(context, *image, box, layout, client.pixels);
-    image_written(context, bound_texture(context, sub.target.kind), sub.target.face, sub.level);
+    store_texels(context, *image, box, layout, given.pixels);
+    image_written(context, bound_texture(context, of.kind), of.face, given.level());
 }
 
 } // namespace
 
 namespace cmd {
 
-void TexImage2D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
-    ImageTarget of;
-    if (find_image_target(context, target, 2, of))
-        tex_image(context, {of, level, internalformat, {width, height, 1}, border}, {format, type, pixels});
+void TexImage2D(Context& context, const ImageCommand& image) {
+    tex_image(context, 2, image);
 }
-
-void TexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
-                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
-    ImageTarget of;
-    if (find_stored_target(context, target, 2, of))
-        tex_sub_image(context, {of, level, {xoffset, yoffset, 0}, {width, height, 1}},
-                      {format, type, pixels});
+void TexSubImage2D(Context& context, const ImageCommand& image) {
+    tex_sub_image(context, 2, image);
 }
-
 #if SPANGLE_FEATURE_TEXTURE_1D
-
-void TexImage1D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLint border, GLenum format, GLenum type, const void* pixels) {
-    ImageTarget of;
-    if (find_image_target(context, target, 1, of))
-        tex_image(context, {of, level, internalformat, {width, 1, 1}, border}, {format, type, pixels});
+void TexImage1D(Context& context, const ImageCommand& image) {
+    tex_image(context, 1, image);
 }
-
-void TexSubImage1D(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format,
-                   GLenum type, const void* pixels) {
-    ImageTarget of;
-    if (find_stored_target(context, target, 1, of))
-        tex_sub_image(context, {of, level, {xoffset, 0, 0}, {width, 1, 1}}, {format, type, pixels});
+void TexSubImage1D(Context& context, const ImageCommand& image) {
+    tex_sub_image(context, 1, image);
 }
-
 #endif
 #if SPANGLE_FEATURE_TEXTURE_3D
-
-void TexImage3D(Context& context, GLenum target, GLint level, GLint internalformat, GLsizei width,
-                GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
-    ImageTarget of;
-    if (find_image_target(context, target, 3, of))
-        tex_image(context, {of, level, internalformat, {width, height, depth}, border},
-                  {format, type, pixels});
+void TexImage3D(Context& context, const ImageCommand& image) {
+    tex_image(context, 3, image);
 }
-
-void TexSubImage3D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset,
-                   GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
-                   const void* pixels) {
-    ImageTarget of;
-    if (find_stored_target(context, target, 3, of))
-        tex_sub_image(context, {of, level, {xoffset, yoffset, zoffset}, {width, height, depth}},
-                      {format, type, pixels});
+void TexSubImage3D(Context& context, const ImageCommand& image) {
+    tex_sub_image(context, 3, image);
 }
-
 #endif
 
 } // namespace cmd

@@ -11,6 +11,7 @@
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/vertex/engine.hpp"
 #include "tests/gl_pixel/bare_context.hpp"
+#include "tests/gl_texture/client_image.hpp"
 
 namespace spangle::gl {
 namespace {
@@ -420,7 +421,7 @@ TEST_F(FragmentSetup, Fog) {
 
 TEST_F(FragmentSetup, TextureUnitsAndEnvironments) {
     const std::uint8_t texel[4] = {1, 2, 3, 4};
-    cmd::TexImage2D(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
+    tex_image_2d(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texel);
     EXPECT_EQ(state().unit[0].texture, nullptr); // not enabled
     c.texture.unit[0].enabled[index_of(TextureKind::two)] = true;
     c.changed(dirty_fragment);
@@ -484,7 +485,7 @@ TEST_F(FragmentSetup, DerivedOncePerChange) {
         [&] { cmd::Hint(c, GL_FOG_HINT, GL_FASTEST); },
         [&] { cmd::BindTexture(c, GL_TEXTURE_2D, name); },
         [&] { cmd::TexParameter(c, GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, integer(GL_CLAMP)); },
-        [&] { cmd::TexImage2D(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+        [&] { tex_image_2d(c, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
         [&] { cmd::TexEnv(c, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, integer(GL_ADD)); },
         [&] { cmd::DeleteTextures(c, 1, &name); },
     };

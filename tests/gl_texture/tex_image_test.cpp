@@ -10,6 +10,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/texture/complete.hpp"
 #include "tests/gl_pixel/bare_context.hpp"
+#include "tests/gl_texture/client_image.hpp"
 
 namespace spangle::gl {
 namespace {
@@ -99,8 +100,7 @@ TEST_F(TexImage, InternalFormatsKeepTheirBitsAndSayHowMany) {
     for (const Case& c : cases)
         for (BareContext* b : {&bare, &board})
             for (GLenum target : {GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D}) {
-                cmd::TexImage2D(b->context, target, 0, c.internal_format, 2, 2, 0, GL_RGBA, GL_FLOAT,
-                                nullptr);
+                tex_image_2d(b->context, target, 0, c.internal_format, 2, 2, 0, GL_RGBA, GL_FLOAT, nullptr);
                 ASSERT_EQ(b->take_error(), GLenum{GL_NO_ERROR}) << std::hex << c.internal_format;
                 const bool five = c.sixteen && b == &board;
                 EXPECT_EQ(level_parameter(*b, target, 0, GL_TEXTURE_INTERNAL_FORMAT), c.internal_format);
@@ -216,8 +216,8 @@ TEST_F(TexImage, EveryFormatAndTypeArrivesRoundedToTheBitsKept) {
                             push(static_cast<float>(f));
                     }
                     b->context.pixel_store.unpack.alignment = 1;
-                    cmd::TexImage2D(b->context, GL_TEXTURE_2D, 0, kind.internal, 8, 4, 0, source.format, type,
-                                    bytes.data());
+                    tex_image_2d(b->context, GL_TEXTURE_2D, 0, kind.internal, 8, 4, 0, source.format, type,
+                                 bytes.data());
                     ASSERT_EQ(b->take_error(), GLenum{GL_NO_ERROR});
                     const raster::Texture& t = view(*b);
                     ASSERT_EQ(t.base, kind.base);
@@ -253,8 +253,8 @@ TEST_F(TexImage, PackedColoursAndSwappedBytes) {
         for (int i = 0; i < 4; ++i)
             given[i] = swap ? __builtin_bswap16(pixels[i]) : pixels[i];
         board.context.pixel_store.unpack.swap_bytes = swap;
-        cmd::TexImage2D(board.context, GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_SHORT_5_6_5,
-                        given);
+        tex_image_2d(board.context, GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_SHORT_5_6_5,
+                     given);
         const raster::Texture& t = view(board);
         for (int i = 0; i < 4; ++i) {
             std::uint16_t word;
@@ -273,8 +273,8 @@ TEST_F(TexImage, UnpackModesChooseARectangle) {
     unpack.alignment = 8; // rows of 16 bytes
     unpack.skip_rows = 2;
     unpack.skip_pixels = 3;
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
-                    image.data());
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_LUMINANCE, 4, 4, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                 image.data());
     const raster::Texture& t = view(bare);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
@@ -283,8 +283,7 @@ TEST_F(TexImage, UnpackModesChooseARectangle) {
 
 TEST_F(TexImage, ErrorsChangeNothing) {
     std::vector<std::uint8_t> image(64, 7);
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                    image.data());
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
     ASSERT_EQ(bare.take_error(), GLenum{GL_NO_ERROR});
     const std::size_t used = memory.arena.used();
     struct Case {
@@ -331,8 +330,8 @@ TEST_F(TexImage, ErrorsChangeNothing) {
     for (const Case& c : cases)
         for (const void* pixels :
              {static_cast<const void*>(image.data()), static_cast<const void*>(nullptr)}) {
-            cmd::TexImage2D(bare.context, c.target, c.level, c.internal_format, c.width, c.height, c.border,
-                            c.format, c.type, pixels);
+            tex_image_2d(bare.context, c.target, c.level, c.internal_format, c.width, c.height, c.border,
+                         c.format, c.type, pixels);
             EXPECT_EQ(bare.take_error(), c.wanted) << &c - cases;
             EXPECT_EQ(memory.arena.used(), used);
             EXPECT_EQ(level_parameter(GL_TEXTURE_WIDTH), 4);
@@ -344,8 +343,8 @@ TEST_F(TexImage, LargestSizesOfEachLevel) {
     for (GLint level = 0; level < 12; ++level)
         for (GLint border : {0, 1}) {
             const GLsizei side = (2048 >> level) + 2 * border;
-            cmd::TexImage2D(bare.context, GL_PROXY_TEXTURE_2D, level, GL_ALPHA, side, 1 + 2 * border, border,
-                            GL_ALPHA, GL_UNSIGNED_BYTE, nullptr);
+            tex_image_2d(bare.context, GL_PROXY_TEXTURE_2D, level, GL_ALPHA, side, 1 + 2 * border, border,
+                         GL_ALPHA, GL_UNSIGNED_BYTE, nullptr);
             EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR});
             EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, level, GL_TEXTURE_WIDTH), side);
             EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, level, GL_TEXTURE_BORDER), border);
@@ -354,18 +353,18 @@ TEST_F(TexImage, LargestSizesOfEachLevel) {
 
 TEST_F(TexImage, AProxyTooLargeIsZeroAndNoError) {
     const std::size_t used = memory.arena.used();
-    cmd::TexImage2D(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 64, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                    nullptr);
+    tex_image_2d(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 64, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
     EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT), 32);
     EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, 1, GL_TEXTURE_HEIGHT), 0);
     for (GLsizei width : {4096, 2049, INT_MAX}) {
-        cmd::TexImage2D(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, width, 32, 0, GL_RGBA,
-                        GL_UNSIGNED_BYTE, nullptr);
+        tex_image_2d(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, width, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     nullptr);
         EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR});
         for (GLenum pname : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_BORDER, GL_TEXTURE_RED_SIZE})
             EXPECT_EQ(level_parameter(bare, GL_PROXY_TEXTURE_2D, 0, pname), 0);
     }
-    cmd::TexImage2D(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, 0, nullptr);
+    tex_image_2d(bare.context, GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, 0, nullptr);
     EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_ENUM});
     EXPECT_EQ(memory.arena.used(), used);
     EXPECT_EQ(level_parameter(GL_TEXTURE_WIDTH), 0);
@@ -378,14 +377,14 @@ TEST_F(TexImage, SubImageReplacesItsRectangleOnly) {
     for (std::size_t i = 0; i < part.size(); ++i)
         part[i] = static_cast<std::uint8_t>(200 + i);
     bare.context.pixel_store.unpack.alignment = 1;
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 0, GL_ALPHA, 10, 6, 1, GL_ALPHA, GL_UNSIGNED_BYTE,
-                    image.data());
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_ALPHA, 10, 6, 1, GL_ALPHA, GL_UNSIGNED_BYTE,
+                 image.data());
     const std::uint8_t* texels = view(bare).level[0].texels;
     // Lower-left and upper-right corners, the border included (GL 1.3, 3.8.2).
     const struct { GLint x, y; } places[] = {{-1, -1}, {6, 3}, {2, 1}};
     for (const auto& at : places) {
-        cmd::TexSubImage2D(bare.context, GL_TEXTURE_2D, 0, at.x, at.y, 3, 2, GL_ALPHA, GL_UNSIGNED_BYTE,
-                           part.data());
+        tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, at.x, at.y, 3, 2, GL_ALPHA, GL_UNSIGNED_BYTE,
+                         part.data());
         ASSERT_EQ(bare.take_error(), GLenum{GL_NO_ERROR});
         for (int y = 0; y < 2; ++y)
             for (int x = 0; x < 3; ++x)
@@ -400,10 +399,9 @@ TEST_F(TexImage, SubImageReplacesItsRectangleOnly) {
 
 TEST_F(TexImage, SubImageErrors) {
     std::vector<std::uint8_t> image(10 * 6 * 4);
-    cmd::TexSubImage2D(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+    tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
     EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_OPERATION}); // no array yet
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 10, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                    image.data());
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 10, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
     struct Case {
         GLenum target;
         GLint level, x, y;
@@ -430,14 +428,14 @@ TEST_F(TexImage, SubImageErrors) {
     const raster::Texture& t = view(bare);
     for (const Case& c : cases) {
         std::vector<std::uint8_t> other(10 * 6 * 4, 99);
-        cmd::TexSubImage2D(bare.context, c.target, c.level, c.x, c.y, c.width, c.height, c.format, c.type,
-                           other.data());
+        tex_sub_image_2d(bare.context, c.target, c.level, c.x, c.y, c.width, c.height, c.format, c.type,
+                         other.data());
         EXPECT_EQ(bare.take_error(), c.wanted) << &c - cases;
         EXPECT_EQ(std::memcmp(t.level[0].texels - 11 * 4, image.data(), image.size()), 0);
     }
-    cmd::TexSubImage2D(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(bare.take_error(), GLenum{GL_INVALID_VALUE});
-    cmd::TexSubImage2D(bare.context, GL_TEXTURE_2D, 0, 9, 5, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    tex_sub_image_2d(bare.context, GL_TEXTURE_2D, 0, 9, 5, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(bare.take_error(), GLenum{GL_NO_ERROR}); // empty at the far corner
 }
 
@@ -465,9 +463,9 @@ TEST_F(TexImage, LevelQueriesRefuseWhatIsNotThere) {
 }
 
 TEST_F(TexImage, LevelsOfOneTextureAreKeptAlike) {
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGB, 2, 2, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
     bare.context.drawable.surface.format = PixelFormat::rgb565_be; // another window, the same texture
-    cmd::TexImage2D(bare.context, GL_TEXTURE_2D, 1, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+    tex_image_2d(bare.context, GL_TEXTURE_2D, 1, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
     EXPECT_EQ(level_parameter(GL_TEXTURE_GREEN_SIZE, 1), 8);
     const raster::Texture* texture = complete_texture(bare.context.texture.bound(0));
     ASSERT_NE(texture, nullptr);

@@ -9,6 +9,7 @@
 #include "gl/context/hooks.hpp"
 #include "gl/texture/complete.hpp"
 #include "tests/gl_pixel/bare_context.hpp"
+#include "tests/gl_texture/client_image.hpp"
 
 namespace spangle::gl {
 namespace {
@@ -31,8 +32,8 @@ Params reals(std::initializer_list<float> values) {
 
 void image(BareContext& b, GLint level, GLsizei width, GLsizei height, GLint border = 0,
            GLint format = GL_RGBA) {
-    cmd::TexImage2D(b.context, GL_TEXTURE_2D, level, format, width + 2 * border, height + 2 * border, border,
-                    GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    tex_image_2d(b.context, GL_TEXTURE_2D, level, format, width + 2 * border, height + 2 * border, border,
+                 GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     ASSERT_EQ(b.take_error(), GLenum{GL_NO_ERROR});
 }
 void parameter(BareContext& b, GLenum pname, std::int64_t value) {
@@ -433,11 +434,11 @@ TEST(TextureMemory, ExhaustionLeavesTheStateIntact) {
             EXPECT_EQ(texture_binding(b.context, TextureKind::two), 0u);
         }
         const std::uint8_t pixels[4 * 4 * 4] = {1, 2, 3, 4, 5};
-        cmd::TexImage2D(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+        tex_image_2d(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
         const bool first_failed = failed();
         parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         const std::size_t used = memory.arena.used();
-        cmd::TexImage2D(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        tex_image_2d(b.context, GL_TEXTURE_2D, 0, GL_RGBA, 16, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         if (failed()) {
             EXPECT_EQ(memory.arena.used(), used);
             const raster::Texture* t = complete_texture(b.context.texture.bound(0));
