@@ -42,8 +42,8 @@ template <class F>
     issue_components<F>(given, kind, static_cast<const char*>(nullptr));
 }
 template <class F>
-[[gnu::noinline]] void issue_given(GLenum target, std::uint32_t x, std::uint32_t y,
-                                   convert::Components kind) {
+[[gnu::noinline]] void issue_given_at(GLenum target, std::uint32_t x, std::uint32_t y,
+                                      convert::Components kind) {
     const std::uint32_t given[] = {x, y};
     issue_components<F>(target, given, kind, static_cast<const char*>(nullptr));
 }
@@ -66,7 +66,7 @@ template <class F, class T, std::size_t count>
 inline void issue_components(GLenum target, const T (&given)[count], convert::Components kind,
                              std::nullptr_t) {
     if constexpr (!converts_in_line && sizeof(T) == 4 && count <= 2)
-        issue_given<F>(target, word_at<0>(given), word_at<1>(given), kind);
+        issue_given_at<F>(target, word_at<0>(given), word_at<1>(given), kind);
     else
         issue_components<F>(target, static_cast<const void*>(given), kind, static_cast<const char*>(nullptr));
 }
