@@ -73,13 +73,14 @@ struct Context {
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
     // Small chapters first: instructions of microcontrollers reach 4 KB.
-    Drawable drawable;
     raster::Tier tier = raster::Tier::exact; ///< of the EGL config: what DONT_CARE hints mean
     const Engine* engine = nullptr;
     void* pipeline = nullptr; ///< the engine's own state, engine->pipeline_bytes of it
     Arena* arena = nullptr;
     ShareGroup* share = nullptr;
+    RenderState render;
 
+    Drawable drawable;
     CurrentState current;
     PolygonState polygon;
     FragmentOpsState fragment_ops;
@@ -92,7 +93,6 @@ struct Context {
     HintState hint;
     ListState list;
     AttribState attrib;
-    RenderState render;
     EvalState eval;
     FragmentCache fragments;
     LightingState lighting;
