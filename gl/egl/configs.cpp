@@ -130,10 +130,11 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
 /// EGL 1.4, table 3.4: how a wish is held against a value, and what is wished where nothing is said.
 enum class Rule : std::uint8_t { at_least, exact, mask, ignored };
 struct Wish {
-    std::uint16_t name;
-    std::int16_t value;
-    Rule rule;
+    std::uint32_t name : 14;
+    std::int32_t value : 16;
+    Rule rule : 2;
 };
+static_assert(sizeof(Wish) == 4); // boards hold them all
 constexpr Wish defaults[] = {
     {EGL_BUFFER_SIZE, 0, Rule::at_least},
     {EGL_RED_SIZE, 0, Rule::at_least},
@@ -175,7 +176,7 @@ constexpr int wish_count = sizeof defaults / sizeof defaults[0];
 
 consteval int place_of(EGLint name) {
     int i = 0;
-    while (defaults[i].name != name)
+    while (static_cast<EGLint>(defaults[i].name) != name)
         ++i;
     return i;
 }
@@ -190,7 +191,7 @@ bool read_wishes(const EGLint* list, Wishes& out) {
         out.value[i] = defaults[i].value;
     for (; list != nullptr && *list != EGL_NONE; list += 2) {
         int i = 0;
-        while (i < wish_count && defaults[i].name != list[0])
+        while (i < wish_count && static_cast<EGLint>(defaults[i].name) != list[0])
             ++i;
         if (i == wish_count)
             return false;
