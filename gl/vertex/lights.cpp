@@ -1,5 +1,8 @@
 // Lights, materials, the light model, ColorMaterial (GL 1.3, 2.13.1 to 2.13.3).
+#include <cstddef>
+#include <cstring>
 #include <initializer_list>
+#include <iterator>
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
@@ -117,6 +120,20 @@ void to_eye(const Context& context, const Real (&v)[4], Real* out, int component
     }
 }
 
+/// Where in a light, in Reals, lie what the tokens from AMBIENT on name; then its end.
+constexpr std::uint8_t property_place[] = {0, 4, 8, 12, 16, 19, 20, 21, 22, 23, 24};
+static_assert(std::size(property_place) == GL_QUADRATIC_ATTENUATION - GL_AMBIENT + 2);
+static_assert(offsetof(Light, position) == 12 * sizeof(Real) &&
+              offsetof(Light, spot_cutoff) == 20 * sizeof(Real) && sizeof(Light) == 24 * sizeof(Real));
+
+Real* property_of(Light& light, GLenum pname) {
+    return reinterpret_cast<Real*>(&light) + property_place[pname - GL_AMBIENT];
+}
+std::uint32_t property_size(GLenum pname) {
+    return static_cast<std::uint32_t>(property_place[pname - GL_AMBIENT + 1] -
+                                      property_place[pname - GL_AMBIENT]);
+}
+
 } // namespace
 
 void color_material_enabled(Context& context) {
@@ -134,80 +151,29 @@ namespace cmd {
 void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
     if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || params.count == 0)
         return error(context, GL_INVALID_ENUM);
-    gl::Light& l = context.lighting.light[light - GL_LIGHT0];
     const Real v[4] = {params.v[0].real(), params.v[1].real(), params.v[2].real(), params.v[3].real()};
-    switch (pname) {
-    case GL_AMBIENT:
-        copy(l.ambient, params);
-        break;
-    case GL_DIFFUSE:
-        if (too_bright(v))
-            return refuse(context);
-        copy(l.diffuse, params);
-        break;
-    case GL_SPECULAR:
-        copy(l.specular, params);
-        break;
-    case GL_POSITION:
-        if (!has_local_lights && !numeric::is_zero(v[3]))
-            return refuse(context);
-        to_eye(context, v, l.position, 4);
-        break;
-    case GL_SPOT_DIRECTION:
-        to_eye(context, v, l.spot_direction, 3);
-        break;
-    case GL_SPOT_EXPONENT:
-        if (!in_range(v[0], hundred_twenty_eight))
-            return error(context, GL_INVALID_VALUE);
-        l.spot_exponent = v[0];
-        break;
-    case GL_SPOT_CUTOFF:
-        if (!in_range(v[0], ninety) && !(v[0] == hundred_eighty))
-            return error(context, GL_INVALID_VALUE);
-        if (!has_local_lights && !(v[0] == hundred_eighty))
-            return refuse(context);
-        l.spot_cutoff = v[0];
-        break;
-    case GL_CONSTANT_ATTENUATION:
-    case GL_LINEAR_ATTENUATION:
-    case GL_QUADRATIC_ATTENUATION:
-        if (v[0] < numeric::zero)
-            return error(context, GL_INVALID_VALUE);
-        l.attenuation[pname - GL_CONSTANT_ATTENUATION] = v[0];
-        break;
-    default:
-        return error(context, GL_INVALID_ENUM);
-    }
+    const bool spot = pname == GL_SPOT_CUTOFF && !(v[0] == hundred_eighty);
+    const bool in_eye_space = pname == GL_POSITION || pname == GL_SPOT_DIRECTION;
+    if ((pname == GL_SPOT_EXPONENT && !in_range(v[0], hundred_twenty_eight)) ||
+        (spot && !in_range(v[0], ninety)) || (pname >= GL_CONSTANT_ATTENUATION && v[0] < numeric::zero))
+        return error(context, GL_INVALID_VALUE);
+    if ((pname == GL_DIFFUSE && too_bright(v)) ||
+        (!has_local_lights && (spot || (pname == GL_POSITION && !numeric::is_zero(v[3])))))
+        return refuse(context);
+    Real* const to = property_of(context.lighting.light[light - GL_LIGHT0], pname);
+    if (in_eye_space)
+        to_eye(context, v, to, static_cast<int>(params.count));
+    else
+        std::memcpy(to, v, params.count * sizeof(Real));
     context.changed(dirty_vertex);
 }
 
 void GetLight(Context& context, GLenum light, GLenum pname, Params& params) {
     params.count = 0;
-    if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights)
+    if (light < GL_LIGHT0 || light >= GL_LIGHT0 + max_lights || pname < GL_AMBIENT ||
+        pname > GL_QUADRATIC_ATTENUATION)
         return error(context, GL_INVALID_ENUM);
-    const gl::Light& l = context.lighting.light[light - GL_LIGHT0];
-    switch (pname) {
-    case GL_AMBIENT:
-        return give(params, l.ambient, 4);
-    case GL_DIFFUSE:
-        return give(params, l.diffuse, 4);
-    case GL_SPECULAR:
-        return give(params, l.specular, 4);
-    case GL_POSITION:
-        return give(params, l.position, 4);
-    case GL_SPOT_DIRECTION:
-        return give(params, l.spot_direction, 3);
-    case GL_SPOT_EXPONENT:
-        return give(params, &l.spot_exponent, 1);
-    case GL_SPOT_CUTOFF:
-        return give(params, &l.spot_cutoff, 1);
-    case GL_CONSTANT_ATTENUATION:
-    case GL_LINEAR_ATTENUATION:
-    case GL_QUADRATIC_ATTENUATION:
-        return give(params, &l.attenuation[pname - GL_CONSTANT_ATTENUATION], 1);
-    default:
-        return error(context, GL_INVALID_ENUM);
-    }
+    give(params, property_of(context.lighting.light[light - GL_LIGHT0], pname), property_size(pname));
 }
 
 void LightModel(Context& context, GLenum pname, const Params& params) {
