@@ -1,5 +1,6 @@
 // TexParameter and its queries (GL 1.3, 3.8.4, 6.1.3).
-#include <type_traits>
+#include <cstddef>
+#include <cstring>
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
@@ -31,124 +32,110 @@ bool is_wrap(GLenum v) {
     return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
 }
 
-GLenum set_level(GLint& where, GLint value) {
-    if (value < 0)
-        return GL_INVALID_VALUE;
-    where = value;
-    return GL_NO_ERROR;
-}
-
-/// A parameter that is a token: where it is kept, and what it may be.
-template <class Token> struct TokenParameter {
-    Token* where;
-    bool (*legal)(GLenum);
+/// What a parameter may be, or what becomes of it.
+enum class Rule : std::uint8_t {
+    min_filter,
+    mag_filter,
+    wrap,
+    depth_mode,
+    compare_mode,
+    compare_func,
+    level, ///< not negative
+    real,
+    clamped, ///< to [0, 1]
+    boolean,
 };
 
-/// Null: not one of these.
-template <class Parameters> auto token_parameter(Parameters& p, GLenum pname) {
-    using Token = std::remove_reference_t<decltype((p.min_filter))>;
-    switch (pname) {
-    case GL_TEXTURE_MIN_FILTER:
-        return TokenParameter<Token>{&p.min_filter, is_min_filter};
-    case GL_TEXTURE_MAG_FILTER:
-        return TokenParameter<Token>{&p.mag_filter, is_mag_filter};
-    case GL_TEXTURE_WRAP_S:
-        return TokenParameter<Token>{&p.wrap[0], is_wrap};
-    case GL_TEXTURE_WRAP_T:
-        return TokenParameter<Token>{&p.wrap[1], is_wrap};
-    case GL_TEXTURE_WRAP_R:
-        return TokenParameter<Token>{&p.wrap[2], is_wrap};
+/// All are words, four of BORDER_COLOR, but for the one that is a boolean.
+struct Row {
+    std::uint16_t name;
+    std::uint8_t at; ///< in TextureParameters
+    Rule rule;
+};
+#define ROW(NAME, MEMBER, RULE)                                                                              \
+    { NAME, offsetof(TextureParameters, MEMBER), Rule::RULE }
+constexpr Row rows[] = {
+    ROW(GL_TEXTURE_MIN_FILTER, min_filter, min_filter),
+    ROW(GL_TEXTURE_MAG_FILTER, mag_filter, mag_filter),
+    ROW(GL_TEXTURE_WRAP_S, wrap[0], wrap),
+    ROW(GL_TEXTURE_WRAP_T, wrap[1], wrap),
+    ROW(GL_TEXTURE_WRAP_R, wrap[2], wrap),
+    ROW(GL_TEXTURE_BORDER_COLOR, border_color, clamped),
+    ROW(GL_TEXTURE_PRIORITY, priority, clamped),
+    ROW(GL_TEXTURE_MIN_LOD, min_lod, real),
+    ROW(GL_TEXTURE_MAX_LOD, max_lod, real),
+    ROW(GL_TEXTURE_LOD_BIAS, lod_bias, real),
+    ROW(GL_TEXTURE_BASE_LEVEL, base_level, level),
+    ROW(GL_TEXTURE_MAX_LEVEL, max_level, level),
+    ROW(GL_GENERATE_MIPMAP, generate_mipmap, boolean),
 #if SPANGLE_FEATURE_DEPTH_TEXTURES
-    case GL_DEPTH_TEXTURE_MODE:
-        return TokenParameter<Token>{&p.depth_mode, is_depth_mode};
-    case GL_TEXTURE_COMPARE_MODE:
-        return TokenParameter<Token>{&p.compare_mode, is_compare_mode};
-    case GL_TEXTURE_COMPARE_FUNC:
-        return TokenParameter<Token>{&p.compare_func, is_compare_func};
+    ROW(GL_DEPTH_TEXTURE_MODE, depth_mode, depth_mode),
+    ROW(GL_TEXTURE_COMPARE_MODE, compare_mode, compare_mode),
+    ROW(GL_TEXTURE_COMPARE_FUNC, compare_func, compare_func),
 #endif
-    default:
-        return TokenParameter<Token>{nullptr, nullptr};
-    }
+};
+#undef ROW
+
+const Row* find_row(GLenum pname) {
+    for (const Row& row : rows)
+        if (row.name == pname)
+            return &row;
+    return nullptr;
 }
 
-template <class Parameters> auto* real_parameter(Parameters& p, GLenum pname) {
-    switch (pname) {
-    case GL_TEXTURE_MIN_LOD:
-        return &p.min_lod;
-    case GL_TEXTURE_MAX_LOD:
-        return &p.max_lod;
-    case GL_TEXTURE_LOD_BIAS:
-        return &p.lod_bias;
-    case GL_TEXTURE_PRIORITY:
-        return &p.priority;
+bool is_token(Rule rule, GLenum v) {
+    switch (rule) {
+    case Rule::min_filter:
+        return is_min_filter(v);
+    case Rule::mag_filter:
+        return is_mag_filter(v);
+    case Rule::wrap:
+        return is_wrap(v);
+#if SPANGLE_FEATURE_DEPTH_TEXTURES
+    case Rule::depth_mode:
+        return is_depth_mode(v);
+    case Rule::compare_mode:
+        return is_compare_mode(v);
+    case Rule::compare_func:
+        return is_compare_func(v);
+#endif
     default:
-        return static_cast<std::remove_reference_t<decltype((p.min_lod))>*>(nullptr);
+        return true;
     }
 }
 
 /// Table 3.19. The error, and then nothing is changed.
 GLenum set_parameter(TextureParameters& p, GLenum pname, const Params& params) {
-    const Param value = params.v[0];
-    if (const auto token = token_parameter(p, pname); token.where != nullptr) {
-        if (!token.legal(value.token()))
-            return GL_INVALID_ENUM;
-        *token.where = value.token();
-        return GL_NO_ERROR;
-    }
-    if (Real* const real = real_parameter(p, pname); real != nullptr) {
-        *real = pname == GL_TEXTURE_PRIORITY ? numeric::clamp01(value.real()) : value.real();
-        return GL_NO_ERROR;
-    }
-    switch (pname) {
-    case GL_TEXTURE_BASE_LEVEL:
-        return set_level(p.base_level, value.integer());
-    case GL_TEXTURE_MAX_LEVEL:
-        return set_level(p.max_level, value.integer());
-    case GL_GENERATE_MIPMAP:
-        p.generate_mipmap = value.integer() != 0;
-        return GL_NO_ERROR;
-    case GL_TEXTURE_BORDER_COLOR:
-        for (int c = 0; c < 4; ++c)
-            p.border_color[c] = numeric::clamp01(params.v[c].real());
-        return GL_NO_ERROR;
-    default:
+    const Row* const row = find_row(pname);
+    if (row == nullptr || !is_token(row->rule, params.v[0].token()))
         return GL_INVALID_ENUM;
+    if (row->rule == Rule::level && params.v[0].integer() < 0)
+        return GL_INVALID_VALUE;
+    auto* const to = reinterpret_cast<unsigned char*>(&p) + row->at;
+    if (row->rule == Rule::boolean) {
+        p.generate_mipmap = params.v[0].integer() != 0;
+        return GL_NO_ERROR;
     }
+    for (std::uint32_t c = 0; c < params.count; ++c) {
+        const Param v = params.v[c];
+        const std::uint32_t word = row->rule == Rule::clamped ? numeric::clamp01(v.real()).bits : v.word;
+        std::memcpy(to + c * sizeof word, &word, sizeof word);
+    }
+    return GL_NO_ERROR;
 }
 
 /// False: not a parameter.
 bool get_parameter(const TextureParameters& p, GLenum pname, Params& params) {
-    params.count = 1;
-    if (const auto token = token_parameter(p, pname); token.where != nullptr) {
-        params.v[0] = Param::from_integer(*token.where);
-        return true;
-    }
-    if (const Real* const real = real_parameter(p, pname); real != nullptr) {
-        params.v[0] = Param::from(*real);
-        return true;
-    }
-    switch (pname) {
-    case GL_TEXTURE_BASE_LEVEL:
-        params.v[0] = Param::from_integer(static_cast<std::uint32_t>(p.base_level));
-        return true;
-    case GL_TEXTURE_MAX_LEVEL:
-        params.v[0] = Param::from_integer(static_cast<std::uint32_t>(p.max_level));
-        return true;
-    case GL_GENERATE_MIPMAP:
-        params.v[0] = Param::from_integer(p.generate_mipmap ? 1 : 0);
-        return true;
-    case GL_TEXTURE_RESIDENT: // there is one kind of memory
-        params.v[0] = Param::from_integer(GL_TRUE);
-        return true;
-    case GL_TEXTURE_BORDER_COLOR:
-        for (int c = 0; c < 4; ++c)
-            params.v[c] = Param::from(p.border_color[c]);
-        params.count = 4;
-        return true;
-    default:
-        params.count = 0;
+    const Row* const row = find_row(pname);
+    if (row == nullptr && pname != GL_TEXTURE_RESIDENT)
         return false;
-    }
+    params.count = pname == GL_TEXTURE_BORDER_COLOR ? 4 : 1;
+    if (row == nullptr || row->rule == Rule::boolean) // there is one kind of memory
+        params.v[0] = Param::from_integer(row == nullptr || p.generate_mipmap ? 1 : 0);
+    else
+        std::memcpy(params.v, reinterpret_cast<const unsigned char*>(&p) + row->at,
+                    params.count * sizeof(Param));
+    return true;
 }
 
 /// A parameter of a system that this build has left out: says so.
