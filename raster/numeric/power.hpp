@@ -15,14 +15,20 @@ namespace detail {
 
 inline constexpr std::uint32_t log2_e_q31 = 0xB8AA3B29; // 1 / ln 2
 
-/// For each 64th of [1, 2): c = Q16 of 1 / its middle, and log2 of 1/c in Q0.32.
+/// Q16 of 1 / the middle of the i-th 64th of [1, 2).
+constexpr std::uint32_t inverse_near(std::uint32_t i) {
+    return ((1u << 24) / (129 + 2 * i) + 1) / 2; // 2^23 / (129 + 2i), rounded
+}
+/// That, and log2 of its inverse in Q0.32, for each.
 struct Log2Table {
-    std::uint32_t inverse[64];
+    std::uint32_t inverse[has_seed_tables ? 64 : 1];
     std::uint32_t log2[64];
     constexpr Log2Table() : inverse{}, log2{} {
         for (std::uint32_t i = 0; i < 64; ++i) {
-            inverse[i] = ((1u << 24) / (129 + 2 * i) + 1) / 2; // 2^16 * 128 / (129 + 2i)
-            log2[i] = 0u - fraction_of_log2(std::uint64_t{inverse[i]} << (clz32(inverse[i]) + 32));
+            const std::uint32_t c = inverse_near(i);
+            if constexpr (has_seed_tables)
+                inverse[i] = c;
+            log2[i] = 0u - fraction_of_log2(std::uint64_t{c} << (clz32(c) + 32));
         }
     }
     /// Fraction of log2(v / 2^63), v >= 2^63, Q0.32: squaring doubles a logarithm, what crosses 2 is its next
@@ -61,9 +67,10 @@ template <int terms> SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint
     const int zeros = clz32(v);         // >= 2
     const std::uint32_t a = v << zeros; // [1, 2) in Q1.31
     const std::uint32_t i = (a >> 25) & 63;
+    const std::uint32_t c = has_seed_tables ? log2_table.inverse[i] : inverse_near(i);
     // r = a c - 1, |r| < 2^-6.9, Q0.38
-    const auto r = static_cast<std::int32_t>(
-        static_cast<std::int64_t>(mul_u32(a, log2_table.inverse[i]) - (std::uint64_t{1} << 47)) >> 9);
+    const auto r =
+        static_cast<std::int32_t>(static_cast<std::int64_t>(mul_u32(a, c) - (std::uint64_t{1} << 47)) >> 9);
     // log2(1 + r) = r/ln2 (1 - r/2 + r^2/3 - r^3/4): the bracket in Q2.30.
     std::int32_t bracket = 1 << 30;
     if constexpr (terms == 4) {

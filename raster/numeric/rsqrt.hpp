@@ -9,10 +9,10 @@ namespace spangle::numeric {
 
 namespace detail {
 
-/// Largest x with x * x <= v.
-constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
+/// Largest x with x * x <= v, below twice `highest`, a power of two.
+constexpr std::uint32_t integer_sqrt(std::uint64_t v, std::uint32_t highest = 1u << 31) {
     std::uint32_t root = 0;
-    for (std::uint32_t bit = 0x80000000u; bit != 0; bit >>= 1)
+    for (std::uint32_t bit = highest; bit != 0; bit >>= 1)
         if (std::uint64_t{root | bit} * (root | bit) <= v)
             root |= bit;
     return root;
@@ -22,8 +22,8 @@ constexpr std::uint32_t integer_sqrt(std::uint64_t v) {
 constexpr std::uint16_t rsqrt_near(std::uint32_t i) {
     const std::uint32_t d = 257 + 2 * i, high = (1u << 31) / d;
     const std::uint64_t square =
-        (std::uint64_t{high} << 11) + (((1u << 31) - high * d) << 11) / d; // 2^42 / d
-    return static_cast<std::uint16_t>((integer_sqrt(square) + 1) / 2);     // of Q.32 of 1/a
+        (std::uint64_t{high} << 11) + (((1u << 31) - high * d) << 11) / d;       // 2^42 / d
+    return static_cast<std::uint16_t>((integer_sqrt(square, 1u << 16) + 1) / 2); // of Q.32 of 1/a
 }
 struct RsqrtTable {
     std::uint16_t at[384];
