@@ -66,28 +66,14 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
 
 // --- planes
 
-SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::affine(Interpolant<std::uint32_t>& at,
-                                                           std::uint32_t first, std::int32_t d1,
-                                                           std::int32_t d2, int up) const {
-    const Gradient g = gradient(by(), d1, d2);
-    const int n = by().exponent - up;
-    at.value = first + scaled_word(g.center, n);
-    at.dx = scaled_word(g.dx, n);
-    at.dy = scaled_word(g.dy, n);
-    return g;
-}
-
-Setup<Fixed>::Slope Setup<Fixed>::add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                             const std::int32_t v[3], int up) {
-    const Gradient g = affine(at, first, v[1] - v[0], v[2] - v[0], up);
-    return {static_cast<std::uint64_t>(scaled(g.dx, by().exponent - up)),
-            static_cast<std::uint64_t>(scaled(g.dy, by().exponent - up))};
-}
-
 /// Not in line where add_lifted() is.
-void Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
-                             std::int32_t d2, int up) {
-    affine(at, first, d1, d2, up);
+Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                            std::int32_t d1, std::int32_t d2, int up) {
+    const Interpolant<std::uint64_t> plane = scaled_plane(by(), d1, d2, up);
+    at.value = first + static_cast<std::uint32_t>(plane.value);
+    at.dx = static_cast<std::uint32_t>(plane.dx);
+    at.dy = static_cast<std::uint32_t>(plane.dy);
+    return {plane.dx, plane.dy};
 }
 
 // --- attributes
@@ -259,7 +245,7 @@ SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
 template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
     if (Rgb && state_.guesses)
         return !weights() && !bounded(widest_, state_.four_color_tolerances);
-    return !nearly_affine(bits) && !weights() && !colors_affine(bits);
+    return !(has_shortcuts && nearly_affine(bits)) && !weights() && !colors_affine(bits);
 }
 
 /// With neither textures nor fog.
@@ -298,6 +284,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
         span_.gray = false; // else nobody asks
     const Vertex& painted = flat ? provoking : v(0);
     const std::uint32_t bits = flat                      ? 0
+                               : !has_shortcuts          ? color_range<Rgb>()
                                : !Rgb || !state_.guesses ? color_bits<Rgb>()
                                                          : 2 * (widest_ = color_range<Rgb>());
     if (state_.needs.z)

@@ -108,12 +108,11 @@ template <> class Setup<Fixed> {
     static Gradient gradient(const Coefficients& by, std::int32_t d1, std::int32_t d2);
     static std::uint64_t projective(const Coefficients& by, Interpolant<std::uint64_t>& at,
                                     const std::int32_t v[3]);
-    Gradient affine(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
-                    int up) const;
-    void add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
-                   int up);
+    static Interpolant<std::uint64_t> scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t d2,
+                                                   int up);
+    Slope add_steep(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1, std::int32_t d2,
+                    int up);
     void add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
-    Slope add_affine(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
     void constant_colors(const Vertex& painted);

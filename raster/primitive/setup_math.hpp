@@ -42,7 +42,7 @@ inline std::int64_t scaled(std::int64_t v, int n) {
 
 /// Both words of it; for 0 < n < 32 four instructions where words have 32 bits.
 SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
-    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
+    if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint64_t>(scaled(v, n));
     return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
@@ -60,7 +60,7 @@ SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out
 
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
-    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
+    if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint32_t>(scaled(v, n));
     return numeric::low_word_after(v, n);
 }
@@ -132,7 +132,7 @@ SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
 /// Differences so small that their words hold them 2^lift times as large. Their products with coefficients
 /// below 2^30, shifted down by n = 32 - lift, are the high words of those: no shift is left.
 SPANGLE_INLINE bool liftable(std::uint32_t bits, std::uint32_t lift) {
-    return lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
+    return has_shortcuts && lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
 }
 SPANGLE_INLINE std::int32_t lifted(std::int32_t d, std::uint32_t lift) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << lift);

@@ -16,6 +16,14 @@ SPANGLE_INLINE Setup<Fixed>::Gradient Setup<Fixed>::gradient(const Coefficients&
             numeric::mul_long(d1, by.center[0]) + numeric::mul_long(d2, by.center[1])};
 }
 
+/// Their plane, but for its first value: counted in 2^-up of the unit of d.
+SPANGLE_RUN_INLINE Interpolant<std::uint64_t>
+Setup<Fixed>::scaled_plane(const Coefficients& by, std::int32_t d1, std::int32_t d2, int up) {
+    const Gradient g = gradient(by, d1, d2);
+    const int n = by.exponent - up;
+    return {scaled_words(g.center, n), scaled_words(g.dx, n), scaled_words(g.dy, n)};
+}
+
 /// A plane of differences that are liftable().
 SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint32_t first, std::int32_t d1,
                                       std::int32_t d2, std::uint32_t lift, const Coefficients& by) {

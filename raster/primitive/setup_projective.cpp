@@ -11,11 +11,8 @@ std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const
 
 std::uint64_t Setup<Fixed>::projective(const Coefficients& by, Interpolant<std::uint64_t>& at,
                                        const std::int32_t v[3]) {
-    const Gradient g = gradient(by, v[1] - v[0], v[2] - v[0]);
-    const int n = by.exponent - guard_bits;
-    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) + scaled_words(g.center, n);
-    at.dx = scaled_words(g.dx, n);
-    at.dy = scaled_words(g.dy, n);
+    at = scaled_plane(by, v[1] - v[0], v[2] - v[0], guard_bits);
+    at.value += static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits;
     return at.dy;
 }
 
@@ -73,9 +70,11 @@ void Setup<Fixed>::weights_of_several_exponents() {
 
 bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     const std::uint32_t four = state_.four_color_tolerances;
-    if (drawn(state_.tier) == Tier::fast || bounded(2 * bits, four))
+    if (drawn(state_.tier) == Tier::fast)
         return true;
-    return bounded(color_range<false>(), four);
+    if constexpr (!has_shortcuts)
+        return bounded(bits, four); // their range
+    return bounded(2 * bits, four) || bounded(color_range<false>(), four);
 }
 
 } // namespace spangle::raster

@@ -23,12 +23,12 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
 /// The same of a word, in line where nothing can saturate: |m| 2^30 is at most 2^61.
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t m, int exponent) {
     const int up = exponent + 32;
-    return up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
+    return has_shortcuts && up >= 0 && up <= 30 ? numeric::mul_s32(m, 1 << up) : to_fixed(m, exponent, 32);
 }
 
 /// m 2^-down, rounded to nearest; in line where words are shifted by less than their bits.
 SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
-    if (down > 0 && down < 32) [[likely]] // |m| is at most 2^61
+    if (has_shortcuts && down > 0 && down < 32) [[likely]] // |m| is at most 2^61
         return static_cast<std::int64_t>(scaled_words(m + (std::int32_t{1} << (down - 1)), down));
     return to_fixed(m, -down, 0);
 }
@@ -120,7 +120,7 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
     const auto& of = state_.fog;
     const auto offset = static_cast<std::int32_t>(of.offset);
-    bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
+    bool near = has_shortcuts && of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         near = near && half_below(numeric::mul_s32(v(i).fog_mantissa, of.scale),
@@ -190,15 +190,15 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }
 
-/// What add_affine() adds, without its slopes.
+/// add_steep(), in line where it can be lifted.
 void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3],
                              int up) {
     const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
     const int n = by().exponent - up;
     if (const auto lift = static_cast<std::uint32_t>(32 - n); liftable(difference_bits(d1, d2), lift))
         return add_lifted(at, first, d1, d2, lift, by());
-    if (n <= 32 || n >= 64) [[unlikely]]
-        return add_steep(at, first, d1, d2, up);
+    if (!has_shortcuts || n <= 32 || n >= 64) [[unlikely]]
+        return void(add_steep(at, first, d1, d2, up));
     const auto word = [&](const std::int32_t(&c)[2]) {
         return static_cast<std::uint32_t>(static_cast<std::int32_t>(lifted_word(d1, d2, c)) >> (n - 32));
     };
@@ -225,8 +225,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
             return;
         }
         // For the level of detail: a texture may repeat more than once from pixel to pixel.
-        const Slope s = add_affine(span_.s[unit], s0, u.s, up_s);
-        const Slope t = add_affine(span_.t[unit], t0, u.t, up_t);
+        const Slope s = add_steep(span_.s[unit], s0, u.s[1] - u.s[0], u.s[2] - u.s[0], up_s);
+        const Slope t = add_steep(span_.t[unit], t0, u.t[1] - u.t[0], u.t[2] - u.t[0], up_t);
         at.s.dx = s.dx;
         at.t.dx = t.dx;
         at.s_dy = s.dy;
