@@ -9,8 +9,10 @@
 #include "raster/span/stage_antialias.hpp"
 #include "raster/span/stage_blend.hpp"
 #include "raster/span/stage_color.hpp"
+#include "raster/span/stage_color_packet.hpp"
 #include "raster/span/stage_combine.hpp"
 #include "raster/span/stage_coord.hpp"
+#include "raster/span/stage_coord_packet.hpp"
 #include "raster/span/stage_depth.hpp"
 #include "raster/span/stage_fog.hpp"
 #include "raster/span/stage_index.hpp"
@@ -92,8 +94,11 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
 
-/// Textures of all fragments at once; else one by one, with the same bytes.
-template <class N> inline constexpr bool by_packets = is_fixed<N>&& has_shortcuts;
+/// Textures of a packet at once; else a stage of single fragments, with the same bytes.
+template <class N> inline constexpr bool by_packets = is_fixed<N>;
+
+/// Small builds have one function for stages that differ by a parameter.
+template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
 /// Where a unit looks, and how closely.
 template <class N, int Unit>
@@ -102,6 +107,8 @@ void add_coordinates(ChainBuilder<N>& chain, const Key& key, const FragmentState
     using One = OneLane<System>;
     if (has_third_coordinates && wants_r(*state.unit[Unit].texture))
         return; // the texture function finds them itself
+    if constexpr (is_balanced<N> && !by_stages<N>)
+        return chain.add(&PacketCoordinates<PlacesOf<N>>::template run<Unit>);
     if (key.kind < Kind::textured)
         chain.template add<Coord<System, Unit, false>>();
     else if constexpr (std::is_same_v<N, Exact>)
@@ -213,10 +220,20 @@ template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
         chain.template add<PixelColor<One>>();
     else if (!key.color)
         chain.template add<White<N>>();
+    else if constexpr (!by_stages<N>)
+        chain.add(&PacketColors<N>::primary);
     else if (key.kind == Kind::full)
         chain.template choose<GouraudQ<One, true>, GouraudQ<One, false>>(key.color_alpha);
     else
         chain.template choose<Gouraud<N, true>, Gouraud<N, false>>(key.color_alpha);
+}
+
+template <class N> void add_color_sum(ChainBuilder<N>& chain, const Key& key) {
+    using One = OneLane<N>;
+    if constexpr (!by_stages<N>)
+        chain.add(&PacketColors<N>::sum);
+    else
+        chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
 }
 
 template <class N> void add_fog_coordinate(ChainBuilder<N>& chain, const Key& key) {
@@ -266,11 +283,11 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
             add_units(chain, key, state);
     if constexpr (has_color_sum)
         if (key.color_sum)
-            chain.template choose<ColorSum<One, true>, ColorSum<One, false>>(key.kind == Kind::full);
+            add_color_sum(chain, key);
     if (has_fog && key.fog && !around) {
         add_fog_coordinate(chain, key);
         if constexpr (is_fixed<N>)
-            chain.template choose<FogLinear<N>, Fog<One>>(key.fog_mode == FogMode::linear);
+            chain.template choose<FogLinear<N>, Fog<One>>(by_stages<N> && key.fog_mode == FogMode::linear);
         else
             chain.template add<Fog<N>>();
     }

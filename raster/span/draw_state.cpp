@@ -64,6 +64,8 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
             key.kind == Kind::flat);
     if (has_exact && key.cubic)
         chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
+    else if constexpr (!by_stages<Raw>)
+        chain.add(&PacketCoordinates<PlacesOf<Raw>>::run<0>);
     else
         chain.choose<Coord<OneRaw, 0, true>, Coord<Raw, 0, false>>(key.kind == Kind::textured);
     chain.choose<

@@ -13,7 +13,7 @@ class LevelOfDetail {
     LevelOfDetail(const Span<Fixed>& span, int unit) : span_(span), unit_(unit) {}
 
     [[gnu::noinline]] std::int32_t affine() const {
-        const auto steps = [](std::uint64_t dx, std::uint64_t dy, bool wraps) {
+        const auto steps = [](std::uint64_t dx, std::uint64_t dy, bool wraps) SPANGLE_RUN_LAMBDA {
             const std::uint64_t m = largest(numeric::abs_u64(static_cast<std::int64_t>(dx)),
                                             numeric::abs_u64(static_cast<std::int64_t>(dy)));
             return m << (wraps ? 0 : 32 - clamped_coord_bits);
@@ -31,7 +31,7 @@ class LevelOfDetail {
         const std::uint64_t q_dy = unit.shares_q ? span_.q_dy : unit.q_dy;
         const std::int64_t at_q = positive(span_.at(x, q)), at_s = unguarded(span_.at(x, unit.s)),
                            at_t = unguarded(span_.at(x, unit.t));
-        const auto numerator = [&](std::uint64_t dv, std::int64_t v, std::uint64_t dq) {
+        const auto numerator = [&](std::uint64_t dv, std::int64_t v, std::uint64_t dq) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(unguarded(dv) * at_q - v * unguarded(dq));
         };
         const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
@@ -57,7 +57,7 @@ class LevelOfDetail {
             return log2_fraction8(largest(ds, up >= 0 ? dt << up : dt >> -up)) + (width << 8);
         }
         const auto& halves = span_.state->halves[unit_];
-        const auto along = [](std::uint64_t d, std::uint32_t size, int halved) {
+        const auto along = [](std::uint64_t d, std::uint32_t size, int halved) SPANGLE_RUN_LAMBDA {
             return log2_fraction8(d) + log2_fraction8(size) + (halved << 8);
         };
         const std::int32_t u = along(ds, base.width, halves.s), v = along(dt, base.height, halves.t);

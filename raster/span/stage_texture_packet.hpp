@@ -17,16 +17,11 @@ template <class N> class PacketTexture {
 
   public:
     template <int Unit> static void run(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
-        apply(static_cast<Packet<N>&>(places), span, Unit);
+        apply(static_cast<Packet<N>&>(places), span, Unit, false);
     }
     /// MODULATE by N::in_steps() of the texels of unit 0.
     static void run_steps(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
-        auto& k = static_cast<Packet<N>&>(places);
-        Color texels[Packet<N>::groups];
-        sample(k, span, 0, texels);
-        const BaseFormat base = span.state->fragment.unit[0].texture->base;
-        for (std::int32_t g = 0; g * lanes < k.n; ++g)
-            apply_env<N>(TexEnv::modulate, base, k.color[g], N::in_steps(texels[g]), Color{});
+        apply(static_cast<Packet<N>&>(places), span, 0, true);
     }
     /// All units that are on, when one of them combines.
     static void combined(PlacesOf<N>& places, const Span<typename N::Policy>& span) {
@@ -61,10 +56,13 @@ template <class N> class PacketTexture {
 
     using Span = raster::Span<typename N::Policy>;
 
-    [[gnu::noinline]] static void apply(Packet<N>& k, const Span& span, int which) {
+    [[gnu::noinline]] static void apply(Packet<N>& k, const Span& span, int which, bool steps) {
         const TextureUnit& unit = span.state->fragment.unit[which];
         Color texels[Packet<N>::groups];
         sample(k, span, which, texels);
+        if constexpr (is_balanced<N>)
+            for (std::int32_t g = 0; steps && g * lanes < k.n; ++g)
+                texels[g] = N::in_steps(texels[g]);
         const Color constant = env_color<N>(unit);
         for (std::int32_t g = 0; g * lanes < k.n; ++g)
             apply_env<N>(unit.env, unit.texture->base, k.color[g], texels[g], constant);
@@ -75,7 +73,7 @@ template <class N> class PacketTexture {
             if (wants_r(*unit.texture))
                 return in_volume(k, span, which, texels);
         const PacketTexture stage(k, unit, which);
-        if (!stage.together(texels))
+        if (!has_shortcuts || !stage.together(texels))
             stage.one_by_one(texels);
     }
 

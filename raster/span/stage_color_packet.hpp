@@ -1,0 +1,60 @@
+// The colours of a packet: Gouraud, GouraudQ and ColorSum in one piece of code, for small builds.
+#pragma once
+
+#include "raster/span/chain.hpp"
+#include "raster/span/stage_color.hpp"
+
+namespace spangle::raster {
+
+/// N: of the packet.
+template <class N> class PacketColors {
+    using One = OneLane<N>;
+    using Affine = Span<Fixed>::Affine;
+    using Projective = Span<Fixed>::Projective;
+
+  public:
+    static void primary(PlacesOf<N>& k, const Span<Fixed>& span) {
+        fill(k, span, span.color_value, span.color_q, span.state->needs.alpha ? 4 : 3);
+    }
+    static void sum(PlacesOf<N>& k, const Span<Fixed>& span) {
+        fill(k, span, span.secondary, span.secondary_q, 0);
+    }
+
+  private:
+    /// Channels: 0 is three, which are added to what is there.
+    [[gnu::noinline]] static void fill(PlacesOf<N>& places, const Span<Fixed>& span, const Affine* affine,
+                                       const Projective* over_w, int channels) {
+        auto& k = static_cast<Packet<N>&>(places);
+        const bool adds = channels == 0, divides = span.kind == Kind::full;
+        channels = adds ? 3 : channels;
+        std::uint64_t at[4], by[4], q = 0; // of affine colours the low words
+        for (int c = 0; c < channels; ++c) {
+            at[c] = divides ? span.at(k.x, over_w[c]) : span.at(k.x, affine[c]);
+            by[c] = divides ? over_w[c].dx : affine[c].dx;
+        }
+        if (divides)
+            q = span.at(k.x, span.q);
+        for (std::int32_t i = 0; i < k.n; ++i) {
+            Inverse inverse{};
+            if (divides)
+                inverse = Inverse(unguarded(q));
+            q += span.q.dx;
+            typename One::T v[4];
+            v[3] = One::from_units(color_one);
+            for (int c = 0; c < channels; ++c) {
+                v[c] = divides ? One::from_units(detail::projective_color(unguarded(at[c]), inverse))
+                               : One::from_affine(static_cast<std::uint32_t>(at[c]));
+                at[c] += by[c];
+            }
+            auto& stored = k.color[i / N::lanes];
+            typename One::Color color{v[0], v[1], v[2], v[3]};
+            if (adds) {
+                lane_of(stored, i % N::lanes, color);
+                color = {One::add(color.r, v[0]), One::add(color.g, v[1]), One::add(color.b, v[2]), color.a};
+            }
+            set_lane(stored, i % N::lanes, color);
+        }
+    }
+};
+
+} // namespace spangle::raster
