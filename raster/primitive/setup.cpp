@@ -308,14 +308,11 @@ Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
     const std::uint64_t area = numeric::abs_u64(area2), most = thin_aspect * area;
     // No box is wider than the sum.
-    if (numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most &&
+    if ((!has_shortcuts || numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most) &&
         numeric::mul_u32(range_of(0, x1, x2), height) > most)
         return {};
-    const auto high = static_cast<std::uint32_t>(area >> 32);
-    if (high == 0)
-        return {static_cast<std::uint32_t>(area), 0, area2 < 0 ? -1 : 1};
-    const int zeros = clz32(high);
-    return {static_cast<std::uint32_t>((area << zeros) >> 32), 32 - zeros, area2 < 0 ? -1 : 1};
+    const int zeros = numeric::clz64(area);
+    return {numeric::high_word_before(area, zeros), 32 - zeros, area2 < 0 ? -1 : 1};
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,

@@ -22,7 +22,7 @@ struct Ends {
         return static_cast<std::uint32_t>(high) - static_cast<std::uint32_t>(low);
     }
 };
-SPANGLE_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::int32_t c) {
+SPANGLE_RUN_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::int32_t c) {
     return Ends(a, b, c).range();
 }
 

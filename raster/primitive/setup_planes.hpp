@@ -83,7 +83,8 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() con
 
 /// 1/w of the reference vertices with one exponent, and its range; true when it does not vary.
 SPANGLE_INLINE bool Setup<Fixed>::weights() {
-    if (v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent) [[likely]] {
+    if (has_shortcuts && v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent)
+        [[likely]] {
         for (int i = 0; i < 3; ++i) // mantissas have their top bit
             q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
     } else {

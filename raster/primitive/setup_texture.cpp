@@ -86,33 +86,31 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
 void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
-    std::int64_t s[3], t[3], q[3], r[3] = {};
     const auto halves = state_.halves[unit];
-    int exponent[3], exponent_q[3], top_st = -100000, top_q = -100000;
-    const auto height = [](std::int64_t v) SPANGLE_RUN_LAMBDA { return 64 - clz64(numeric::abs_u64(v)); };
+    constexpr int coordinates = 4;
+    std::int64_t of[3][coordinates]; // q, s, t, r
+    int exponent[3][2], top[2] = {-100000, -100000};
     for (int i = 0; i < 3; ++i) {
         const auto& c = v(i).tex[unit];
         const std::int64_t w = v(i).w_mantissa >> 1;
         const bool is_one = c.q_is_one != 0;
-        s[i] = c.s * w >> halves.s;
-        t[i] = c.t * w >> halves.t;
-        if (state_.needs.r[unit])
-            r[i] = v(i).r[unit] * w;
-        q[i] = (is_one ? 1 << 30 : c.q) * w;
-        exponent[i] = v(i).w_exponent + c.exponent;
-        exponent_q[i] = v(i).w_exponent + (is_one ? -30 : c.exponent);
-        const int highest = height(s[i]) > height(t[i]) ? height(s[i]) : height(t[i]);
-        const int st = highest > height(r[i]) ? highest : height(r[i]);
-        top_st = exponent[i] + st > top_st ? exponent[i] + st : top_st;
-        top_q = exponent_q[i] + height(q[i]) > top_q ? exponent_q[i] + height(q[i]) : top_q;
+        of[i][0] = (is_one ? 1 << 30 : c.q) * w;
+        of[i][1] = c.s * w >> halves.s;
+        of[i][2] = c.t * w >> halves.t;
+        of[i][3] = state_.needs.r[unit] ? v(i).r[unit] * w : 0;
+        exponent[i][0] = v(i).w_exponent + (is_one ? -30 : c.exponent);
+        exponent[i][1] = v(i).w_exponent + c.exponent;
+        for (int k = 0; k < coordinates; ++k) {
+            int& highest = top[k != 0];
+            const int height = exponent[i][k != 0] + 64 - clz64(numeric::abs_u64(of[i][k]));
+            highest = height > highest ? height : highest;
+        }
     }
-    for (int i = 0; i < 3; ++i) {
-        u.s[i] = static_cast<std::int32_t>(shift(s[i], top_st - 29 - exponent[i]));
-        u.t[i] = static_cast<std::int32_t>(shift(t[i], top_st - 29 - exponent[i]));
-        u.r[i] = static_cast<std::int32_t>(shift(r[i], top_st - 29 - exponent[i]));
-        u.q[i] = static_cast<std::int32_t>(shift(q[i], top_q - 29 - exponent_q[i]));
-    }
-    u.shift = top_st - top_q + 32;
+    std::int32_t* const to[coordinates] = {u.q, u.s, u.t, u.r};
+    for (int k = 0; k < coordinates; ++k)
+        for (int i = 0; i < 3; ++i)
+            to[k][i] = static_cast<std::int32_t>(shift(of[i][k], top[k != 0] - 29 - exponent[i][k != 0]));
+    u.shift = top[1] - top[0] + 32;
     span_.unit[unit].s_base = span_.unit[unit].t_base = 0;
 }
 
