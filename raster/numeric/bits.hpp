@@ -36,7 +36,7 @@ template <> class LeadingZeros<true> {
 };
 
 /// Leading zeros; 64 for 0.
-SPANGLE_INLINE constexpr int clz64(std::uint64_t v) {
+SPANGLE_RUN_INLINE constexpr int clz64(std::uint64_t v) {
     return std::countl_zero(v);
 }
 
