@@ -231,7 +231,7 @@ constexpr std::uint64_t shift_right_sticky(std::uint64_t v, int n) {
     return (v >> n) | ((v << (64 - n)) != 0 ? 1u : 0u);
 }
 
-SPANGLE_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
+SPANGLE_RUN_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
     constexpr std::int64_t low = std::numeric_limits<std::int32_t>::min();
     constexpr std::int64_t high = std::numeric_limits<std::int32_t>::max();
     return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
