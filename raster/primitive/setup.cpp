@@ -103,6 +103,10 @@ SPANGLE_INLINE void Setup<Fixed>::add_depth() {
     add_steep(span_.z, first, d1, d2, 1);
 }
 
+void Setup<Fixed>::any_color(ColorVisitor add) const {
+    every_color<false>(add);
+}
+
 constexpr int color_up = 24 - color_fraction_bits;
 
 void Setup<Fixed>::steep_colors(std::uint32_t bias) {

@@ -66,6 +66,16 @@ template <> class Setup<Fixed> {
         std::uint32_t first(int i) const { return of[0][i]; }
         std::int32_t difference(int k, int i) const { return static_cast<std::int32_t>(of[k][i] - of[0][i]); }
     };
+    /// What is done with each of them: one walk for all, in small builds.
+    struct ColorVisitor {
+        void* f;
+        void (*add)(void* f, const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
+                    Interpolant<std::uint64_t>& over_w);
+        void operator()(const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
+                        Interpolant<std::uint64_t>& over_w) const {
+            add(f, from, i, at, over_w);
+        }
+    };
     /// s and t (or s/w, t/w, q/w) of the reference vertices of one unit.
     struct UnitValues {
         std::int32_t s[3], t[3], q[3], r[3];
@@ -119,6 +129,8 @@ template <> class Setup<Fixed> {
     void colors(std::uint32_t bits, const Vertex& painted);
     template <bool Rgb> void varying_colors(std::uint32_t bits);
     template <bool Rgb = false, class F> void each_color(F add) const;
+    template <bool Rgb, class F> void every_color(F add) const;
+    void any_color(ColorVisitor add) const;
     void steep_colors(std::uint32_t bias);
     template <class Steps, class F> void each_step(Steps in_steps, F add) const;
     template <class F> void each_step(F add) const;

@@ -36,6 +36,14 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
 /// add(source, component, plane, projective plane) of all that are looked at. Rgb, here and below: the state
 /// is smooth_rgb.
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
+    if constexpr (has_shortcuts || !has_full) // or where there are few of them
+        every_color<Rgb>(add);
+    else
+        any_color(
+            {&add, [](void* f, const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
+                      Interpolant<std::uint64_t>& over_w) { (*static_cast<F*>(f))(from, i, at, over_w); }});
+}
+template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::every_color(F add) const {
     const Needs& needs = state_.needs;
     if (Rgb || needs.rgb) {
         const int some = !Rgb && spans_by_gray.some && state_.textured_or_fogged && span_.gray ? 1 : 3;
