@@ -11,9 +11,11 @@ std::uint64_t Setup<Fixed>::add_projective(Interpolant<std::uint64_t>& at, const
 
 std::uint64_t Setup<Fixed>::projective(const Coefficients& by, Interpolant<std::uint64_t>& at,
                                        const std::int32_t v[3]) {
-    at = scaled_plane(by, v[1] - v[0], v[2] - v[0], guard_bits);
-    at.value += static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits;
-    return at.dy;
+    const Interpolant<std::uint64_t> plane = scaled_plane(by, v[1] - v[0], v[2] - v[0], guard_bits);
+    at.value = (static_cast<std::uint64_t>(std::int64_t{v[0]}) << guard_bits) + plane.value;
+    at.dx = plane.dx;
+    at.dy = plane.dy;
+    return plane.dy;
 }
 
 /// Colour times 1/w.
