@@ -315,6 +315,8 @@ Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const
     if ((!has_shortcuts || numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most) &&
         numeric::mul_u32(range_of(0, x1, x2), height) > most)
         return {};
+    if (has_shortcuts && area >> 32 == 0)
+        return {static_cast<std::uint32_t>(area), 0, area2 < 0 ? -1 : 1};
     const int zeros = numeric::clz64(area);
     return {numeric::high_word_before(area, zeros), 32 - zeros, area2 < 0 ? -1 : 1};
 }
