@@ -47,7 +47,7 @@ SPANGLE_INLINE constexpr std::uint32_t abs_u32(std::int32_t v) {
 }
 
 /// |v|; 2^63 for INT64_MIN.
-SPANGLE_RUN_INLINE constexpr std::uint64_t abs_u64(std::int64_t v) {
+SPANGLE_INLINE constexpr std::uint64_t abs_u64(std::int64_t v) {
     const auto u = static_cast<std::uint64_t>(v);
     return v < 0 ? std::uint64_t{0} - u : u;
 }
