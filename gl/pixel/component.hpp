@@ -8,6 +8,7 @@
 
 #include "gl/pixel/pixel_layout.hpp"
 #include "raster/numeric/real.hpp"
+#include "raster/numeric/reciprocal.hpp"
 #include <spangle/raster/units.hpp>
 
 namespace spangle::gl {
@@ -34,7 +35,8 @@ constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) 
     const std::uint32_t divisor = all_ones(from);
     if (from <= 16 && to <= 16)
         return (code * all_ones(to) + divisor / 2) / divisor;
-    return static_cast<std::uint32_t>((std::uint64_t{code} * all_ones(to) + divisor / 2) / divisor);
+    return static_cast<std::uint32_t>(
+        numeric::divide(std::uint64_t{code} * all_ones(to) + divisor / 2, divisor).quotient);
 }
 
 /// Nearest code of `bits` bits to what is left of the component in [0, 1].
@@ -46,8 +48,9 @@ constexpr std::uint32_t code_of(Component c, unsigned bits) {
 constexpr std::uint32_t steps_of(Component c, std::uint32_t most) {
     if (c.bits == 0)
         return numeric::to_steps({c.code}, most);
-    const std::uint64_t divisor = all_ones(c.bits);
-    return static_cast<std::uint32_t>((std::uint64_t{c.code} * most + divisor / 2) / divisor);
+    const std::uint32_t divisor = all_ones(c.bits);
+    return static_cast<std::uint32_t>(
+        numeric::divide(std::uint64_t{c.code} * most + divisor / 2, divisor).quotient);
 }
 
 /// Clamped, in the rasterizer's colour units; 8 bits are whole 255ths.
@@ -67,9 +70,8 @@ constexpr Real to_real(Component c) {
     const int up = numeric::clz64(c.code);
     const std::uint64_t numerator = std::uint64_t{c.code}
                                     << up; // the quotient has 31 bits or more: enough to round
-    const std::uint64_t quotient = numerator / divisor;
-    const std::uint64_t sticky = quotient * divisor != numerator ? 1u : 0u;
-    return numeric::pack_real(false, quotient << 1 | sticky, -up - 1);
+    const numeric::Quotient q = numeric::divide(numerator, divisor);
+    return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }
 
 /// One element as it lies in memory, bytes reversed when SWAP_BYTES says so. Any address.
@@ -122,8 +124,8 @@ constexpr std::uint32_t encode_element(ElementKind kind, unsigned bits, Componen
         return code_of(c, bits);
     if (c.bits == 0)
         return static_cast<std::uint32_t>(numeric::to_half_steps({c.code}, all_ones(bits)) >> 2);
-    return static_cast<std::uint32_t>(std::uint64_t{c.code} * all_ones(bits) /
-                                      (2 * std::uint64_t{all_ones(c.bits)}));
+    return static_cast<std::uint32_t>(
+        numeric::divide(std::uint64_t{c.code} * all_ones(bits) / 2, all_ones(c.bits)).quotient);
 }
 
 } // namespace spangle::gl
