@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 import profiles
-from profiles import DOCUMENT, ROOT, SUBJECTS, TARGET, firmware, profile
+from profiles import DOCUMENT, ROOT, TARGET, firmware, profile
 
 RECORD = profiles.HERE / "choices.json"
 
@@ -48,8 +48,8 @@ def definitions(changes):
 
 def measure(changes, folder, name):
     build = firmware.Build(folder)
-    library = build.library(TARGET, definitions(changes), name, hot=profiles.HOT)
-    image = profiles.demo(build, f"{name}_choice", library, ("BAKED",), "silent", SUBJECTS["whole"], profiles.commands())
+    defines = definitions(changes)
+    image = profiles.sized(build, name, build.library(TARGET, defines, name, hot=profiles.HOT, lto=True), defines)
     build.run()
     return profiles.text_of(image)
 

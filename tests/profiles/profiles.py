@@ -75,13 +75,18 @@ def minimal(build, name, library, emulated, defines, keep=(), lto=False):
     return image(build, name, library, sources, emulated, defines, keep, lto)
 
 
+def sized(build, name, library, defines):
+    """The program of boards/minimal with every command of GL, of which the text is measured."""
+    return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], commands(), lto=True)
+
+
 def images_of(name, build, everything, library, defines):
     """The one that is measured, the one whose pictures are held against those of the third."""
     subject = SUBJECTS[name]
     if name == "minimal":
         return (minimal(build, f"{name}_size", library, False, defines, lto=True), minimal(build, f"{name}_pictures", library, True, defines, lto=True),
                 minimal(build, f"{name}_reference", everything, True, [f"-DMINIMAL_GL_BYTES={GL_BYTES}"]))
-    return (minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], commands(), lto=True),
+    return (sized(build, name, library, defines),
             demo(build, f"{name}_pictures", library, subject.scenes, subject, lto=True),
             demo(build, f"{name}_reference", everything, subject.scenes, subject))
 
