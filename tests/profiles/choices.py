@@ -8,7 +8,6 @@ Writes choices.json, of which docs/profiles.md is made (python3 tests/profiles/c
 import argparse
 import json
 import pathlib
-import re
 import sys
 import tempfile
 
@@ -19,7 +18,7 @@ RECORD = profiles.HERE / "choices.json"
 
 
 def choices():
-    """{text: definitions that replace those of the profile; None takes one away}"""
+    """{text: definitions that replace those of the profile; None takes one away}. Features are measured by tests/bench/features.py."""
     out = {
         "all fused spans instead of six": {"SPANGLE_FUSED": None},
         "without the chain": {"SPANGLE_CHAIN": "0"},
@@ -34,8 +33,6 @@ def choices():
     surfaces = ("rgb565_le", "rgb888", "rgba8888", "rgb666", "rgb444", "rgb332", "grey4", "mono")
     for bit, surface in enumerate(surfaces, 1):
         out[f"{surface} surfaces, too"] = {"SPANGLE_COLOR_FORMATS": str(1 + (1 << bit))}
-    for feature, text in re.findall(r"^spangle_feature\((\w+) \"(.*)\"\)", (ROOT / "cmake/Features.cmake").read_text(), re.M):
-        out[f"without {feature}: {text}"] = {f"SPANGLE_FEATURE_{feature}": "0"}
     return out
 
 
