@@ -29,6 +29,8 @@ struct Image {
                 put(at + i * sizeof value[0], value[i]);
         } else if constexpr (std::is_class_v<T>) {
             put_members(at, value);
+        } else if constexpr (std::is_same_v<T, signed char>) {
+            put(at, static_cast<unsigned char>(value));
         } else {
             const auto bits = static_cast<std::uint32_t>(value);
             const std::size_t first = at % sizeof bits;
