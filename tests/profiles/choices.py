@@ -46,7 +46,7 @@ def definitions(changes):
 def measure(changes, folder, name):
     build = firmware.Build(folder)
     defines = definitions(changes)
-    image = profiles.sized(build, name, build.library(TARGET, defines, name, hot=profiles.HOT, lto=True), defines)
+    image = profiles.sized(build, name, build.library(TARGET, defines, name, hot=profiles.HOT, lto=True), defines, later=True)
     build.run()
     return profiles.text_of(image)
 

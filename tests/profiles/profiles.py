@@ -5,7 +5,8 @@ its pictures against those of the whole library.
 usage: profiles.py [PROFILE...] [--update] [--build FOLDER]
 
 Text is .text with .rodata of the linked image with start-up, EGL, one panel and one bus, without the data of the model; -Os, fused
-spans at -O2, linked as one (-flto), no messages: the program of boards/minimal, but for minimal with every command that GL has. RAM is what the pictures took of statics, arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
+spans at -O2, linked as one (-flto), no messages: the program of boards/minimal, but for minimal with every command of GL 1.3 that the
+profile holds (whole: every command that is declared). RAM is what the pictures took of statics, arena and stack, without the colour and depth of the screen. Exit status 1 when a picture differs or a size is above the golden one by 3 %; 77 (skipped) without compiler or emulator.
 """
 import argparse
 import dataclasses
@@ -19,6 +20,8 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "boards/tools"))
+sys.path.insert(0, str(ROOT / "gl/api"))
+import command_table  # noqa: E402
 import firmware  # noqa: E402
 import profile  # noqa: E402
 
@@ -35,20 +38,35 @@ class Subject:
     ram_goal: int  # bytes beyond colour and depth; 0: none is set
     precision: str
     scenes: tuple  # whose pictures are held against the whole library's; of an own program: its name
+    later: bool = False  # measured with commands later than GL 1.3, too
 
 
 SUBJECTS = {
     "minimal": Subject(20 * 1024, 8 * 1024, "FAST", ("MINIMAL",)),
     "first_slice": Subject(56 * 1024, 0, "BALANCED", ("BAKED", "S3", "S4", "S6", "S7", "S9")),
     "gl13": Subject(128 * 1024, 0, "BALANCED", ("BAKED", "S4b", "S5", "S6", "S8", "S9")),
-    "whole": Subject(0, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9")),
+    "whole": Subject(0, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9"), later=True),
 }
 GL_BYTES = 64 * 1024  # what the whole library keeps of boards/minimal, at most
 
 
-def commands():
-    """Every command that the public header declares."""
-    return re.findall(r"^GLAPI .*GLAPIENTRY (gl\w+)\(", (ROOT / "gl/include/spangle/GL/gl.h").read_text(), re.M)
+def later_rows():
+    """Rows of the feature matrix that a GL after 1.3 brought: their names say which."""
+    rows = json.loads((command_table.API / "commands/rows.json").read_text())
+    return {row["id"] for row in rows if re.search(r"\(GL (1\.[4-9]|[2-9])", row["name"])}
+
+
+def commands(definitions, later):
+    """The commands that a build holds. Not `later`: of GL 1.3, without those that an extension or OpenGL ES named."""
+    off = set(re.findall(r"SPANGLE_FEATURE_(\w+)=0", " ".join(definitions)))
+    beyond = set() if later else later_rows()
+
+    def held(entry):
+        needs = [re.findall(r"SPANGLE_FEATURE_(\w+)", condition) for condition in entry.needs]
+        return entry.family.row not in beyond and all(set(either) - off for either in needs)
+
+    names = [entry.name for _, families in command_table.load()[0] for family in families for entry in family.entries if held(entry)]
+    return [name for name in names if later or not re.search(r"(OES|SPANGLE)$|^gl(DepthRange|ClearDepth)f$", name)]
 
 
 def image(build, name, library, sources, emulated, defines=(), keep=(), lto=False):
@@ -75,9 +93,10 @@ def minimal(build, name, library, emulated, defines, keep=(), lto=False):
     return image(build, name, library, sources, emulated, defines, keep, lto)
 
 
-def sized(build, name, library, defines):
-    """The program of boards/minimal with every command of GL, of which the text is measured."""
-    return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], commands(), lto=True)
+def sized(build, name, library, defines, later):
+    """The program of boards/minimal with the commands of a profile, of which the text is measured."""
+    kept = commands(defines, later)
+    return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], kept, lto=True)
 
 
 def images_of(name, build, everything, library, defines):
@@ -86,7 +105,7 @@ def images_of(name, build, everything, library, defines):
     if name == "minimal":
         return (minimal(build, f"{name}_size", library, False, defines, lto=True), minimal(build, f"{name}_pictures", library, True, defines, lto=True),
                 minimal(build, f"{name}_reference", everything, True, [f"-DMINIMAL_GL_BYTES={GL_BYTES}"]))
-    return (sized(build, name, library, defines),
+    return (sized(build, name, library, defines, subject.later),
             demo(build, f"{name}_pictures", library, subject.scenes, subject, lto=True),
             demo(build, f"{name}_reference", everything, subject.scenes, subject))
 
