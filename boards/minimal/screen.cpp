@@ -15,6 +15,9 @@ constexpr mcu::Mps2 blocks = {.spi = 0x40021000, .fpgaio = 0x40028000, .clock_hz
 using Port = mcu::StartBytePort<mcu::Pl022, mcu::RegisterPin, mcu::RegisterPin, mcu::SysTick>;
 using Screen = hal::FrameDisplay<boards::mps2_an386, Port>;
 
+static_assert(hal::picture_size(boards::mps2_an386.display).width == width &&
+              hal::picture_size(boards::mps2_an386.display).height == height);
+
 /// What GL keeps. The whole library keeps more than a profile.
 #ifndef MINIMAL_GL_BYTES
 #define MINIMAL_GL_BYTES 12 * 1024

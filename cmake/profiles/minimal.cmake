@@ -1,7 +1,7 @@
-# A lit, textured model in the fast tier, and nothing else: what the smallest boards draw, in fixed-point numbers (boards/minimal).
+# A lit, textured model in a parallel projection and the fast tier, and nothing else: what the smallest boards draw (boards/minimal).
 # Only the spans of the list are there; a state that needs another one is an error.
-set(SPANGLE_PROFILE_FEATURES LIGHTING FIXED_POINT)
-set(SPANGLE_FUSED lit_textured)
+set(SPANGLE_PROFILE_FEATURES LIGHTING)
+set(SPANGLE_FUSED lit_textured_parallel)
 set(SPANGLE_CHAIN 0)
 set(SPANGLE_TIER_SET 4)            # fast
 set(SPANGLE_COLOR_FORMATS 1)    # rgb565_be
@@ -19,7 +19,7 @@ set(SPANGLE_ARRAY_TYPES 4)       # shorts
 set(SPANGLE_VERTEX_CACHE 1)      # none: what indices name again is transformed again
 set(SPANGLE_LINE_BATCH 2)
 set(SPANGLE_PRIMITIVES 0)       # triangles
-set(SPANGLE_AFFINE_TEXTURES 0)  # those of models that are baked never are
+set(SPANGLE_PERSPECTIVE 0)      # nothing is divided by its distance
 set(SPANGLE_SHORTCUTS 0)
 set(SPANGLE_KERNELS_INLINE 0)
 set(SPANGLE_SEED_TABLES 0)

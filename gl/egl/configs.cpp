@@ -11,7 +11,11 @@ namespace spangle::egl {
 namespace {
 
 constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
+#ifdef SPANGLE_FIRMWARE
+constexpr EGLint precision_count = 3; // no references
+#else
 constexpr EGLint precision_count = 7;
+#endif
 constexpr EGLint depth_count = 3, format_count = pixel_formats;
 constexpr EGLint plain_count = format_count * depth_count * precision_count;
 constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1); ///< those with samples last
@@ -267,27 +271,15 @@ Config find_config(const Display&, EGLConfig handle) {
 }
 
 Precision precision_of(EGLint precision) {
-    const auto fixed = [](raster::Tier tier) -> Precision {
+    // Exact, balanced, fast; double; the three again, as shadows.
+    const EGLint policy = precision - EGL_PRECISION_EXACT_SPANGLE, shadow = policy - 4;
+    if (precision_count == 3 || policy < 3) {
+        const auto tier = static_cast<raster::Tier>(policy);
         return {raster::has_tier(tier) ? &gl::fixed_engine : nullptr, tier};
-    };
-    switch (precision) {
-    case EGL_PRECISION_EXACT_SPANGLE:
-        return fixed(raster::Tier::exact);
-    case EGL_PRECISION_BALANCED_SPANGLE:
-        return fixed(raster::Tier::balanced);
-    case EGL_PRECISION_FAST_SPANGLE:
-        return fixed(raster::Tier::fast);
-    case EGL_PRECISION_DOUBLE_SPANGLE:
-        return {reference_engines[0], raster::Tier::exact};
-    case EGL_PRECISION_SHADOW_SPANGLE:
-        return {reference_engines[1], raster::Tier::exact};
-    case EGL_PRECISION_SHADOW_BALANCED_SPANGLE:
-        return {reference_engines[1], raster::Tier::balanced};
-    case EGL_PRECISION_SHADOW_FAST_SPANGLE:
-        return {reference_engines[1], raster::Tier::fast};
-    default:
-        return {nullptr, raster::Tier::exact};
     }
+    if (policy == 3)
+        return {reference_engines[0], raster::Tier::exact};
+    return {reference_engines[1], static_cast<raster::Tier>(shadow)};
 }
 
 void register_engine(EGLint precision, const gl::Engine* engine) {

@@ -46,28 +46,32 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
     surface->config = config;
     surface->width = width;
     surface->height = height;
-    surface->band = extras.band;
+    if constexpr (SPANGLE_FEATURE_BANDS)
+        surface->band = extras.band;
     bool whole = true;
-    const auto plane = [&](bool wanted, std::size_t bytes) -> void* {
-        void* const memory_of = wanted ? a.allocate(bytes) : nullptr;
-        whole = whole && wanted == (memory_of != nullptr);
+    const auto plane = [&](std::size_t bytes) -> void* {
+        void* const memory_of = a.allocate(bytes);
+        whole = whole && memory_of != nullptr;
         return memory_of;
     };
-    const auto color_bytes = static_cast<std::size_t>(row_bytes(config.drawn(), width)) *
-                             static_cast<std::size_t>(stored_rows(config.drawn(), height));
-    surface->color = static_cast<std::uint8_t*>(plane(extras.color, color_bytes));
+    const PixelFormat format = config.drawn();
+    if (extras.color)
+        surface->color =
+            static_cast<std::uint8_t*>(plane(static_cast<std::size_t>(row_bytes(format, width)) *
+                                             static_cast<std::size_t>(stored_rows(format, height))));
     const std::size_t samples = config.has_samples() ? raster::sample_count : 1;
-    const std::size_t sample_bytes = raster::has_samples ? bytes_of_sample(config.drawn(), width, rows) : 0;
     const std::size_t depth_bytes = pixels * static_cast<std::size_t>(bytes_per_depth(config.depth));
-    surface->depth =
-        static_cast<std::uint8_t*>(plane(config.depth != DepthFormat::none, depth_bytes * samples));
-    surface->sample_colors = static_cast<std::uint8_t*>(plane(config.has_samples(), sample_bytes * samples));
-    surface->samples.next_color = static_cast<std::ptrdiff_t>(sample_bytes);
-    surface->samples.next_depth = static_cast<std::ptrdiff_t>(depth_bytes);
-    surface->unresolved =
-        static_cast<RowSpan*>(plane(config.has_samples(), static_cast<std::size_t>(rows) * sizeof(RowSpan)));
-    surface->accum = static_cast<std::int16_t*>(
-        plane(SPANGLE_FEATURE_ACCUM && extras.accum, pixels * (4 * accum_bits / 8)));
+    if (config.depth != DepthFormat::none)
+        surface->depth = static_cast<std::uint8_t*>(plane(depth_bytes * samples));
+    if (config.has_samples()) {
+        const std::size_t sample_bytes = bytes_of_sample(format, width, rows);
+        surface->sample_colors = static_cast<std::uint8_t*>(plane(sample_bytes * samples));
+        surface->samples.next_color = static_cast<std::ptrdiff_t>(sample_bytes);
+        surface->samples.next_depth = static_cast<std::ptrdiff_t>(depth_bytes);
+        surface->unresolved = static_cast<RowSpan*>(plane(static_cast<std::size_t>(rows) * sizeof(RowSpan)));
+    }
+    if (SPANGLE_FEATURE_ACCUM && extras.accum)
+        surface->accum = static_cast<std::int16_t*>(plane(pixels * (4 * accum_bits / 8)));
     if (!whole || !make_record(extras.record, surface->band)) {
         free_surface(surface);
         return nullptr;

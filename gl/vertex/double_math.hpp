@@ -232,6 +232,7 @@ struct DoubleMath {
         const Clip v = times(t.texture[unit], stq);
         out.tex[unit] = {v.v[0], v.v[1], v.v[3], v.v[2]};
     }
+    static bool q_is_one(const Window& v, int unit) { return v.tex[unit].q == 1; }
     static void set_sprite(int unit, bool s, bool t, Window& out) {
         out.tex[unit] = {s ? 1.0 : 0.0, t ? 1.0 : 0.0, 1, 0};
     }

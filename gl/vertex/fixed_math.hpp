@@ -189,7 +189,9 @@ struct FixedMath {
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
                 z(clip.z, zeros, t.lift[2]);
-            if (!numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+            if (raster::has_perspective && !numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
+                return false;
+            if (!drawn(clip, zeros, t))
                 return false;
             const std::uint32_t r = inverse(i, zeros); // 1/w = r * 2^(zeros - 62 - e)
             const int up = r >> 31 == 0 ? 1 : 0;       // r is 2^31 where w is a power of two
@@ -203,8 +205,6 @@ struct FixedMath {
             planes = 0;
             if (!beyond(minus_x, one) && !beyond(minus_y, one) && !beyond(minus_z, z_one)) [[likely]]
                 return true;
-            if (numeric::wide_words && (x.lost() | y.lost() | z.lost()) != 0)
-                return false;
             planes = planes_of(minus_x, minus_y, minus_z, one, z_one) |
                      planes_of(minus_x, minus_y, minus_z, 4 * one, z_one) << 8;
             return true;
@@ -220,7 +220,7 @@ struct FixedMath {
                 return false;
             const Lifted x(clip.x, zeros, t.lift[0]), y(clip.y, zeros, t.lift[1]),
                 z(clip.z, zeros, t.lift[2]);
-            if ((x.lost() | y.lost() | z.lost()) != 0)
+            if ((x.lost() | y.lost() | z.lost()) != 0 || !drawn(clip, zeros, t))
                 return false;
             const auto minus_r = static_cast<std::int32_t>(0u - inverse(i, zeros));
             out.x = t.x.place(x.times(minus_r), 32);
@@ -242,7 +242,14 @@ struct FixedMath {
         struct None {};
         [[no_unique_address]] std::conditional_t<at_once, None, numeric::Reciprocals<N>> of_w_;
 
+        /// Without perspective w is 1.
+        SPANGLE_INLINE static bool drawn(const Clipped& clip, int zeros, const Transforms& t) {
+            return raster::has_perspective ||
+                   (clip.w << zeros == 1u << 31 && zeros + t.w_exponent - clip.e == -31);
+        }
         SPANGLE_INLINE std::uint32_t inverse(int i, int zeros) const {
+            if constexpr (!raster::has_perspective)
+                return 1u << 31;
             if constexpr (at_once)
                 return numeric::reciprocal(clip_[i].w << zeros);
             else
@@ -416,9 +423,11 @@ struct FixedMath {
     }
     static numeric::NormalMatrix normal_matrix(const TransformState& state) {
         numeric::NormalMatrix normal = numeric::inverse_transpose(state.modelview.entry[state.modelview.top]);
-        if (state.rescale_normal)
+        if (has_full_lighting && state.rescale_normal) {
+            const numeric::Block scale = normal.row_scale();
             for (numeric::Block& element : normal.at)
-                element = numeric::mul(element, normal.row_scale);
+                element = numeric::mul(element, scale);
+        }
         return normal;
     }
 
@@ -482,8 +491,9 @@ struct FixedMath {
     /// generated, it stays 1.
     static void set_texture(const Transforms& t, const Scalar (&strq)[4], int unit, bool q_is_one,
                             Window& out) {
-        set_texture(out, unit, texture_of(t, strq, unit));
-        set_q_is_one(out, unit, q_is_one && t.texture_is_identity[unit]);
+        const Eye v = texture_of(t, strq, unit);
+        set_texture(out, unit, v);
+        set_q_is_one(out, unit, (q_is_one && t.texture_is_identity[unit]) || is_one(v.m[3], v.e));
     }
     /// Behind the matrix of the unit, all four.
     static Eye texture_of([[maybe_unused]] const Transforms& t, const Scalar (&strq)[4],
@@ -550,8 +560,12 @@ struct FixedMath {
 #if SPANGLE_TEXTURE_UNITS
         const numeric::Block4 v = numeric::transform(t.texture[unit], stq);
         set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[3]}, v.e});
-        set_q_is_one(out, unit, false);
+        set_q_is_one(out, unit, is_one(v.m[3], v.e));
 #endif
+    }
+
+    static bool q_is_one(const Window& v, int unit) {
+        return v.tex[unit].q_is_one != 0;
     }
 
     /// Of a corner of a point sprite: s and t are 0 or 1, r is 0, q is 1 (GL 2.0, 3.3).
@@ -659,8 +673,7 @@ struct FixedMath {
     }
 
     /// v 2^by, by = zeros + lift, 0 <= by < 32, for the high word of a product, rounded. Where words have 64
-    /// bits it is the product that is shifted, down by 31 - by: it fits whatever v is, and whether v 2^by
-    /// would have is asked of large quotients alone.
+    /// bits it is the product that is shifted, down by 31 - by: it fits whatever v is.
     struct Lifted {
         std::int32_t v;
         int by; ///< or 31 - by
@@ -677,6 +690,8 @@ struct FixedMath {
         SPANGLE_INLINE Quotient times(std::int32_t factor) const {
             if constexpr (numeric::wide_words)
                 return ((numeric::mul_s32(v, factor) >> by) + 1) >> 1;
+            if (!raster::has_perspective && lost() != 0) // saturated: only planes are asked of it
+                return v < 0 ? INT32_MAX : INT32_MIN;
             return numeric::mul_high_rounded(word(by), factor);
         }
     };
@@ -738,6 +753,10 @@ struct FixedMath {
         out.tex[unit].q = stq.m[2];
         out.tex[unit].exponent = stq.e;
 #endif
+    }
+    /// A block number: a matrix that leaves q as it is leaves it 1.
+    static bool is_one(std::int32_t m, int e) {
+        return e <= 0 && e >= -30 && m == 1 << -e;
     }
     static void set_q_is_one([[maybe_unused]] Window& out, [[maybe_unused]] int unit,
                              [[maybe_unused]] bool is_one) {

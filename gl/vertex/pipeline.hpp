@@ -176,6 +176,7 @@ template <class M, class L> class Pipeline {
     static_assert(has_clipping || !(SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POLYGON_MODE ||
                                     SPANGLE_FEATURE_SELECTION || SPANGLE_GATHERS_POLYGONS),
                   "user's planes, outlines, selection, feedback and antialiasing need SPANGLE_CLIPPING");
+    static_assert(raster::has_perspective || !has_clipping, "what SPANGLE_CLIPPING cuts has a w of its own");
 
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;

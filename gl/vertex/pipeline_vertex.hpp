@@ -84,6 +84,8 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
 
 /// Out of line, whatever else calls it: the loops over elements have no registers for what is seldom.
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
+    if constexpr (!raster::has_perspective) // whatever is beside the window was divided
+        return unprojected;
     return flags_of(M::to_clip(transforms_, v.position));
 }
 
@@ -143,6 +145,9 @@ template <class M, class L> void Pipeline<M, L>::textures(const CurrentState& cu
             generated(current, v, u);
         else
             M::set_texture(transforms_, current.tex_coord[u].v, u, v.window);
+        if constexpr (!raster::has_perspective)
+            if (!M::q_is_one(v.window, u))
+                v.flags |= unprojected;
     }
 }
 

@@ -185,6 +185,7 @@ struct ShadowMath {
         DoubleMath::set_texture(t.twin, stq, unit, out.twin);
         report_texture(out.fixed.tex[unit], out.twin.tex[unit]);
     }
+    static bool q_is_one(const Window& v, int unit) { return FixedMath::q_is_one(v.fixed, unit); }
     static void set_sprite(int unit, bool s, bool t, Window& out) {
         FixedMath::set_sprite(unit, s, t, out.fixed);
         DoubleMath::set_sprite(unit, s, t, out.twin);

@@ -136,8 +136,10 @@ constexpr Block dot(const Block* a, const Block* b) {
 /// that survive are right.
 struct NormalMatrix {
     Block at[9];
-    Block row_scale; ///< RESCALE_NORMAL: 1 / length of the third row of the inverse
     bool singular = false;
+
+    /// RESCALE_NORMAL: 1 / length of the third row of the inverse, which is column 3 of this.
+    constexpr Block row_scale() const { return rsqrt(detail::dot(at + 6, at + 6)); }
 };
 
 constexpr NormalMatrix inverse_transpose(const Matrix& a) {
@@ -158,8 +160,6 @@ constexpr NormalMatrix inverse_transpose(const Matrix& a) {
     if (!r.singular)
         for (Block& c : r.at)
             c = div(c, determinant);
-    // Row 3 of the inverse is column 3 of the inverse transpose.
-    r.row_scale = rsqrt(detail::dot(r.at + 6, r.at + 6));
     return r;
 }
 

@@ -64,7 +64,8 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     const auto &a = v(0).tex[unit], &b = v(1).tex[unit], &c = v(2).tex[unit];
     // Three coordinates are divided at every fragment.
     u.homogeneous =
-        !has_affine_textures || state_.needs.r[unit] || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0;
+        (has_division && state_.needs.r[unit]) ||
+        (has_perspective && (!has_affine_textures || a.q_is_one == 0 || b.q_is_one == 0 || c.q_is_one == 0));
     if (u.homogeneous)
         return load_homogeneous(unit, u);
     const auto halves = state_.halves[unit];
@@ -167,6 +168,8 @@ static bool stays_inside(const std::int32_t (&fog)[3], const Interpolant<std::ui
 }
 
 bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const {
+    if constexpr (!has_division)
+        return true;
     if (!has_affine_textures || u.homogeneous)
         return false;
     // The affine form of clamped coordinates does not saturate: 7 repeats on both sides must do.
@@ -207,7 +210,7 @@ void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first
 
 void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
     auto& at = span_.unit[unit];
-    if (span_.kind == Kind::affine) {
+    if (!has_division || span_.kind == Kind::affine) {
         const auto& wraps = state_.wraps[unit];
         constexpr int less = 32 - clamped_coord_bits;
         const auto first = [&](std::int64_t v, bool wrap, std::int32_t base) {
@@ -284,9 +287,9 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     if (has_fog && needs.fog)
         load_fog(fog);
     bool same_w = true;
-    if (state_.fragment.perspective) {
+    if (has_perspective && state_.fragment.perspective) {
         same_w = weights();
-    } else {
+    } else if (has_division) {
         q(0) = q(1) = q(2) = 1 << 29;
         q_range_ = 0;
         q_least_ = 1u << 29;
@@ -294,7 +297,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
     span_.kind = choose_kind(units, same_w, color_bits, fog);
     span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && grays(color_bits, painted);
 
-    if (span_.kind != Kind::affine)
+    if (has_division && span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, span_.basis.q);
     colors(color_bits, painted);
     if (has_fog && needs.fog) {

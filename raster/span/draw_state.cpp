@@ -208,8 +208,10 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (!has_affine_textures && kind == Kind::affine && draw.needs.any_unit())
             continue;
-        if (!has_chain && kind == Kind::full && drawn(state.tier) == Tier::fast)
-            continue; // whose colours and fog are affine
+        if (!has_division && kind == Kind::textured)
+            continue;
+        if (kind == Kind::full && (!has_perspective || (!has_chain && drawn(state.tier) == Tier::fast)))
+            continue; // colours and fog of that tier are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
         lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
         const Shapes* const shapes = draw.variant[i].shapes;

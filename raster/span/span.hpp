@@ -69,8 +69,11 @@ enum class Kind : std::uint8_t {
     full,     ///< everything projective
 };
 inline constexpr int kind_count = 4;
+/// Some fragments divide: by 1/w, or where what they have lies too far away for affine forms.
+inline constexpr bool has_division = has_perspective || has_chain || has_fog;
 /// Colours of the fast tier are affine: without the chain none is of Kind::full.
-inline constexpr bool has_full = has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast);
+inline constexpr bool has_full =
+    has_perspective && (has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast));
 
 /// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
 /// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte

@@ -406,7 +406,7 @@ TEST(Matrix, InverseTransposeOfTheUpperThree) {
         long double row = 0; // RESCALE_NORMAL: the third row of the inverse
         for (int k = 0; k < 3; ++k)
             row += value(m.at[6 + k]) * value(m.at[6 + k]);
-        ASSERT_NEAR(static_cast<double>(value(m.row_scale) * std::sqrt(row)), 1, std::exp2(-27));
+        ASSERT_NEAR(static_cast<double>(value(m.row_scale()) * std::sqrt(row)), 1, std::exp2(-27));
     }
     const NormalMatrix flat = inverse_transpose(scaling(one, one, zero));
     EXPECT_TRUE(flat.singular);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what each choice of a profile costs: the text of the whole profile's image with one choice made otherwise.
+"""Measures what each choice of a profile costs: the text of a profile's image with one choice made otherwise, of `whole` and of `minimal`.
 
 usage: choices.py [--only TEXT] [--build FOLDER]
 
@@ -17,8 +17,7 @@ from profiles import DOCUMENT, ROOT, TARGET, firmware, profile
 RECORD = profiles.HERE / "choices.json"
 
 
-def choices():
-    """{text: definitions that replace those of the profile; None takes one away}. Features are measured by tests/bench/features.py."""
+def choices_of_whole():
     out = {
         "all fused spans instead of six": {"SPANGLE_FUSED": None},
         "without the chain": {"SPANGLE_CHAIN": "0"},
@@ -36,25 +35,50 @@ def choices():
     return out
 
 
-def definitions(changes):
-    """Of the whole profile, with these."""
-    says = dict(definition.split("=", 1) for definition in profile.definitions("whole"))
+def choices_of_minimal():
+    perspective = {"SPANGLE_PERSPECTIVE": None, "SPANGLE_FUSED": f'"{profile.PROFILES}/spans/lit_textured.inc"'}
+    return {
+        "perspective": perspective,
+        "perspective, and what its planes cut": {**perspective, "SPANGLE_CLIPPING": None},
+        "quads and polygons": {"SPANGLE_PRIMITIVES": "4"},
+        "points and lines": {"SPANGLE_PRIMITIVES": "3"},
+        "lights that shine": {"SPANGLE_LIGHT_KINDS": "1"},
+        "normals of any length, and bright lights": {"SPANGLE_FULL_LIGHTING": None},
+        "memory that is given out again": {"SPANGLE_ARENA_REUSE": None},
+        "surfaces that tell what was drawn": {"SPANGLE_EXTENTS": None},
+        "the chain": {"SPANGLE_CHAIN": None},
+    }
+
+
+def choices():
+    """{profile: {text: definitions that replace its own; None takes one away}}. Features are measured by tests/bench/features.py."""
+    return {"whole": {"": {}, **choices_of_whole()}, "minimal": {"": {}, **choices_of_minimal()}}
+
+
+def definitions(name, changes):
+    """Of a profile, with these."""
+    says = dict(definition.split("=", 1) for definition in profile.definitions(name))
     says.update(changes)
-    return [f"-D{name}={value}" for name, value in says.items() if value is not None]
+    return [f"-D{key}={value}" for key, value in says.items() if value is not None]
 
 
-def measure(changes, folder, name):
+def measure(name, changes, folder, variant):
     build = firmware.Build(folder)
-    defines = definitions(changes)
-    image = profiles.sized(build, name, build.library(TARGET, defines, name, hot=profiles.HOT, lto=True), defines, later=True)
+    defines = definitions(name, changes)
+    library = build.library(TARGET, defines, variant, hot=profiles.HOT, lto=True)
+    if name == "minimal":
+        image = profiles.minimal(build, variant, library, False, defines, lto=True)
+    else:
+        image = profiles.sized(build, variant, library, defines, later=True)
     build.run()
     return profiles.text_of(image)
 
 
 def table(record):
-    whole = record["whole"]
-    rows = "".join(f"| {name} | {text - whole:+} |\n" for name, text in record.items() if name != "whole")
-    return f"| choice | bytes of text |\n|---|--:|\n| the whole profile | {whole} |\n{rows}"
+    rows = ""
+    for name, texts in record.items():
+        rows += f"| **{name}** | **{texts['']}** |\n" + "".join(f"| {choice} | {text - texts['']:+} |\n" for choice, text in texts.items() if choice)
+    return f"| choice | bytes of text |\n|---|--:|\n{rows}"
 
 
 def main():
@@ -64,16 +88,19 @@ def main():
     parser.add_argument("--table", action="store_true", help="measures nothing")
     arguments = parser.parse_args()
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
-    wanted = {"whole": {}, **choices()}
+    wanted = choices()
     if not arguments.table:
         with tempfile.TemporaryDirectory() as folder:
-            for number, (name, changes) in enumerate(wanted.items()):
-                if arguments.only in name or name == "whole":
-                    record[name] = measure(changes, arguments.build or folder, f"choice{number}")
-                    print(f"{record[name] - record['whole']:>+8} {name}", flush=True)
+            for name, of in wanted.items():
+                known = record.setdefault(name, {})
+                for number, (choice, changes) in enumerate(of.items()):
+                    if choice and arguments.only not in choice:
+                        continue
+                    known[choice] = measure(name, changes, arguments.build or folder, f"{name}{number}")
+                    print(f"{known[choice] - known['']:>+8} {name} {choice}", flush=True)
                     RECORD.write_text(json.dumps(record, indent=1) + "\n")
-        record = {name: record[name] for name in wanted if name in record}
-        RECORD.write_text(json.dumps(record, indent=1) + "\n")
+    record = {name: {choice: record[name][choice] for choice in of if choice in record[name]} for name, of in wanted.items()}
+    RECORD.write_text(json.dumps(record, indent=1) + "\n")
     DOCUMENT.write_text(profiles.with_table(DOCUMENT.read_text(), "choices", table(record)))
     return 0
 

@@ -48,6 +48,7 @@ SUBJECTS = {
     "whole": Subject(0, 0, "BALANCED", ("BAKED", "HUD", "S4b", "S5", "S6", "S7", "S8", "S9"), later=True),
 }
 GL_BYTES = 64 * 1024  # what the whole library keeps of boards/minimal, at most
+CONFIG = 5  # of those of the whole library the one that the profile minimal has, with depth: three tiers without come first
 
 
 def later_rows():
@@ -95,8 +96,8 @@ def minimal(build, name, library, emulated, defines, keep=(), lto=False):
 
 def sized(build, name, library, defines, later):
     """The program of boards/minimal with the commands of a profile, of which the text is measured."""
-    kept = commands(defines, later)
-    return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], kept, lto=True)
+    kept = commands(defines, later)  # and what chooses a config, which that program does not
+    return minimal(build, f"{name}_size", library, False, [*defines, f"-DMINIMAL_GL_BYTES={GL_BYTES}"], [*kept, "eglChooseConfig"], lto=True)
 
 
 def images_of(name, build, everything, library, defines):
@@ -104,7 +105,7 @@ def images_of(name, build, everything, library, defines):
     subject = SUBJECTS[name]
     if name == "minimal":
         return (minimal(build, f"{name}_size", library, False, defines, lto=True), minimal(build, f"{name}_pictures", library, True, defines, lto=True),
-                minimal(build, f"{name}_reference", everything, True, [f"-DMINIMAL_GL_BYTES={GL_BYTES}"]))
+                minimal(build, f"{name}_reference", everything, True, [f"-DMINIMAL_GL_BYTES={GL_BYTES}", f"-DMINIMAL_CONFIG={CONFIG}"]))
     return (sized(build, name, library, defines, subject.later),
             demo(build, f"{name}_pictures", library, subject.scenes, subject, lto=True),
             demo(build, f"{name}_reference", everything, subject.scenes, subject))

@@ -113,7 +113,8 @@ void draws() {
     glEnable(GL_TEXTURE_2D);
     glEnable(GL_LIGHTING);
     glEnable(GL_LIGHT0);
-    glEnable(GL_RESCALE_NORMAL);
+    if (gl::has_full_lighting)
+        glEnable(GL_RESCALE_NORMAL);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -220,10 +221,15 @@ void lights() {
     glMaterialfv(GL_FRONT, GL_DIFFUSE, less);
     glMaterialfv(GL_FRONT, GL_EMISSION, bright);
     expect(true, "other lights");
-    glEnable(GL_NORMALIZE);
-    check(gl::has_full_lighting ? glGetError() == GL_NO_ERROR
-                                : refused(GL_INVALID_OPERATION, "SPANGLE_FULL_LIGHTING"),
-          "normals that are made unit");
+    for (const GLenum lengths : {GL_NORMALIZE, GL_RESCALE_NORMAL}) {
+        said.clear();
+        glEnable(lengths);
+        check(gl::has_full_lighting ? glGetError() == GL_NO_ERROR
+                                    : refused(GL_INVALID_OPERATION, "SPANGLE_FULL_LIGHTING"),
+              "normals that are given another length");
+        if (gl::has_full_lighting)
+            glDisable(lengths);
+    }
 }
 
 void primitives() {
@@ -291,6 +297,35 @@ void clipping() {
           "clipping");
 }
 
+/// What stands farther away, or has a w or a q of its own.
+void perspective() {
+    const auto expect = [](bool drawn, const char* what) {
+        check(drawn == raster::has_perspective, what);
+        check(raster::has_perspective ? glGetError() == GL_NO_ERROR
+                                      : refused(GL_INVALID_OPERATION, "SPANGLE_PERSPECTIVE"),
+              what);
+    };
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-1, 1, -1, 1, 1, 4);
+    expect(draws_triangle(0, -2, -3), "a perspective");
+    glLoadIdentity();
+    glOrtho(-2, 2, -2, 2, -2, 2);
+    check(draws_triangle(0, 0.5f, 0.5f) && glGetError() == GL_NO_ERROR, "a parallel projection");
+    const GLfloat twice[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2};
+    glLoadMatrixf(twice);
+    expect(draws_triangle(0, 0.5f, 0.5f), "a w of 2");
+    const GLfloat more[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1.5f};
+    glLoadMatrixf(more);
+    expect(draws_triangle(0, 0.5f, 0.5f), "a w of 1.5");
+    glLoadIdentity();
+    glMatrixMode(GL_TEXTURE);
+    glLoadMatrixf(twice);
+    expect(draws_triangle(0, 0.5f, 0.5f), "a q of 2");
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+}
+
 /// A panel that asks what of a frame was drawn, or is sent all of it.
 class Panel final : public hal::Display {
   public:
@@ -341,6 +376,7 @@ int main() {
     draws();
     states();
     clipping();
+    perspective();
     arrays();
     primitives();
     lights();

@@ -33,6 +33,9 @@
 #ifndef SPANGLE_AFFINE_TEXTURES
 #define SPANGLE_AFFINE_TEXTURES 1
 #endif
+#ifndef SPANGLE_PERSPECTIVE
+#define SPANGLE_PERSPECTIVE 1
+#endif
 #ifndef SPANGLE_TEXTURE_FORMATS
 #define SPANGLE_TEXTURE_FORMATS 32767
 #endif
@@ -66,6 +69,9 @@ inline constexpr bool has_chain = SPANGLE_CHAIN != 0;
 static_assert(has_chain || has_fused_spans);
 /// Without it coordinates of textures are divided wherever they are drawn.
 inline constexpr bool has_affine_textures = SPANGLE_AFFINE_TEXTURES != 0;
+/// Without it w is 1 at every vertex, and q, too.
+inline constexpr bool has_perspective = SPANGLE_PERSPECTIVE != 0;
+static_assert(has_perspective || has_affine_textures);
 
 /// Fragments between two stages of the chain, where lanes do not ask for more, and most rows that a primitive
 /// hands to its span function at once. They lie on the stack.
