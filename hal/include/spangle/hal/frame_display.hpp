@@ -119,7 +119,7 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
         }
         Fault fault = send(detail::opening_program<board>);
         if (fault == Fault::none)
-            fault = play(board.display.panel->commands->light);
+            fault = play(light);
         return ended(fault);
     }
     Result<Frame> acquire() override {
@@ -135,6 +135,9 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
 
   private:
     static constexpr Extent size = picture_size(board.display);
+    // Constants, so that the panel's tables stay with the compiler.
+    static constexpr Program light = board.display.panel->commands->light;
+    static constexpr bool parameters_are_data = !board.display.panel->commands->parameters_are_commands;
 
     Result<void> ended(Fault fault) {
         port_.end();
@@ -163,8 +166,7 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
             if (const Fault fault = write(false, command, 1); fault != Fault::none)
                 return fault;
             if (step.count != 0)
-                if (const Fault fault = write(!board.display.panel->commands->parameters_are_commands,
-                                              step.params, step.count);
+                if (const Fault fault = write(parameters_are_data, step.params, step.count);
                     fault != Fault::none)
                     return fault;
         }

@@ -14,19 +14,19 @@ struct SysTick {
     static constexpr std::uint32_t most_ticks = 0xFFFFFF;
     static constexpr std::uint32_t enable = 1u << 0, processor_clock = 1u << 2, reached_zero = 1u << 16;
 
-    /// Clocks of so long at least. No 64-bit division: a library has some 700 bytes for it.
-    constexpr std::uint64_t ticks_of(std::uint32_t micros) const {
+    /// Clocks of so long at least, of a millisecond at most: words do.
+    constexpr std::uint32_t ticks_of(std::uint32_t micros) const {
         const std::uint32_t a_milli = clock_hz / 1000 + (clock_hz % 1000 != 0 ? 1 : 0); // below 2^32 / 1000
-        return std::uint64_t{micros / 1000} * a_milli + (micros % 1000 * a_milli + 999) / 1000;
+        return (micros * a_milli + 999) / 1000;
     }
 
     /// At least so long.
     void pause(std::uint32_t micros) const {
-        for (std::uint64_t left = ticks_of(micros); left != 0;) {
-            const auto ticks = static_cast<std::uint32_t>(left < most_ticks ? left : most_ticks);
-            left -= ticks;
+        while (micros != 0) {
+            const std::uint32_t step = micros < 1000 ? micros : 1000;
+            micros -= step;
             reg(control) = 0;
-            reg(reload) = ticks;
+            reg(reload) = ticks_of(step);
             reg(current) = 0; // clears reached_zero too
             reg(control) = enable | processor_clock;
             while ((reg(control) & reached_zero) == 0) {
@@ -36,7 +36,8 @@ struct SysTick {
     }
 };
 
-static_assert(SysTick{16000000}.ticks_of(1) == 16 && SysTick{16000000}.ticks_of(0xFFFFFFFF) == 68719476720 &&
-              SysTick{3999999999}.ticks_of(999) == 3996000 && SysTick{32768}.ticks_of(1500) == 50);
+static_assert(SysTick{16000000}.ticks_of(1) == 16 && SysTick{3999999999}.ticks_of(999) == 3996000 &&
+              SysTick{3999999999}.ticks_of(1000) == 4000000 && SysTick{32768}.ticks_of(500) == 17 &&
+              4000000 <= SysTick::most_ticks);
 
 } // namespace spangle::mcu
