@@ -1,6 +1,7 @@
 #include "gl/pixel/zoom.hpp"
 
 #include "raster/numeric/bits.hpp"
+#include "raster/numeric/reciprocal.hpp"
 
 namespace spangle::gl {
 
@@ -67,10 +68,14 @@ ZoomAxis::Walk ZoomAxis::from(std::int32_t fragment) const {
     const std::int64_t d = zoom_ < 0 ? at_ - center - 1 : center - at_;
     Walk walk;
     walk.by_ = zoom_ < 0 ? -zoom_ : zoom_;
-    walk.group_ = d / walk.by_;
-    walk.rest_ = d % walk.by_;
-    walk.whole_ = one / walk.by_;
-    walk.part_ = one % walk.by_;
+    const auto divided = [&](std::int64_t n, std::int64_t& quotient, std::int64_t& rest) {
+        const numeric::LongQuotient q =
+            numeric::divide_long(static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(walk.by_));
+        quotient = static_cast<std::int64_t>(q.quotient);
+        rest = static_cast<std::int64_t>(q.remainder);
+    };
+    divided(d, walk.group_, walk.rest_); // d >= 0: the fragment is covered
+    divided(one, walk.whole_, walk.part_);
     if (zoom_ < 0) {
         walk.whole_ = -walk.whole_;
         walk.part_ = -walk.part_;

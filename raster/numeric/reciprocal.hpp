@@ -173,6 +173,42 @@ constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
         return detail::divide_by_words(n, d);
 }
 
+/// n / d, towards 0.
+constexpr std::int64_t quotient(std::int64_t n, std::uint32_t d) {
+    const auto q = static_cast<std::int64_t>(divide(abs_u64(n), d).quotient);
+    return n < 0 ? -q : q;
+}
+
+struct LongQuotient {
+    std::uint64_t quotient, remainder;
+};
+
+namespace detail {
+
+constexpr LongQuotient divide_by_bits(std::uint64_t n, std::uint64_t d) {
+    std::uint64_t rest = 0;
+    for (int i = 0; i < 64; ++i) {
+        rest = rest << 1 | n >> 63; // at most what n has before the last bit
+        n <<= 1;
+        if (rest >= d) {
+            rest -= d;
+            n |= 1;
+        }
+    }
+    return {n, rest};
+}
+
+} // namespace detail
+
+/// n / d and n % d of any d but 0. Without long words a bit at a time, for what is asked once a command: a
+/// compiler's library has some 900 bytes for it.
+constexpr LongQuotient divide_long(std::uint64_t n, std::uint64_t d) {
+    if constexpr (wide_words)
+        return {n / d, n % d};
+    else
+        return detail::divide_by_bits(n, d);
+}
+
 struct FloorQuotient {
     std::int64_t quotient;
     std::uint32_t remainder; ///< 0 .. d - 1

@@ -1,5 +1,7 @@
 #include "raster/primitive/area.hpp"
 
+#include "raster/numeric/reciprocal.hpp"
+
 namespace spangle::raster {
 
 bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32_t row) {
@@ -13,7 +15,8 @@ bool RowEdge::enter(const OutlinePoint& from, const OutlinePoint& to, std::int32
     const auto at = [&](std::int32_t y) {
         constexpr int up = 16 - outline_bits;
         const std::int64_t along = std::int64_t{y - a.y} * (b.x - a.x) * (1 << up);
-        return a.x * (1 << up) + static_cast<std::int32_t>(along / (b.y - a.y));
+        return a.x * (1 << up) +
+               static_cast<std::int32_t>(numeric::quotient(along, static_cast<std::uint32_t>(b.y - a.y)));
     };
     low_ = at(y0);
     high_ = at(y1);
@@ -28,8 +31,9 @@ std::int64_t RowEdge::beyond(std::int32_t column) const {
         return 0;
     if (u >= 0 && v >= 0)
         return (u + v) * height_;
-    const std::int64_t positive = u > 0 ? u : v, width = u > 0 ? u - v : v - u; // a triangle
-    return positive * positive / width * height_;
+    const std::int64_t positive = u > 0 ? u : v;
+    const auto width = static_cast<std::uint32_t>(u > 0 ? u - v : v - u); // low_ and high_ are words
+    return numeric::quotient(positive * positive, width) * height_;       // a triangle
 }
 
 AreaRow::AreaRow(const Outline& outline, std::int32_t row)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "raster/numeric/bits.hpp"
+#include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/area.hpp"
 #include "raster/primitive/edge.hpp"
 #include "raster/primitive/line_stipple.hpp"
@@ -43,8 +44,7 @@ class LineOutline {
           length_(detail::whole_root(static_cast<std::uint64_t>(dx_ * dx_ + dy_ * dy_) << 16)) {
         constexpr std::int64_t up = std::int64_t{outline_one} * subpixel_one / 16;
         aside_ = length_ == 0 ? OutlinePoint{}
-                              : OutlinePoint{static_cast<std::int32_t>(-dy_ * eighths * up / length_),
-                                             static_cast<std::int32_t>(dx_ * eighths * up / length_)};
+                              : OutlinePoint{of_length(-dy_ * eighths * up), of_length(dx_ * eighths * up)};
     }
     bool empty() const { return length_ == 0; }
     /// Parts of length 1, the last one shorter.
@@ -81,8 +81,11 @@ class LineOutline {
     }
     OutlinePoint at(std::int64_t way) const {
         constexpr int up = outline_one / subpixel_one;
-        return {from_.x + static_cast<std::int32_t>(dx_ * up * way / length_),
-                from_.y + static_cast<std::int32_t>(dy_ * up * way / length_)};
+        return {from_.x + of_length(dx_ * up * way), from_.y + of_length(dy_ * up * way)};
+    }
+    /// A part of the length, which is a word without sign.
+    std::int32_t of_length(std::int64_t v) const {
+        return static_cast<std::int32_t>(numeric::quotient(v, static_cast<std::uint32_t>(length_)));
     }
 
     OutlinePoint from_;

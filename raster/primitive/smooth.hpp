@@ -329,7 +329,7 @@ class DiscRow {
         };
         const std::int64_t first = root(from), last = root(to);
         for (int i = side_ == 0 ? 0 : 1; i <= chords; ++i) {
-            const std::int64_t u = first + (last - first) * i / chords;
+            const std::int64_t u = first + numeric::quotient((last - first) * i, chords);
             const auto away = static_cast<std::int32_t>((u * u) >> (2 * root_bits));
             const std::int32_t y = i == 0        ? from
                                    : i == chords ? to

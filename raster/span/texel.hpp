@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "raster/numeric/reciprocal.hpp"
 #include "raster/span/number.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
@@ -46,10 +47,17 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
 
 /// k / (2^bits - 1) to the nearest unit. Bits of 1, 2 and 4 are whole 255ths.
 template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
-    if constexpr (255 % Most == 0)
+    if constexpr (255 % Most == 0) {
         return N::from8(static_cast<typename N::L::U16>(k * (255 / Most)));
-    else
-        return N::from_units(static_cast<std::uint32_t>((std::uint64_t{k} * color_one + Most / 2) / Most));
+    } else {
+        constexpr std::uint32_t common = Most % 255 == 0 ? 255 : 1, parts = 255 / common, of = Most / common;
+        if constexpr (of >= 1u << (32 - color_fraction_bits))
+            return N::from_units(static_cast<std::uint32_t>(
+                numeric::divide(std::uint64_t{k} * color_one + Most / 2, Most).quotient));
+        else // k parts / of: the whole ones and the rest apart, which words hold
+            return N::from_units((k * parts / of << color_fraction_bits) +
+                                 ((k * parts % of << color_fraction_bits) + of / 2) / of);
+    }
 }
 
 /// The rest of the formats whose texels have places of their own. A depth is what it is in all components.

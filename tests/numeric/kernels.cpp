@@ -135,7 +135,16 @@ TEST(Kernels, DivisionIsExact) {
         ASSERT_EQ(q.remainder, n % d) << n << " / " << d;
         ASSERT_EQ(by_words.quotient, n / d) << n << " / " << d;
         ASSERT_EQ(by_words.remainder, n % d) << n << " / " << d;
+        for (const std::uint64_t by :
+             {std::uint64_t{d}, ~n / d | 1, ~std::uint64_t{d}, std::uint64_t{d} << 32}) {
+            const LongQuotient by_bits = detail::divide_by_bits(n, by);
+            ASSERT_EQ(by_bits.quotient, n / by) << n << " / " << by;
+            ASSERT_EQ(by_bits.remainder, n % by) << n << " / " << by;
+        }
         const auto s = static_cast<std::int64_t>(n);
+        if (s != INT64_MIN) {
+            ASSERT_EQ(quotient(s, d), s / std::int64_t{d}) << s << " / " << d;
+        }
         const FloorQuotient f = floor_divide(s, d);
         ASSERT_LT(f.remainder, d);
         // In unsigned words, so that INT64_MIN / 1 is checked too.
