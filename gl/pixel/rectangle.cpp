@@ -22,7 +22,7 @@ bool raster_position_draws(Context& context, [[maybe_unused]] GLenum token) {
 #if SPANGLE_FEATURE_FEEDBACK
     if (context.render.mode == GL_FEEDBACK) {
         FeedbackVertex v{};
-        v.colors = context.drawable.index_bits != 0 ? 1 : 4;
+        v.colors = is_indexed(context.drawable) ? 1 : 4;
         for (int c = 0; c < 4; ++c) {
             v.window[c] = raster.position[c];
             v.color[c] = raster.color[c];
@@ -55,7 +55,7 @@ void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32
         out[0] = code_of(value[0], 8) >> 3 << 11 | code_of(value[1], 8) >> 2 << 5 | code_of(value[2], 8) >> 3;
         return;
     case RowForm::index:
-        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+        if constexpr (raster::has_indices)
             out[0] = index_units(group.index, format_info(PixelFormat::index8).index_bits);
         return;
     case RowForm::depth:

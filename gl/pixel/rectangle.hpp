@@ -57,7 +57,7 @@ Group group_of(const GroupSource& base, RowForm form, std::int32_t n, std::int32
         group.color.value[0] = source.depth(n, m);
     else if (form == RowForm::stencil)
         group.index = source.stencil(n, m);
-    else if (SPANGLE_FEATURE_COLOR_INDEX && form == RowForm::index)
+    else if (raster::has_indices && form == RowForm::index)
         group.index = source.index(n, m);
     else
         group.color = source.color(n, m);
