@@ -44,15 +44,12 @@ Pixel Groups::color(const unsigned char* row, std::size_t group) const {
     for (unsigned i = 0; i < layout_.components; ++i) {
         const Component c = decode_element(layout_.kind, layout_.bits[i], element(row, group, i));
         const bool grey = layout_.channel[i] == Channel::luminance;
-        color.value[grey ? 0 : static_cast<unsigned>(layout_.channel[i])] = c;
+        color.value[layout_.channel[i] < Channel::luminance ? static_cast<unsigned>(layout_.channel[i]) : 0] =
+            c;
         if (grey)
             color.value[1] = color.value[2] = c;
     }
     return color;
-}
-
-Component Groups::depth(const unsigned char* row, std::size_t group) const {
-    return decode_element(layout_.kind, layout_.bits[0], element(row, group, 0));
 }
 
 Index Groups::index(const unsigned char* row, std::size_t group) const {
@@ -72,11 +69,23 @@ Pixel ColorImage::color(const unsigned char* row, std::size_t group) const {
     return color;
 }
 
-void ColorImage::codes(const unsigned char* row, std::size_t group, const ColorBits& bits,
-                       std::uint32_t rgba[4]) const {
-    const Pixel pixel = color(row, group);
-    for (unsigned c = 0; c < 4; ++c)
-        rgba[c] = code_of(pixel.value[c], bits.of[c]);
+Group ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
+    Group group;
+    switch (content) {
+    case Content::color:
+        group.color = color(row, at);
+        break;
+    case Content::depth:
+        group.color.value[0] = transfer_.depth(groups_.color(row, at).value[0]);
+        break;
+    case Content::index:
+        group.index = transfer_.index(groups_.index(row, at));
+        break;
+    case Content::stencil:
+        group.index = transfer_.stencil(groups_.index(row, at));
+        break;
+    }
+    return group;
 }
 
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to) {

@@ -44,7 +44,7 @@ namespace {
 /// A group as the words of a fragment.
 void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m,
              std::uint32_t (&out)[4]) {
-    const Group group = source.group(source, form, n, m);
+    const Group group = source.group(source, n, m);
     const Component* const value = group.color.value;
     switch (form) {
     case RowForm::color:
@@ -185,8 +185,9 @@ void store_stencil(const Context& context, const raster::Surface& surface, Recta
 
 } // namespace
 
-void draw_rectangle(Context& context, const GroupSource& source, Content content, raster::Colors colors,
+void draw_rectangle(Context& context, const GroupSource& source, raster::Colors colors,
                     RectangleOrder order) {
+    const Content content = source.content;
     if (content == Content::stencil) {
         return each_target(context, [&](const raster::Surface& target, raster::Position shift) {
             Rectangle rectangle(context, source, RowForm::stencil, order, shift);

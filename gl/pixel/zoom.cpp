@@ -35,6 +35,13 @@ std::int64_t times(std::int64_t a, std::int32_t n) {
 
 } // namespace
 
+Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high) {
+    std::int32_t end = 0;
+    if (__builtin_add_overflow(at, size, &end))
+        end = high;
+    return {numeric::clamp(at, low, high), numeric::clamp(end, low, high)};
+}
+
 std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead) {
     constexpr numeric::Real limit = numeric::from_fixed(1, fraction_bits - number_bits);
     const bool near = numeric::abs(at) < limit && numeric::abs(origin) < limit;

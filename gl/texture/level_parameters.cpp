@@ -17,23 +17,26 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
         return 0;
     const bool palette = is_palette(shape.internal_format);
     const BaseFormat base = base_format_of(shape.format, shape.internal_format);
-    const ColorBits bits = texel_bits(palette ? palette_format_of(shape.internal_format) : shape.format);
+    const auto bits = [&shape, palette](Channel channel) {
+        return texel_bits(palette ? palette_format_of(shape.internal_format) : shape.format, channel);
+    };
     if (is_depth(shape.format) || pname == GL_TEXTURE_DEPTH_SIZE)
-        return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE ? bits.of[0] : 0;
+        return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE ? bits(Channel::depth) : 0;
     switch (pname) {
     case GL_TEXTURE_RED_SIZE:
     case GL_TEXTURE_GREEN_SIZE:
     case GL_TEXTURE_BLUE_SIZE:
-        return (base == BaseFormat::rgb || base == BaseFormat::rgba) ? bits.of[pname - GL_TEXTURE_RED_SIZE]
-                                                                     : 0;
+        return base == BaseFormat::rgb || base == BaseFormat::rgba
+                   ? bits(static_cast<Channel>(pname - GL_TEXTURE_RED_SIZE))
+                   : 0;
     case GL_TEXTURE_ALPHA_SIZE:
-        return (base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::rgba)
-                   ? bits.of[3]
+        return base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::rgba
+                   ? bits(Channel::alpha)
                    : 0;
     case GL_TEXTURE_LUMINANCE_SIZE:
-        return (base == BaseFormat::luminance || base == BaseFormat::luminance_alpha) ? bits.of[0] : 0;
+        return base == BaseFormat::luminance || base == BaseFormat::luminance_alpha ? bits(Channel::red) : 0;
     default: // INTENSITY_SIZE
-        return base == BaseFormat::intensity ? bits.of[0] : 0;
+        return base == BaseFormat::intensity ? bits(Channel::red) : 0;
     }
 }
 
