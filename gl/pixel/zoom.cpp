@@ -1,6 +1,7 @@
 #include "gl/pixel/zoom.hpp"
 
 #include "raster/numeric/bits.hpp"
+#include <spangle/raster/limits.hpp>
 
 namespace spangle::gl {
 
@@ -21,6 +22,23 @@ std::int64_t fixed(numeric::Real v) {
                                               : numeric::shift_right_even(u.mantissa, -up);
     const auto bounded = static_cast<std::int64_t>(magnitude);
     return u.negative ? -bounded : bounded;
+}
+
+struct Divided {
+    std::int64_t quotient, rest;
+};
+/// Of n >= 0 and d > 0. Digit by digit where a division that is only faster is not to be linked.
+Divided divided(std::int64_t n, std::int64_t d) {
+    if constexpr (raster::has_shortcuts)
+        return {n / d, n % d};
+    std::uint64_t quotient = static_cast<std::uint64_t>(n), rest = 0;
+    for (int i = 0; i < 64; ++i) {
+        rest = rest << 1 | quotient >> 63;
+        quotient <<= 1;
+        if (rest >= static_cast<std::uint64_t>(d))
+            rest -= static_cast<std::uint64_t>(d), ++quotient;
+    }
+    return {static_cast<std::int64_t>(quotient), static_cast<std::int64_t>(rest)};
 }
 
 /// a n, n >= 0, or +-farthest.
@@ -74,10 +92,11 @@ ZoomAxis::Walk ZoomAxis::from(std::int32_t fragment) const {
     const std::int64_t d = zoom_ < 0 ? at_ - center - 1 : center - at_;
     Walk walk;
     walk.by_ = zoom_ < 0 ? -zoom_ : zoom_;
-    walk.group_ = d / walk.by_;
-    walk.rest_ = d % walk.by_;
-    walk.whole_ = one / walk.by_;
-    walk.part_ = one % walk.by_;
+    const Divided first = divided(d, walk.by_), step = divided(one, walk.by_);
+    walk.group_ = first.quotient;
+    walk.rest_ = first.rest;
+    walk.whole_ = step.quotient;
+    walk.part_ = step.rest;
     if (zoom_ < 0) {
         walk.whole_ = -walk.whole_;
         walk.part_ = -walk.part_;

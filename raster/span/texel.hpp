@@ -48,6 +48,8 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
 template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
     if constexpr (255 % Most == 0)
         return N::from8(static_cast<typename N::L::U16>(k * (255 / Most)));
+    else if constexpr (Most < 16) // a word is enough
+        return N::from_units((k * color_one + Most / 2) / Most);
     else
         return N::from_units(static_cast<std::uint32_t>((std::uint64_t{k} * color_one + Most / 2) / Most));
 }
@@ -69,11 +71,17 @@ template <class N>
         return {from_steps<N, 7>(word >> 5), from_steps<N, 7>(word >> 2 & 7), from_steps<N, 3>(word & 3),
                 one};
     case TexelFormat::z16:
-        return grey(from_steps<N, 65535>(word));
+        if constexpr (has_format(TexelFormat::z16))
+            return grey(from_steps<N, 65535>(word));
+        break;
     default:
+        break;
+    }
+    if constexpr (has_format(TexelFormat::z24)) {
         __builtin_memcpy(&word, at, 4);
         return grey(from_steps<N, 0xFFFFFF>(word));
     }
+    return {};
 }
 
 /// The same of a format that the build may not have.
