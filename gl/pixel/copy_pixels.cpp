@@ -42,16 +42,9 @@ struct BufferGroups : GroupSource {
     Transfer transfer;
 };
 
-/// The plane that is read.
-struct Plane {
-    std::uint8_t*& first;
-    std::int32_t& stride;
-    std::int32_t pixel;
-};
-Plane plane_of(raster::Surface& surface, Content content) {
-    if (content <= Content::index)
-        return {surface.color, surface.color_stride, raster::drawn_info(surface.format).bytes_per_pixel};
-    return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
+/// A row of the plane that is read.
+std::uint8_t* row_of(const raster::Surface& surface, Content content, std::int32_t y) {
+    return content <= Content::index ? surface.color_row(y) : surface.depth_row(y);
 }
 
 /// Narrow formats share bytes across columns and rows: whole rows of the plane.
@@ -79,28 +72,26 @@ void* set_aside(Context& context, BufferGroups& source) {
     const Content content = source.content;
     if (content == Content::color && is_narrow(source.surface.format))
         return set_aside_narrow(context, source);
-    const Plane plane = plane_of(source.surface, content);
-    const std::int32_t width = source.n.end - source.n.begin, height = source.m.end - source.m.begin;
-    const auto bytes = static_cast<std::size_t>(width * plane.pixel);
+    const std::int32_t pixel = content <= Content::index
+                                   ? raster::drawn_info(source.surface.format).bytes_per_pixel
+                               : source.surface.depth_format == DepthFormat::z16 ? 2
+                                                                                 : 4;
+    const std::int32_t bytes = (source.n.end - source.n.begin) * pixel,
+                       height = source.m.end - source.m.begin;
     auto* const memory =
-        static_cast<std::uint8_t*>(context.arena->allocate(bytes * static_cast<std::size_t>(height)));
+        static_cast<std::uint8_t*>(context.arena->allocate(static_cast<std::size_t>(bytes * height)));
     if (memory == nullptr)
         return nullptr;
     ReadRows from(context);
     for (std::int32_t i = 0; i < height; ++i) {
         const std::int32_t row = source.row(source.m.begin + i);
-        const raster::Surface* const there = from.with_row(row);
-        if (there == nullptr)
-            continue;
-        raster::Surface rows = *there;
-        const Plane read = plane_of(rows, content);
-        std::memcpy(memory + static_cast<std::size_t>(i) * bytes,
-                    read.first + std::ptrdiff_t{row} * read.stride +
-                        std::ptrdiff_t{source.column(source.n.begin)} * plane.pixel,
-                    bytes);
+        if (const raster::Surface* const there = from.with_row(row); there != nullptr)
+            std::memcpy(memory + i * bytes,
+                        row_of(*there, content, row) + std::ptrdiff_t{source.column(source.n.begin)} * pixel,
+                        static_cast<std::size_t>(bytes));
     }
-    plane.first = memory;
-    plane.stride = static_cast<std::int32_t>(bytes);
+    (content <= Content::index ? source.surface.color : source.surface.depth) = memory;
+    (content <= Content::index ? source.surface.color_stride : source.surface.depth_stride) = bytes;
     source.x = -source.n.begin;
     source.y = -source.m.begin;
     return memory;
@@ -111,12 +102,11 @@ bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end
 }
 
 /// Some pixel may be drawn before it has been read.
-bool overlaps(const Context& context, BufferGroups source) {
+bool overlaps(const Context& context, const BufferGroups& source) {
     const Content content = source.content;
-    raster::Surface drawn = context.drawable.surface;
     if (content == Content::color && has_sample_buffer(context))
         return false; // what is read was resolved
-    if (plane_of(drawn, content).first != plane_of(source.surface, content).first)
+    if (row_of(context.drawable.surface, content, 0) != row_of(source.surface, content, 0))
         return false;
     const Real* const at = context.current.raster.position;
     const Real* const zoom = context.pixel_mode.zoom;
@@ -177,10 +167,12 @@ void cmd::CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei 
                      SPANGLE_TEXT("glCopyPixels: the surface has no such buffer"));
     if (!raster_position_draws(context, GL_COPY_PIXEL_TOKEN))
         return;
+    static_assert(GL_STENCIL - GL_DEPTH ==
+                  static_cast<int>(Content::stencil) - static_cast<int>(Content::depth));
     copy(context, x, y, width, height,
-         type == GL_COLOR   ? (is_indexed(context.drawable) ? Content::index : Content::color)
-         : type == GL_DEPTH ? Content::depth
-                            : Content::stencil);
+         type != GL_COLOR ? static_cast<Content>(type - GL_DEPTH + static_cast<GLenum>(Content::depth))
+         : is_indexed(context.drawable) ? Content::index
+                                        : Content::color);
 }
 
 } // namespace spangle::gl

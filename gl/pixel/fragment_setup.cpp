@@ -3,6 +3,7 @@
 #include "gl/context/features.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/context/tokens.hpp"
 #include "gl/pixel/index.hpp"
 #include "gl/pixel/targets.hpp"
 #include "gl/pixel/zoom.hpp"
@@ -22,24 +23,7 @@ raster::Compare compare_of(GLenum func) {
 }
 
 raster::StencilOp stencil_op_of(GLenum op) {
-    switch (op) {
-    case GL_ZERO:
-        return raster::StencilOp::zero;
-    case GL_REPLACE:
-        return raster::StencilOp::replace;
-    case GL_INCR:
-        return raster::StencilOp::incr;
-    case GL_DECR:
-        return raster::StencilOp::decr;
-    case GL_INVERT:
-        return raster::StencilOp::invert;
-    case GL_INCR_WRAP:
-        return raster::StencilOp::incr_wrap;
-    case GL_DECR_WRAP:
-        return raster::StencilOp::decr_wrap;
-    default:
-        return raster::StencilOp::keep;
-    }
+    return static_cast<raster::StencilOp>(place_in(stencil_ops, op));
 }
 
 raster::BlendFactor factor_of(GLenum factor) {
@@ -53,18 +37,7 @@ raster::BlendFactor factor_of(GLenum factor) {
 }
 
 raster::BlendEquation equation_of(GLenum mode) {
-    switch (mode) {
-    case GL_FUNC_SUBTRACT:
-        return raster::BlendEquation::subtract;
-    case GL_FUNC_REVERSE_SUBTRACT:
-        return raster::BlendEquation::reverse_subtract;
-    case GL_MIN:
-        return raster::BlendEquation::min;
-    case GL_MAX:
-        return raster::BlendEquation::max;
-    default:
-        return raster::BlendEquation::add;
-    }
+    return static_cast<raster::BlendEquation>(place_in(blend_equations, mode));
 }
 
 raster::Blending blending_of(const BlendPart& part) {
