@@ -167,20 +167,27 @@ void emit(raster::PixelSource& source, raster::PixelSink& sink) {
 }
 
 /// Neither textured nor tested: ownership, scissor and mask alone (GL 1.3, 4.3.1).
-void store_stencil(const Context& context, const raster::Surface& surface, Rectangle& rectangle) {
+struct StencilSink : raster::PixelSink {
+    const Context& context;
+    const raster::Surface& surface;
+};
+
+void store_stencil(raster::PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
+                   const void* pixels) {
+    const Context& context = static_cast<const StencilSink&>(sink).context;
+    const raster::Surface& surface = static_cast<const StencilSink&>(sink).surface;
+    const std::uint8_t* const value = static_cast<const RectangleRow*>(pixels)->stencil;
     const auto mask = static_cast<std::uint8_t>(context.fragment_ops.stencil[0].write_mask);
-    rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
 #if SPANGLE_HAS_RECORDS
-        if (context.drawable.recording != nullptr)
-            return context.drawable.recording->record->stencil(y, x, count, row.stencil, mask,
-                                                               context.fragments.primitive.sample);
+    if (context.drawable.recording != nullptr)
+        return context.drawable.recording->record->stencil(y, begin, end - begin, value, mask,
+                                                           context.fragments.primitive.sample);
 #endif
-        for (std::int32_t i = 0; i < count; ++i) {
-            const unsigned stored = raster::read_stencil(surface, x + i, y);
-            raster::write_stencil(surface, x + i, y,
-                                  static_cast<std::uint8_t>((row.stencil[i] & mask) | (stored & ~mask)));
-        }
-    });
+    for (std::int32_t x = begin; x < end; ++x) {
+        const unsigned stored = raster::read_stencil(surface, x, y);
+        raster::write_stencil(surface, x, y,
+                              static_cast<std::uint8_t>((value[x - begin] & mask) | (stored & ~mask)));
+    }
 }
 
 } // namespace
@@ -188,23 +195,24 @@ void store_stencil(const Context& context, const raster::Surface& surface, Recta
 void draw_rectangle(Context& context, const GroupSource& source, raster::Colors colors,
                     RectangleOrder order) {
     const Content content = source.content;
-    if (content == Content::stencil) {
-        return each_target(context, [&](const raster::Surface& target, raster::Position shift) {
-            Rectangle rectangle(context, source, RowForm::stencil, order, shift);
-            store_stencil(context, target, rectangle);
-        });
-    }
-    const bool depth = content == Content::depth;
-    const raster::DrawState& state =
-        draw_state(context, Drawn::pixels, depth ? raster::Colors::of_vertices : colors);
-    const RowForm form = depth                       ? RowForm::depth
+    const raster::DrawState* const state =
+        content == Content::stencil
+            ? nullptr
+            : &draw_state(context, Drawn::pixels,
+                          content == Content::depth ? raster::Colors::of_vertices : colors);
+    const RowForm form = state == nullptr            ? RowForm::stencil
+                         : content == Content::depth ? RowForm::depth
                          : content == Content::index ? RowForm::index
-                         : state.words               ? RowForm::words
+                         : state->words              ? RowForm::words
                                                      : RowForm::color;
     each_target(context, [&](const raster::Surface& target, raster::Position shift) {
         Rectangle rectangle(context, source, form, order, shift);
-        Fragments fragments{{emit}, rectangle, form, state.pixels};
-        context.engine->pixels(context, state, target, fragments);
+        Fragments fragments{{emit}, rectangle, form, state == nullptr || state->pixels};
+        StencilSink sink{{store_stencil, nullptr}, context, target};
+        if (state == nullptr)
+            emit(fragments, sink);
+        else
+            context.engine->pixels(context, *state, target, fragments);
     });
 }
 
