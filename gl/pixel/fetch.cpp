@@ -29,21 +29,15 @@ Pixel color_of(const raster::Surface& surface, const Transfer& transfer, std::in
 Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
             std::int32_t y) {
     Group group;
-    switch (content) {
-    case Content::color:
+    if (content == Content::color) {
         group.color = color_of(surface, transfer, x, y);
-        break;
-    case Content::depth: {
+    } else if (content == Content::depth) {
         const raster::StoredDepth stored = raster::read_depth(surface, x, y);
         group.color.value[0] = transfer.depth(fraction(stored.k, stored.max));
-        break;
-    }
-    case Content::index:
+    } else if (raster::has_indices && content == Content::index) {
         group.index = transfer.index(whole_index(raster::read_index(surface, x, y)));
-        break;
-    case Content::stencil:
+    } else {
         group.index = transfer.stencil(whole_index(raster::read_stencil(surface, x, y)));
-        break;
     }
     return group;
 }

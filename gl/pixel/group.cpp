@@ -61,30 +61,27 @@ ColorImage::ColorImage(const Context& context, const PixelLayout& layout)
       indices_(layout.channel[0] == Channel::color_index),
       swaps_(context.pixel_store.unpack.swap_bytes && layout.element_bytes > 1) {}
 
-Pixel ColorImage::color(const unsigned char* row, std::size_t group) const {
-    if (indices_)
-        return transfer_.color_of(groups_.index(row, group));
-    Pixel color = groups_.color(row, group);
-    transfer_.apply(color);
-    return color;
+Pixel ColorImage::color(const unsigned char* row, std::size_t at) const {
+    return group(Content::color, row, at).color;
 }
 
 Group ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
     Group group;
-    switch (content) {
-    case Content::color:
-        group.color = color(row, at);
-        break;
-    case Content::depth:
-        group.color.value[0] = transfer_.depth(groups_.color(row, at).value[0]);
-        break;
-    case Content::index:
-        group.index = transfer_.index(groups_.index(row, at));
-        break;
-    case Content::stencil:
-        group.index = transfer_.stencil(groups_.index(row, at));
-        break;
+    if (content == Content::depth || (content == Content::color && !indices_)) {
+        group.color = groups_.color(row, at);
+        if (content == Content::color)
+            transfer_.apply(group.color);
+        else
+            group.color.value[0] = transfer_.depth(group.color.value[0]);
+        return group;
     }
+    const Index index = groups_.index(row, at);
+    if (content == Content::color)
+        group.color = transfer_.color_of(index);
+    else if (raster::has_indices && content == Content::index)
+        group.index = transfer_.index(index);
+    else
+        group.index = transfer_.stencil(index);
     return group;
 }
 

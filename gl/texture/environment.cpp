@@ -23,8 +23,9 @@ bool is_operand(GLenum v, bool alpha) {
            (!alpha && (v == GL_SRC_COLOR || v == GL_ONE_MINUS_SRC_COLOR));
 }
 
+/// 1, 2 or 4.
 bool is_scale(Real v) {
-    return v == numeric::one || v == Real{0x40000000} || v == Real{0x40800000};
+    return v.bits == numeric::one.bits || v.bits == 0x40000000 || v.bits == 0x40800000;
 }
 
 /// Where a token of a combiner is kept, or null. Of the tokens of one kind those of alpha follow those of

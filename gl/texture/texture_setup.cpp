@@ -30,7 +30,8 @@ unsigned arguments_of(GLenum func) {
 raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
     raster::Combiner out;
     out.func = static_cast<raster::CombineFunc>(place_in(combine_functions, env.func[alpha]));
-    out.log2_scale = env.scale[alpha] == numeric::one ? 0 : env.scale[alpha] == Real{0x40000000} ? 1 : 2;
+    out.log2_scale =
+        static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // 1, 2 or 4
     for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
         out.argument[i] = {source_of(env.source[alpha][i]),
                            static_cast<raster::CombineOperand>(env.operand[alpha][i] - GL_SRC_COLOR)};
