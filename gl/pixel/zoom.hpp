@@ -51,7 +51,7 @@ class ZoomAxis {
     Walk from(std::int32_t fragment) const;
 
   private:
-    std::int32_t first_fragment(std::int64_t edge) const;
+    std::int32_t first_fragment(std::int32_t group) const;
 
     std::int64_t at_, zoom_;
 };
