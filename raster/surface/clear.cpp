@@ -129,17 +129,19 @@ void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, 
         if (from == pattern.period())
             from = 0;
     };
-    for (; has_shortcuts && bytes >= 4; next(4)) {
+    while (has_shortcuts && bytes >= 4) {
         std::uint32_t old, fresh, open;
         __builtin_memcpy(&old, to, 4);
         __builtin_memcpy(&fresh, pattern.byte + from, 4);
         __builtin_memcpy(&open, mask.byte + from, 4);
         fresh = (old & ~open) | (fresh & open);
         __builtin_memcpy(to, &fresh, 4);
+        next(4);
     }
-    for (; bytes > 0; next(1)) {
+    while (bytes > 0) {
         const unsigned open = mask.byte[from];
         *to = static_cast<std::uint8_t>((*to & ~open) | (pattern.byte[from] & open));
+        next(1);
     }
 }
 
