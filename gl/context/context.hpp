@@ -63,7 +63,7 @@ struct Drawable {
 
 /// INDEX_MODE.
 constexpr bool is_indexed(const Drawable& drawable) {
-    return raster::has_format(PixelFormat::index8) && drawable.index_bits != 0;
+    return raster::has_indices && drawable.index_bits != 0;
 }
 
 struct Context {

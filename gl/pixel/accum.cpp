@@ -42,7 +42,7 @@ void Accum(Context& context, GLenum op, Real value) {
     if (op < GL_ACCUM || op > GL_ADD)
         return error(context, GL_INVALID_ENUM);
     const raster::Surface& surface = context.drawable.surface;
-    if (surface.accum == nullptr || context.drawable.index_bits != 0)
+    if (surface.accum == nullptr || is_indexed(context.drawable))
         return error(
             context, GL_INVALID_OPERATION,
             SPANGLE_TEXT("glAccum: this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));

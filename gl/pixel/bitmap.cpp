@@ -20,8 +20,8 @@ struct BitRuns : raster::PixelSource {
     const unsigned char* first; ///< byte of the lowest row
     ImageRows rows;
     bool lsb_first;
-    std::int32_t left, low;         ///< window position of bit (0, 0)
-    ZoomAxis::Range columns, lines; ///< of fragments that may be drawn
+    std::int32_t left, low;  ///< window position of bit (0, 0)
+    Interval columns, lines; ///< of fragments that may be drawn
 };
 
 void emit(raster::PixelSource& source, raster::PixelSink& sink) {
@@ -48,12 +48,6 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
     const PixelStore& unpack = context.pixel_store.unpack;
     const Real* const at = context.current.raster.position;
     const Rect clip = drawing_rect(context);
-    const auto part = [](std::int32_t begin, GLsizei size, std::int32_t clip_begin, std::int32_t clip_size) {
-        const std::int64_t end = std::int64_t{begin} + size;
-        const std::int32_t clip_end = clip_begin + clip_size;
-        return ZoomAxis::Range{begin > clip_begin ? begin : clip_begin,
-                               end < clip_end ? static_cast<std::int32_t>(end) : clip_end};
-    };
     const ImageRows rows = image_rows(unpack, layout, width);
     const raster::DrawState& state = draw_state(context);
     // Samples are looked for in the squares of bits, of which a corner is at the raster position; without
@@ -69,8 +63,8 @@ void draw(Context& context, GLsizei width, GLsizei height, Real xorig, Real yori
                      unpack.lsb_first,
                      left,
                      low,
-                     part(left, width, clip.x, clip.w),
-                     part(low, height, clip.y, clip.h)};
+                     inside(left, width, clip.x, clip.x + clip.w),
+                     inside(low, height, clip.y, clip.y + clip.h)};
         context.engine->pixels(context, state, target, bits);
     });
 }

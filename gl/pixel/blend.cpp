@@ -2,6 +2,7 @@
 // and equations: GL 1.4, separate ones: GL 1.4, 2.0).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/tokens.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -11,11 +12,6 @@ bool is_factor(GLenum factor) {
     return factor == GL_ZERO || factor == GL_ONE ||
            (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR) ||
            (factor >= GL_CONSTANT_COLOR && factor <= GL_ONE_MINUS_CONSTANT_ALPHA);
-}
-
-bool is_equation(GLenum mode) {
-    return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT ||
-           mode == GL_MIN || mode == GL_MAX;
 }
 
 } // namespace
@@ -37,7 +33,7 @@ void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor) {
 }
 
 void BlendEquationSeparate(Context& context, GLenum rgb, GLenum alpha) {
-    if (!is_equation(rgb) || !is_equation(alpha))
+    if (!is_in(blend_equations, rgb) || !is_in(blend_equations, alpha))
         return error(context, GL_INVALID_ENUM);
     context.fragment_ops.blend_rgb.equation = rgb;
     context.fragment_ops.blend_alpha.equation = alpha;

@@ -17,7 +17,7 @@ namespace spangle::gl {
 /// a float, or below 0, or out of arithmetic.
 struct Component {
     std::uint32_t code = 0;
-    std::uint8_t bits = 8;
+    std::uint8_t bits = 0;
 };
 
 constexpr Component component(Real v) {

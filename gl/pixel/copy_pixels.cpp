@@ -20,34 +20,21 @@ namespace {
 /// A rectangle of the framebuffer: group (n, m) is pixel (x + n, y + m). Those outside are undefined in GL;
 /// here they are no groups.
 struct BufferGroups : GroupSource {
-    BufferGroups(const Context& context, GLint left, GLint bottom, GLsizei width, GLsizei height)
-        : GroupSource{group_of<BufferGroups>, inside(left, width, 0, context.drawable.read.area().w),
-                      inside(bottom, height, context.drawable.read.area().y, context.drawable.read.area().h)},
+    /// Of pixels that there are.
+    BufferGroups(const Context& context, Content of, GLint left, GLint bottom, const Interval& columns,
+                 const Interval& rows)
+        : GroupSource{group_of,
+                      of,
+                      {columns.begin - left, columns.end - left},
+                      {rows.begin - bottom, rows.end - bottom}},
           surface(read_surface(context)), x(left), y(bottom), transfer(context.pixel_mode) {}
 
-    static Interval inside(GLint at, GLsizei size, std::int32_t low, std::int32_t count) {
-        const std::int64_t begin = std::int64_t{low} - at, end = begin + count;
-        const std::int64_t last = end < size ? end : size;
-        return {begin > 0 ? static_cast<std::int32_t>(begin < size ? begin : size) : 0,
-                static_cast<std::int32_t>(last < 0 ? 0 : last)};
-    }
+    std::int32_t column(std::int32_t of) const { return x + of; }
+    std::int32_t row(std::int32_t of) const { return y + of; }
 
-    std::int32_t column(std::int32_t n) const { return static_cast<std::int32_t>(std::int64_t{x} + n); }
-    std::int32_t row(std::int32_t m) const { return static_cast<std::int32_t>(std::int64_t{y} + m); }
-
-    Pixel color(std::int32_t n, std::int32_t m) const {
-        Pixel pixel = fetch_color(surface, column(n), row(m));
-        transfer.apply(pixel);
-        return pixel;
-    }
-    Index index(std::int32_t n, std::int32_t m) const {
-        return transfer.index(whole_index(raster::read_index(surface, column(n), row(m))));
-    }
-    Component depth(std::int32_t n, std::int32_t m) const {
-        return transfer.depth(fetch_depth(surface, column(n), row(m)));
-    }
-    Index stencil(std::int32_t n, std::int32_t m) const {
-        return transfer.stencil(whole_index(raster::read_stencil(surface, column(n), row(m))));
+    static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
+        const auto& s = static_cast<const BufferGroups&>(source);
+        return fetch(s.surface, s.transfer, s.content, s.column(n), s.row(m));
     }
 
     raster::Surface surface;
@@ -55,16 +42,9 @@ struct BufferGroups : GroupSource {
     Transfer transfer;
 };
 
-/// The plane that is read.
-struct Plane {
-    std::uint8_t*& first;
-    std::int32_t& stride;
-    std::int32_t pixel;
-};
-Plane plane_of(raster::Surface& surface, Content content) {
-    if (content <= Content::index)
-        return {surface.color, surface.color_stride, raster::drawn_info(surface.format).bytes_per_pixel};
-    return {surface.depth, surface.depth_stride, surface.depth_format == DepthFormat::z16 ? 2 : 4};
+/// A row of the plane that is read.
+std::uint8_t* row_of(const raster::Surface& surface, Content content, std::int32_t y) {
+    return content <= Content::index ? surface.color_row(y) : surface.depth_row(y);
 }
 
 /// Narrow formats share bytes across columns and rows: whole rows of the plane.
@@ -88,31 +68,30 @@ void* set_aside_narrow(Context& context, BufferGroups& source) {
 }
 
 /// What is read, apart from what is drawn; null without memory. The caller frees it.
-void* set_aside(Context& context, BufferGroups& source, Content content) {
+void* set_aside(Context& context, BufferGroups& source) {
+    const Content content = source.content;
     if (content == Content::color && is_narrow(source.surface.format))
         return set_aside_narrow(context, source);
-    const Plane plane = plane_of(source.surface, content);
-    const std::int32_t width = source.n.end - source.n.begin, height = source.m.end - source.m.begin;
-    const auto bytes = static_cast<std::size_t>(width * plane.pixel);
+    const std::int32_t pixel = content <= Content::index
+                                   ? raster::drawn_info(source.surface.format).bytes_per_pixel
+                               : source.surface.depth_format == DepthFormat::z16 ? 2
+                                                                                 : 4;
+    const std::int32_t bytes = (source.n.end - source.n.begin) * pixel,
+                       height = source.m.end - source.m.begin;
     auto* const memory =
-        static_cast<std::uint8_t*>(context.arena->allocate(bytes * static_cast<std::size_t>(height)));
+        static_cast<std::uint8_t*>(context.arena->allocate(static_cast<std::size_t>(bytes * height)));
     if (memory == nullptr)
         return nullptr;
     ReadRows from(context);
     for (std::int32_t i = 0; i < height; ++i) {
         const std::int32_t row = source.row(source.m.begin + i);
-        const raster::Surface* const there = from.with_row(row);
-        if (there == nullptr)
-            continue;
-        raster::Surface rows = *there;
-        const Plane read = plane_of(rows, content);
-        std::memcpy(memory + static_cast<std::size_t>(i) * bytes,
-                    read.first + std::ptrdiff_t{row} * read.stride +
-                        std::ptrdiff_t{source.column(source.n.begin)} * plane.pixel,
-                    bytes);
+        if (const raster::Surface* const there = from.with_row(row); there != nullptr)
+            std::memcpy(memory + i * bytes,
+                        row_of(*there, content, row) + std::ptrdiff_t{source.column(source.n.begin)} * pixel,
+                        static_cast<std::size_t>(bytes));
     }
-    plane.first = memory;
-    plane.stride = static_cast<std::int32_t>(bytes);
+    (content <= Content::index ? source.surface.color : source.surface.depth) = memory;
+    (content <= Content::index ? source.surface.color_stride : source.surface.depth_stride) = bytes;
     source.x = -source.n.begin;
     source.y = -source.m.begin;
     return memory;
@@ -123,11 +102,11 @@ bool meet(std::int32_t a, std::int32_t a_end, std::int32_t b, std::int32_t b_end
 }
 
 /// Some pixel may be drawn before it has been read.
-bool overlaps(const Context& context, BufferGroups source, Content content) {
-    raster::Surface drawn = context.drawable.surface;
+bool overlaps(const Context& context, const BufferGroups& source) {
+    const Content content = source.content;
     if (content == Content::color && has_sample_buffer(context))
         return false; // what is read was resolved
-    if (plane_of(drawn, content).first != plane_of(source.surface, content).first)
+    if (row_of(context.drawable.surface, content, 0) != row_of(source.surface, content, 0))
         return false;
     const Real* const at = context.current.raster.position;
     const Real* const zoom = context.pixel_mode.zoom;
@@ -152,9 +131,11 @@ bool is_color_565(const Context& context, const BufferGroups& source) {
 }
 
 void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Content content) {
-    BufferGroups source(context, x, y, width, height);
-    if (source.n.begin >= source.n.end || source.m.begin >= source.m.end)
+    const Rect all = context.drawable.read.area();
+    const Interval columns = inside(x, width, 0, all.w), rows = inside(y, height, all.y, all.y + all.h);
+    if (columns.begin == columns.end || rows.begin == rows.end)
         return;
+    BufferGroups source(context, content, x, y, columns, rows);
     const Real* const zoom = context.pixel_mode.zoom;
     // Depths are those of one sample, and drawn to all.
     const bool moves = zoom[0] == numeric::one && zoom[1] == numeric::one && !has_sample_buffer(context);
@@ -162,14 +143,13 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;
     // What is recorded is drawn when the source is another one.
-    if (context.drawable.recording != nullptr || (!moves && overlaps(context, source, content))) {
-        aside = set_aside(context, source, content);
+    if (context.drawable.recording != nullptr || (!moves && overlaps(context, source))) {
+        aside = set_aside(context, source);
         if (aside == nullptr)
             return error(context, GL_OUT_OF_MEMORY,
                          SPANGLE_TEXT("glCopyPixels: no room in the arena to zoom what overlaps its copy"));
     }
-    draw_rectangle(context, source, content,
-                   exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, order);
+    draw_rectangle(context, source, exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, order);
     context.arena->free(aside);
 }
 
@@ -187,10 +167,12 @@ void cmd::CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei 
                      SPANGLE_TEXT("glCopyPixels: the surface has no such buffer"));
     if (!raster_position_draws(context, GL_COPY_PIXEL_TOKEN))
         return;
+    static_assert(GL_STENCIL - GL_DEPTH ==
+                  static_cast<int>(Content::stencil) - static_cast<int>(Content::depth));
     copy(context, x, y, width, height,
-         type == GL_COLOR   ? (is_indexed(context.drawable) ? Content::index : Content::color)
-         : type == GL_DEPTH ? Content::depth
-                            : Content::stencil);
+         type != GL_COLOR ? static_cast<Content>(type - GL_DEPTH + static_cast<GLenum>(Content::depth))
+         : is_indexed(context.drawable) ? Content::index
+                                        : Content::color);
 }
 
 } // namespace spangle::gl

@@ -14,32 +14,19 @@ namespace {
 
 /// A client image.
 struct ClientGroups : GroupSource {
-    ClientGroups(const Context& context, const PixelLayout& layout, GLsizei width, GLsizei height,
+    ClientGroups(const Context& context, const PixelLayout& layout, Content of, GLsizei width, GLsizei height,
                  const void* pixels)
-        : GroupSource{group_of<ClientGroups>, {0, width}, {0, height}}, colors(context, layout),
-          groups(layout, context.pixel_store.unpack), transfer(context.pixel_mode),
+        : GroupSource{group_of, of, {0, width}, {0, height}}, image(context, layout),
           rows(image_rows(context.pixel_store.unpack, layout, width)),
           first(static_cast<const unsigned char*>(pixels) + rows.skip) {}
 
-    const unsigned char* row(std::int32_t m) const {
-        return first + static_cast<std::size_t>(m) * rows.stride;
-    }
-    std::size_t column(std::int32_t n) const { return rows.skip_bits + static_cast<std::size_t>(n); }
-
-    Pixel color(std::int32_t n, std::int32_t m) const { return colors.color(row(m), column(n)); }
-    Index index(std::int32_t n, std::int32_t m) const {
-        return transfer.index(groups.index(row(m), column(n)));
-    }
-    Component depth(std::int32_t n, std::int32_t m) const {
-        return transfer.depth(groups.depth(row(m), column(n)));
-    }
-    Index stencil(std::int32_t n, std::int32_t m) const {
-        return transfer.stencil(groups.index(row(m), column(n)));
+    static Group group_of(const GroupSource& source, std::int32_t n, std::int32_t m) {
+        const auto& s = static_cast<const ClientGroups&>(source);
+        return s.image.group(s.content, s.first + static_cast<std::size_t>(m) * s.rows.stride,
+                             s.rows.skip_bits + static_cast<std::size_t>(n));
     }
 
-    ColorImage colors;
-    Groups groups;
-    Transfer transfer;
+    ColorImage image;
     ImageRows rows;
     const unsigned char* first;
 };
@@ -77,10 +64,9 @@ void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, 
         return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawPixels: null pointer"));
     if (!raster_position_draws(context, GL_DRAW_PIXEL_TOKEN))
         return;
-    const ClientGroups source(context, layout, width, height, pixels);
-    const bool exact = is_565(layout) && source.colors.is_plain();
-    draw_rectangle(context, source, content,
-                   exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, {});
+    const ClientGroups source(context, layout, content, width, height, pixels);
+    const bool exact = is_565(layout) && source.image.is_plain();
+    draw_rectangle(context, source, exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, {});
 }
 
 } // namespace cmd

@@ -3,8 +3,10 @@
 #include "gl/context/features.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
+#include "gl/context/tokens.hpp"
 #include "gl/pixel/index.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/pixel/zoom.hpp"
 #include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_setup.hpp"
 #include "gl/vertex/engine.hpp"
@@ -21,24 +23,7 @@ raster::Compare compare_of(GLenum func) {
 }
 
 raster::StencilOp stencil_op_of(GLenum op) {
-    switch (op) {
-    case GL_ZERO:
-        return raster::StencilOp::zero;
-    case GL_REPLACE:
-        return raster::StencilOp::replace;
-    case GL_INCR:
-        return raster::StencilOp::incr;
-    case GL_DECR:
-        return raster::StencilOp::decr;
-    case GL_INVERT:
-        return raster::StencilOp::invert;
-    case GL_INCR_WRAP:
-        return raster::StencilOp::incr_wrap;
-    case GL_DECR_WRAP:
-        return raster::StencilOp::decr_wrap;
-    default:
-        return raster::StencilOp::keep;
-    }
+    return static_cast<raster::StencilOp>(place_in(stencil_ops, op));
 }
 
 raster::BlendFactor factor_of(GLenum factor) {
@@ -52,18 +37,7 @@ raster::BlendFactor factor_of(GLenum factor) {
 }
 
 raster::BlendEquation equation_of(GLenum mode) {
-    switch (mode) {
-    case GL_FUNC_SUBTRACT:
-        return raster::BlendEquation::subtract;
-    case GL_FUNC_REVERSE_SUBTRACT:
-        return raster::BlendEquation::reverse_subtract;
-    case GL_MIN:
-        return raster::BlendEquation::min;
-    case GL_MAX:
-        return raster::BlendEquation::max;
-    default:
-        return raster::BlendEquation::add;
-    }
+    return static_cast<raster::BlendEquation>(place_in(blend_equations, mode));
 }
 
 raster::Blending blending_of(const BlendPart& part) {
@@ -240,15 +214,10 @@ Rect drawing_rect(const Context& context) {
     const Rect all = context.drawable.surface.area();
     if (!context.fragment_ops.scissor_test)
         return all;
-    const GLint* box = context.fragment_ops.scissor_box;
-    const auto clamp = [](std::int64_t v, std::int32_t low, std::int32_t high) SPANGLE_RUN_LAMBDA {
-        return static_cast<std::int32_t>(v < low ? low : v > high ? high : v);
-    };
-    const std::int32_t top = all.y + all.h;
-    const std::int32_t x0 = clamp(box[0], 0, all.w), y0 = clamp(box[1], all.y, top);
-    const std::int32_t x1 = clamp(static_cast<std::int64_t>(box[0]) + box[2], 0, all.w);
-    const std::int32_t y1 = clamp(static_cast<std::int64_t>(box[1]) + box[3], all.y, top);
-    return {x0, y0, x1 - x0, y1 - y0};
+    const GLint* const box = context.fragment_ops.scissor_box;
+    const Interval columns = inside(box[0], box[2], 0, all.w),
+                   rows = inside(box[1], box[3], all.y, all.y + all.h);
+    return {columns.begin, rows.begin, columns.end - columns.begin, rows.end - rows.begin};
 }
 
 std::uint8_t written_channels(const Context& context) {

@@ -44,15 +44,12 @@ Pixel Groups::color(const unsigned char* row, std::size_t group) const {
     for (unsigned i = 0; i < layout_.components; ++i) {
         const Component c = decode_element(layout_.kind, layout_.bits[i], element(row, group, i));
         const bool grey = layout_.channel[i] == Channel::luminance;
-        color.value[grey ? 0 : static_cast<unsigned>(layout_.channel[i])] = c;
+        color.value[layout_.channel[i] < Channel::luminance ? static_cast<unsigned>(layout_.channel[i]) : 0] =
+            c;
         if (grey)
             color.value[1] = color.value[2] = c;
     }
     return color;
-}
-
-Component Groups::depth(const unsigned char* row, std::size_t group) const {
-    return decode_element(layout_.kind, layout_.bits[0], element(row, group, 0));
 }
 
 Index Groups::index(const unsigned char* row, std::size_t group) const {
@@ -64,19 +61,28 @@ ColorImage::ColorImage(const Context& context, const PixelLayout& layout)
       indices_(layout.channel[0] == Channel::color_index),
       swaps_(context.pixel_store.unpack.swap_bytes && layout.element_bytes > 1) {}
 
-Pixel ColorImage::color(const unsigned char* row, std::size_t group) const {
-    if (indices_)
-        return transfer_.color_of(groups_.index(row, group));
-    Pixel color = groups_.color(row, group);
-    transfer_.apply(color);
-    return color;
+Pixel ColorImage::color(const unsigned char* row, std::size_t at) const {
+    return group(Content::color, row, at).color;
 }
 
-void ColorImage::codes(const unsigned char* row, std::size_t group, const ColorBits& bits,
-                       std::uint32_t rgba[4]) const {
-    const Pixel pixel = color(row, group);
-    for (unsigned c = 0; c < 4; ++c)
-        rgba[c] = code_of(pixel.value[c], bits.of[c]);
+Group ColorImage::group(Content content, const unsigned char* row, std::size_t at) const {
+    Group group;
+    if (content == Content::depth || (content == Content::color && !indices_)) {
+        group.color = groups_.color(row, at);
+        if (content == Content::color)
+            transfer_.apply(group.color);
+        else
+            group.color.value[0] = transfer_.depth(group.color.value[0]);
+        return group;
+    }
+    const Index index = groups_.index(row, at);
+    if (content == Content::color)
+        group.color = transfer_.color_of(index);
+    else if (raster::has_indices && content == Content::index)
+        group.index = transfer_.index(index);
+    else
+        group.index = transfer_.stencil(index);
+    return group;
 }
 
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to) {

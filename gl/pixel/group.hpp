@@ -7,11 +7,6 @@ namespace spangle::gl {
 
 struct Context;
 
-/// How many bits a receiver keeps of R, G, B, A.
-struct ColorBits {
-    std::uint8_t of[4] = {8, 8, 8, 8};
-};
-
 /// What the groups of a format are; colour indices are colours to come where the framebuffer does not hold
 /// indices.
 enum class Content : std::uint8_t { color, index, depth, stencil };
@@ -22,27 +17,33 @@ inline Content content_of(const PixelLayout& layout, bool index_mode) {
                                                                      : Content::color;
 }
 
+/// Behind pixel transfer, as the content says: a colour, a depth in the place of red, or an index.
+struct Group {
+    Pixel color;
+    Index index;
+};
+
 /// Groups of one image in client memory, as UNPACK_SWAP_BYTES and UNPACK_LSB_FIRST say they lie. `row` is the
 /// first byte of a row and `group` counts in it, skipped bits of a BITMAP included (pixel_layout.hpp).
 class Groups {
   public:
     Groups(const PixelLayout& layout, const PixelStore& store)
         : layout_(layout), swap_bytes_(store.swap_bytes), lsb_first_(store.lsb_first) {}
+    explicit Groups(const PixelLayout& layout) : layout_(layout) {}
 
     /// "Final expansion to RGBA" included: L becomes R, G and B; missing colours are 0, a missing alpha is 1
-    /// (GL 1.3, 3.6.4). Not of COLOR_INDEX.
+    /// (GL 1.3, 3.6.4). A depth stands in the place of red. Not of indices.
     Pixel color(const unsigned char* row, std::size_t group) const;
-    Component depth(const unsigned char* row, std::size_t group) const;
     Index index(const unsigned char* row, std::size_t group) const;
 
   private:
     std::uint32_t element(const unsigned char* row, std::size_t group, unsigned component) const;
 
     const PixelLayout& layout_;
-    bool swap_bytes_, lsb_first_;
+    bool swap_bytes_ = false, lsb_first_ = false;
 };
 
-/// Colours of a client image behind pixel transfer: what DrawPixels and texture images are made of (GL 1.3,
+/// A client image behind pixel transfer: what DrawPixels and texture images are made of (GL 1.3,
 /// 3.6.4, 3.6.5 and 3.8.1). Lives no longer than the layout and the context's state stay as they are.
 class ColorImage {
   public:
@@ -52,9 +53,7 @@ class ColorImage {
     bool is_plain() const { return !indices_ && !transfer_.changes_colors() && !swaps_; }
 
     Pixel color(const unsigned char* row, std::size_t group) const;
-    /// Clamped, with the bits asked for.
-    void codes(const unsigned char* row, std::size_t group, const ColorBits& bits,
-               std::uint32_t rgba[4]) const;
+    Group group(Content content, const unsigned char* row, std::size_t group) const;
 
   private:
     Groups groups_;

@@ -3,6 +3,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fetch.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/pixel/zoom.hpp"
 
 namespace spangle::gl {
 
@@ -21,56 +22,33 @@ void put_bit(unsigned char* row, std::size_t at, bool lsb_first, std::uint32_t v
     row[at / 8] = static_cast<unsigned char>((value & 1) != 0 ? row[at / 8] | mask : row[at / 8] & ~mask);
 }
 
-void read_index(const Read& r, std::int32_t x, std::int32_t y, unsigned char* row, std::size_t group) {
-    const Index index = r.content == Content::stencil
-                            ? r.transfer.stencil(whole_index(raster::read_stencil(*r.surface, x, y)))
-                            : r.transfer.index(whole_index(raster::read_index(*r.surface, x, y)));
-    if (r.layout.kind == ElementKind::bitmap)
-        put_bit(row, group, r.lsb_first, rounded(index));
-    else
-        pack_index(r.layout, r.swap_bytes, index, row + group * r.layout.group_bytes());
-}
-
 /// Columns [x, x + count) of a line; `row` is its first byte, `group` the first group to write, skipped bits
 /// included.
 void read_row(const Read& r, std::int32_t x, std::int32_t y, std::int32_t count, unsigned char* row,
               std::size_t group) {
     for (const std::int32_t end = x + count; x < end; ++x, ++group) {
-        if (r.content == Content::stencil || r.content == Content::index) {
-            read_index(r, x, y, row, group);
-            continue;
-        }
-        Pixel pixel{};
-        if (r.content == Content::depth)
-            pixel.value[0] = r.transfer.depth(fetch_depth(*r.surface, x, y));
+        const Group found = fetch(*r.surface, r.transfer, r.content, x, y);
+        unsigned char* const to = row + group * r.layout.group_bytes();
+        if (r.layout.kind == ElementKind::bitmap)
+            put_bit(row, group, r.lsb_first, rounded(found.index));
+        else if (r.content == Content::stencil || r.content == Content::index)
+            pack_index(r.layout, r.swap_bytes, found.index, to);
         else
-            pixel = transferred_color(*r.surface, r.transfer, x, y);
-        pack_pixel(r.layout, r.swap_bytes, pixel, row + group * r.layout.group_bytes());
+            pack_pixel(r.layout, r.swap_bytes, found.color, to);
     }
-}
-
-/// The part of [at, at + size) inside [first, limit), first >= 0: empty when begin >= end. Whatever the
-/// integers are.
-struct Inside {
-    std::int32_t begin, end;
-};
-Inside inside(GLint at, GLsizei size, std::int32_t first, std::int32_t limit) {
-    const std::int64_t end = std::int64_t{at} + size;
-    return {at < first ? first : at, static_cast<std::int32_t>(end < limit ? (end < 0 ? 0 : end) : limit)};
 }
 
 void read(Read& r, ReadRows& source, const PixelStore& pack, GLint x, GLint y, GLsizei width, GLsizei height,
           unsigned char* pixels) {
     const Rect& all = source.area();
-    const Inside columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
+    const Interval columns = inside(x, width, 0, all.w), lines = inside(y, height, all.y, all.y + all.h);
     const std::int32_t count = columns.end - columns.begin;
-    if (columns.begin >= columns.end)
+    if (columns.begin == columns.end)
         return;
     const ImageRows rows = image_rows(pack, r.layout, width);
-    const auto first = static_cast<std::size_t>(std::int64_t{columns.begin} - x);
+    const auto first = static_cast<std::size_t>(columns.begin - x);
     for (std::int32_t line = lines.begin; line < lines.end; ++line) {
-        unsigned char* row =
-            pixels + rows.skip + static_cast<std::size_t>(std::int64_t{line} - y) * rows.stride;
+        unsigned char* row = pixels + rows.skip + static_cast<std::size_t>(line - y) * rows.stride;
         r.surface = source.with_row(line);
         if (r.surface != nullptr)
             read_row(r, columns.begin, line, count, row, first + rows.skip_bits);

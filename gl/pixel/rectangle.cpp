@@ -22,7 +22,7 @@ bool raster_position_draws(Context& context, [[maybe_unused]] GLenum token) {
 #if SPANGLE_FEATURE_FEEDBACK
     if (context.render.mode == GL_FEEDBACK) {
         FeedbackVertex v{};
-        v.colors = context.drawable.index_bits != 0 ? 1 : 4;
+        v.colors = is_indexed(context.drawable) ? 1 : 4;
         for (int c = 0; c < 4; ++c) {
             v.window[c] = raster.position[c];
             v.color[c] = raster.color[c];
@@ -44,7 +44,7 @@ namespace {
 /// A group as the words of a fragment.
 void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m,
              std::uint32_t (&out)[4]) {
-    const Group group = source.group(source, form, n, m);
+    const Group group = source.group(source, n, m);
     const Component* const value = group.color.value;
     switch (form) {
     case RowForm::color:
@@ -55,7 +55,7 @@ void convert(const GroupSource& source, RowForm form, std::int32_t n, std::int32
         out[0] = code_of(value[0], 8) >> 3 << 11 | code_of(value[1], 8) >> 2 << 5 | code_of(value[2], 8) >> 3;
         return;
     case RowForm::index:
-        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+        if constexpr (raster::has_indices)
             out[0] = index_units(group.index, format_info(PixelFormat::index8).index_bits);
         return;
     case RowForm::depth:
@@ -167,43 +167,52 @@ void emit(raster::PixelSource& source, raster::PixelSink& sink) {
 }
 
 /// Neither textured nor tested: ownership, scissor and mask alone (GL 1.3, 4.3.1).
-void store_stencil(const Context& context, const raster::Surface& surface, Rectangle& rectangle) {
+struct StencilSink : raster::PixelSink {
+    const Context& context;
+    const raster::Surface& surface;
+};
+
+void store_stencil(raster::PixelSink& sink, std::int32_t y, std::int32_t begin, std::int32_t end,
+                   const void* pixels) {
+    const Context& context = static_cast<const StencilSink&>(sink).context;
+    const raster::Surface& surface = static_cast<const StencilSink&>(sink).surface;
+    const std::uint8_t* const value = static_cast<const RectangleRow*>(pixels)->stencil;
     const auto mask = static_cast<std::uint8_t>(context.fragment_ops.stencil[0].write_mask);
-    rectangle.each([&](std::int32_t y, std::int32_t x, std::int32_t count, const RectangleRow& row) {
 #if SPANGLE_HAS_RECORDS
-        if (context.drawable.recording != nullptr)
-            return context.drawable.recording->record->stencil(y, x, count, row.stencil, mask,
-                                                               context.fragments.primitive.sample);
+    if (context.drawable.recording != nullptr)
+        return context.drawable.recording->record->stencil(y, begin, end - begin, value, mask,
+                                                           context.fragments.primitive.sample);
 #endif
-        for (std::int32_t i = 0; i < count; ++i) {
-            const unsigned stored = raster::read_stencil(surface, x + i, y);
-            raster::write_stencil(surface, x + i, y,
-                                  static_cast<std::uint8_t>((row.stencil[i] & mask) | (stored & ~mask)));
-        }
-    });
+    for (std::int32_t x = begin; x < end; ++x) {
+        const unsigned stored = raster::read_stencil(surface, x, y);
+        raster::write_stencil(surface, x, y,
+                              static_cast<std::uint8_t>((value[x - begin] & mask) | (stored & ~mask)));
+    }
 }
 
 } // namespace
 
-void draw_rectangle(Context& context, const GroupSource& source, Content content, raster::Colors colors,
+void draw_rectangle(Context& context, const GroupSource& source, raster::Colors colors,
                     RectangleOrder order) {
-    if (content == Content::stencil) {
-        return each_target(context, [&](const raster::Surface& target, raster::Position shift) {
-            Rectangle rectangle(context, source, RowForm::stencil, order, shift);
-            store_stencil(context, target, rectangle);
-        });
-    }
-    const bool depth = content == Content::depth;
-    const raster::DrawState& state =
-        draw_state(context, Drawn::pixels, depth ? raster::Colors::of_vertices : colors);
-    const RowForm form = depth                       ? RowForm::depth
+    const Content content = source.content;
+    const raster::DrawState* const state =
+        content == Content::stencil
+            ? nullptr
+            : &draw_state(context, Drawn::pixels,
+                          content == Content::depth ? raster::Colors::of_vertices : colors);
+    const RowForm form = state == nullptr            ? RowForm::stencil
+                         : content == Content::depth ? RowForm::depth
                          : content == Content::index ? RowForm::index
-                         : state.words               ? RowForm::words
+                         : state->words              ? RowForm::words
                                                      : RowForm::color;
     each_target(context, [&](const raster::Surface& target, raster::Position shift) {
         Rectangle rectangle(context, source, form, order, shift);
-        Fragments fragments{{emit}, rectangle, form, state.pixels};
-        context.engine->pixels(context, state, target, fragments);
+        Fragments fragments{{emit}, rectangle, form, state == nullptr || state->pixels};
+        StencilSink sink{{store_stencil, nullptr}, context, target};
+        if (state == nullptr)
+            emit(fragments, sink);
+        else
+            context.engine->pixels(context, *state, target, fragments);
     });
 }
 

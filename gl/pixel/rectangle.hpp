@@ -22,18 +22,11 @@ union RectangleRow {
 /// Which of them.
 enum class RowForm : std::uint8_t { color, words, index, depth, stencil };
 
-/// Behind pixel transfer, as the form says: a colour, a depth in the place of red, or an index.
-struct Group {
-    Pixel color;
-    Index index;
-};
-
-/// Where the groups come from, and which there are.
+/// Where the groups come from, what they are, and which there are.
 struct GroupSource {
-    Group (*group)(const GroupSource& source, RowForm form, std::int32_t n, std::int32_t m);
-    struct Interval {
-        std::int32_t begin, end;
-    } n, m;
+    Group (*group)(const GroupSource& source, std::int32_t n, std::int32_t m);
+    Content content;
+    Interval n, m;
 };
 
 struct RectangleOrder {
@@ -41,27 +34,10 @@ struct RectangleOrder {
 };
 
 /// At the raster position, with PixelZoom. `colors` is what the colours of the source are.
-void draw_rectangle(Context& context, const GroupSource& source, Content content, raster::Colors colors,
-                    RectangleOrder order);
+void draw_rectangle(Context& context, const GroupSource& source, raster::Colors colors, RectangleOrder order);
 
 /// DrawPixels, CopyPixels and Bitmap: whether there is something to draw. Feedback gets `token` and the
 /// raster position (GL 1.3, 5.3).
 bool raster_position_draws(Context& context, GLenum token);
-
-/// `group` of a source with color(n, m), index(n, m), depth(n, m) and stencil(n, m).
-template <class Source>
-Group group_of(const GroupSource& base, RowForm form, std::int32_t n, std::int32_t m) {
-    const auto& source = static_cast<const Source&>(base);
-    Group group;
-    if (form == RowForm::depth)
-        group.color.value[0] = source.depth(n, m);
-    else if (form == RowForm::stencil)
-        group.index = source.stencil(n, m);
-    else if (SPANGLE_FEATURE_COLOR_INDEX && form == RowForm::index)
-        group.index = source.index(n, m);
-    else
-        group.color = source.color(n, m);
-    return group;
-}
 
 } // namespace spangle::gl

@@ -1,16 +1,12 @@
 // The stencil test of front and back faces (GL 1.3, 4.1.5; two sides and wrapping: GL 2.0).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/tokens.hpp"
 #include "gl/pixel/compare.hpp"
 
 namespace spangle::gl::cmd {
 
 namespace {
-
-bool is_stencil_op(GLenum op) {
-    return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR ||
-           op == GL_INVERT || op == GL_INCR_WRAP || op == GL_DECR_WRAP;
-}
 
 bool is_face(GLenum face) {
     return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
@@ -38,7 +34,8 @@ void StencilFuncSeparate(Context& context, GLenum face, GLenum func, GLint ref, 
 }
 
 void StencilOpSeparate(Context& context, GLenum face, GLenum fail, GLenum zfail, GLenum zpass) {
-    if (!is_face(face) || !is_stencil_op(fail) || !is_stencil_op(zfail) || !is_stencil_op(zpass))
+    if (!is_face(face) || !is_in(stencil_ops, fail) || !is_in(stencil_ops, zfail) ||
+        !is_in(stencil_ops, zpass))
         return error(context, GL_INVALID_ENUM);
     change_sides(context, face, [=](StencilSide& side) {
         side.fail = fail;

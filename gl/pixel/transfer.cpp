@@ -27,6 +27,10 @@ std::uint32_t entry_at(const PixelMap* map, Index index) {
     return entry(map, rounded(index) & last_of(map));
 }
 
+[[gnu::noinline]] Index shifted_by(const PixelModeState& state, Index index) {
+    return shifted(index, state.index_shift, state.index_offset);
+}
+
 } // namespace
 
 Transfer::Transfer(const PixelModeState& state) : state_(state), maps_(state.map_color) {
@@ -46,7 +50,7 @@ void Transfer::change(Pixel& color) const {
 }
 
 Pixel Transfer::color_of(Index index) const {
-    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    const Index moved = shifted_by(state_, index);
     Pixel color;
     for (unsigned c = 0; c < 4; ++c)
         color.value[c] = component(Real{entry_at(state_.map[map_i_to_r + c], moved)});
@@ -54,7 +58,7 @@ Pixel Transfer::color_of(Index index) const {
 }
 
 Index Transfer::index(Index index) const {
-    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    const Index moved = shifted_by(state_, index);
     if (!state_.map_color)
         return moved;
     const PixelMap* const map = state_.map[map_i_to_i];
@@ -63,7 +67,7 @@ Index Transfer::index(Index index) const {
 }
 
 Index Transfer::stencil(Index index) const {
-    const Index moved = shifted(index, state_.index_shift, state_.index_offset);
+    const Index moved = shifted_by(state_, index);
     if (!state_.map_stencil)
         return moved;
     return whole_index(entry_at(state_.map[map_s_to_s], moved)); // stored as integers

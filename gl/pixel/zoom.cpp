@@ -36,6 +36,13 @@ std::int64_t times(std::int64_t a, std::int32_t n) {
 
 } // namespace
 
+Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high) {
+    std::int32_t end = 0;
+    if (__builtin_add_overflow(at, size, &end))
+        end = high;
+    return {numeric::clamp(at, low, high), numeric::clamp(end, low, high)};
+}
+
 std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead) {
     constexpr numeric::Real limit = numeric::from_fixed(1, fraction_bits - number_bits);
     const bool near = numeric::abs(at) < limit && numeric::abs(origin) < limit;
@@ -47,16 +54,16 @@ std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t a
 ZoomAxis::ZoomAxis(numeric::Real at, numeric::Real zoom, std::int32_t shift)
     : at_(fixed(at) + shift * (one >> 8)), zoom_(fixed(zoom)) {}
 
-/// The first one whose centre is not before an edge.
-std::int32_t ZoomAxis::first_fragment(std::int64_t edge) const {
+/// The first one whose centre is not before where a group begins.
+[[gnu::noinline]] std::int32_t ZoomAxis::first_fragment(std::int32_t group) const {
+    const std::int64_t edge = at_ + times(zoom_, group);
     const std::int64_t fragment = (edge - half + (one - 1)) >> fraction_bits; // |edge| < 2^62
     return numeric::saturate_i32(fragment);
 }
 
 ZoomAxis::Range ZoomAxis::covered(std::int32_t first, std::int32_t last, std::int32_t low,
                                   std::int32_t high) const {
-    const std::int32_t a = first_fragment(at_ + times(zoom_, first)),
-                       b = first_fragment(at_ + times(zoom_, last));
+    const std::int32_t a = first_fragment(first), b = first_fragment(last);
     const Range all = zoom_ < 0 ? Range{b, a} : Range{a, b};
     return {all.begin > low ? all.begin : low, all.end < high ? all.end : high};
 }

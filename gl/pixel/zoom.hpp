@@ -13,6 +13,14 @@ namespace spangle::gl {
 /// than 2^-15 on the largest viewport, moves no bit. `ahead` is added, in 2^-12.
 std::int32_t whole_pixels(numeric::Real at, numeric::Real origin, std::int32_t ahead = 0);
 
+/// Pixels or groups [begin, end); none where they are equal.
+struct Interval {
+    std::int32_t begin, end;
+};
+
+/// The part of [at, at + size), size >= 0, that lies in [low, high).
+Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high);
+
 /// One axis. Group n covers the fragments whose centre lies in [at + zoom n, at + zoom (n + 1)), or with a
 /// negative zoom in [at + zoom (n + 1), at + zoom n). All numbers have 32 fraction bits: those of floats from
 /// 2^-9 on lose nothing, of smaller ones the nearest 2^-32 counts.
@@ -24,10 +32,7 @@ class ZoomAxis {
     /// Nothing is drawn.
     bool is_empty() const { return zoom_ == 0; }
 
-    /// Fragments [begin, end).
-    struct Range {
-        std::int32_t begin, end;
-    };
+    using Range = Interval; ///< of fragments
     /// Of groups [first, last), as far as they lie in [low, high), of coordinates that a surface has.
     Range covered(std::int32_t first, std::int32_t last, std::int32_t low, std::int32_t high) const;
 
@@ -46,7 +51,7 @@ class ZoomAxis {
     Walk from(std::int32_t fragment) const;
 
   private:
-    std::int32_t first_fragment(std::int64_t edge) const;
+    std::int32_t first_fragment(std::int32_t group) const;
 
     std::int64_t at_, zoom_;
 };

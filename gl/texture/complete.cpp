@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "gl/context/tokens.hpp"
 #include "gl/texture/compressed_format.hpp"
 #include "gl/texture/internal_format.hpp"
 #include "raster/span/fused_keys.hpp"
@@ -84,18 +85,7 @@ raster::TextureLevel view_of(const LevelImage& image) {
 raster::Wrap wrap_of(GLenum mode) {
     if (!raster::spans_sample_any)
         return mode == GL_REPEAT ? raster::Wrap::repeat : raster::Wrap::clamp;
-    switch (mode) {
-    case GL_CLAMP:
-        return raster::Wrap::clamp;
-    case GL_CLAMP_TO_EDGE:
-        return raster::Wrap::clamp_to_edge;
-    case GL_CLAMP_TO_BORDER:
-        return raster::Wrap::clamp_to_border;
-    case GL_MIRRORED_REPEAT:
-        return raster::Wrap::mirrored_repeat;
-    default:
-        return raster::Wrap::repeat;
-    }
+    return static_cast<raster::Wrap>(place_in(wraps, mode));
 }
 
 void set_filters(const TextureObject& texture, raster::Texture& view) {

@@ -17,6 +17,10 @@ namespace spangle::gl {
 
 namespace {
 
+std::uint16_t side(std::uint32_t base, GLint step) {
+    return static_cast<std::uint16_t>(base >> step > 1 ? base >> step : base == 0 ? 0u : 1u);
+}
+
 struct CompressedImage {
     GLenum internal_format;
     ImageTarget target;
@@ -25,29 +29,26 @@ struct CompressedImage {
     const std::uint8_t* data;
     bool constant; ///< data stays where it is
 
-    std::uint32_t side(std::uint32_t base, GLint step) const {
-        return base >> step > 1 ? base >> step : base == 0 ? 0u : 1u;
+    LevelShape shape(GLint step) const {
+        LevelShape shape;
+        shape.size[0] = side(width, step);
+        shape.size[1] = side(height, step);
+        shape.size[2] = 1;
+        shape.internal_format = static_cast<std::uint16_t>(internal_format);
+        shape.format = compressed_texels_of(internal_format);
+        return shape;
     }
     std::uint32_t bytes(GLint step) const {
         return compressed_bytes(internal_format, side(width, step), side(height, step));
     }
-    std::int64_t all_bytes() const {
-        std::int64_t sum = palette_bytes(internal_format);
+    /// The first level has no more texels than fit.
+    std::uint32_t all_bytes() const {
+        std::uint32_t sum = palette_bytes(internal_format);
         for (GLint step = 0; step < levels; ++step)
             sum += bytes(step);
         return sum;
     }
 };
-
-LevelShape shape_of(const CompressedImage& from, GLint step) {
-    LevelShape shape;
-    shape.size[0] = static_cast<std::uint16_t>(from.side(from.width, step));
-    shape.size[1] = static_cast<std::uint16_t>(from.side(from.height, step));
-    shape.size[2] = 1;
-    shape.internal_format = static_cast<std::uint16_t>(from.internal_format);
-    shape.format = compressed_texels_of(from.internal_format);
-    return shape;
-}
 
 /// A copy has a palette of its own, so that a level does not outlive it.
 LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, const std::uint8_t* texels) {
@@ -56,14 +57,14 @@ LevelImage* make_level(Arena& arena, const CompressedImage& from, GLint step, co
     auto* const image = static_cast<LevelImage*>(arena.allocate(sizeof(LevelImage) + kept));
     if (image == nullptr)
         return nullptr;
-    *image = {shape_of(from, step), 0, bytes, texels, {palette != 0 ? from.data : nullptr}};
+    const std::uint8_t* entries = from.data;
     if (!from.constant) {
         std::uint8_t* const own = image->own_texels();
-        std::memcpy(own, from.data, palette);
-        std::memcpy(own + palette, texels, bytes);
-        image->texels = own + palette;
-        image->palette = palette != 0 ? own : nullptr;
+        std::memcpy(own, entries, palette);
+        texels = static_cast<std::uint8_t*>(std::memcpy(own + palette, texels, bytes));
+        entries = own;
     }
+    *image = {from.shape(step), 0, bytes, texels, {palette != 0 ? entries : nullptr}};
     return image;
 }
 
@@ -121,11 +122,11 @@ void compressed_image(Context& context, GLenum target, GLint level, GLenum inter
                                static_cast<std::uint32_t>(height),
                                static_cast<const std::uint8_t*>(data),
                                constant};
-    if (size != from.all_bytes())
+    if (static_cast<std::uint32_t>(size) != from.all_bytes())
         return error(context, GL_INVALID_VALUE,
                      SPANGLE_TEXT("glCompressedTexImage2D: imageSize is not that of the format and sizes"));
     if (of.proxy) {
-        context.texture.proxy(of.kind, first) = shape_of(from, 0);
+        context.texture.proxy(of.kind, first) = from.shape(0);
         return;
     }
     if (data == nullptr)

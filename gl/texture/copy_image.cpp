@@ -5,6 +5,7 @@
 #include "gl/context/share_group.hpp"
 #include "gl/pixel/fetch.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/pixel/zoom.hpp"
 #include "gl/texture/image_shape.hpp"
 #include "gl/texture/level_image.hpp"
 
@@ -18,51 +19,25 @@ bool has_depth(const Context& context) {
     return context.drawable.read.depth_format != DepthFormat::none;
 }
 
-class Copy {
-  public:
-    Copy(const Context& context, LevelImage& image)
-        : rows_(context), image_(image), bits_(texel_bits(image.shape.format)),
-          transfer_(context.pixel_mode) {}
-
-    /// Pixels from (x, y) on into a box one texel deep.
-    void run(const TexelBox& box, GLint x, GLint y) {
-        const std::size_t bytes = texel_size(image_.shape.format);
-        const Rect all = rows_.area();
-        for (std::uint32_t j = 0; j < box.size[1]; ++j) {
-            const std::int64_t py = std::int64_t{y} + j;
-            if (py < all.y || py >= std::int64_t{all.y} + all.h)
-                continue;
-            from_ = rows_.with_row(static_cast<std::int32_t>(py));
-            for (std::uint32_t i = 0; from_ != nullptr && i < box.size[0]; ++i) {
-                const std::int64_t px = std::int64_t{x} + i;
-                if (px < 0 || px >= all.w)
-                    continue;
-                pixel(static_cast<std::int32_t>(px), static_cast<std::int32_t>(py),
-                      image_.own_texels() + std::size_t{box.at[2]} * image_.slice() +
-                          std::size_t{box.at[1] + j} * image_.stride + (box.at[0] + i) * bytes);
-            }
-        }
+/// Pixels from (x, y) on into a box one texel deep.
+void copy_pixels(const Context& context, LevelImage& image, const TexelBox& box, GLint x, GLint y) {
+    const PixelLayout texels = texel_layout(image.shape.format);
+    const Content content = is_depth(image.shape.format) ? Content::depth : Content::color;
+    const Transfer transfer(context.pixel_mode);
+    ReadRows rows(context);
+    const Rect& all = rows.area();
+    const Interval columns = inside(x, static_cast<GLsizei>(box.size[0]), 0, all.w),
+                   lines = inside(y, static_cast<GLsizei>(box.size[1]), all.y, all.y + all.h);
+    for (std::int32_t py = lines.begin; py < lines.end; ++py) {
+        std::uint8_t* const row =
+            image.own_texels() + std::size_t{box.at[2]} * image.slice() +
+            (box.at[1] + static_cast<std::uint32_t>(py - y)) * std::size_t{image.stride};
+        const raster::Surface* const from = rows.with_row(py);
+        for (std::int32_t px = columns.begin; from != nullptr && px < columns.end; ++px)
+            pack_pixel(texels, false, fetch(*from, transfer, content, px, py).color,
+                       row + (box.at[0] + static_cast<std::uint32_t>(px - x)) * texels.group_bytes());
     }
-
-  private:
-    void pixel(std::int32_t x, std::int32_t y, std::uint8_t* to) const {
-        std::uint32_t codes[4];
-        if (is_depth(image_.shape.format)) {
-            codes[0] = code_of(transfer_.depth(fetch_depth(*from_, x, y)), bits_.of[0]);
-        } else {
-            const Pixel color = transferred_color(*from_, transfer_, x, y);
-            for (unsigned c = 0; c < 4; ++c)
-                codes[c] = code_of(color.value[c], bits_.of[c]);
-        }
-        store_texel(image_.shape.format, codes, to);
-    }
-
-    ReadRows rows_;
-    const raster::Surface* from_ = nullptr; ///< with the row at hand
-    LevelImage& image_;
-    ColorBits bits_;
-    Transfer transfer_;
-};
+}
 
 /// Unlike TexImage, which takes component counts and calls others wrong values (GL 1.3, 3.8.2).
 bool copies_to(const Context& context, GLint internal_format) {
@@ -86,7 +61,7 @@ void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y)
         return error(context, GL_OUT_OF_MEMORY,
                      SPANGLE_TEXT("glCopyTexImage: no room in the arena for this level"));
     clear_texels(*image);
-    Copy(context, *image).run(whole_box(shape), x, y);
+    copy_pixels(context, *image, whole_box(shape), x, y);
     put_image(context, texture, request.target.face, request.level, image);
 }
 
@@ -98,7 +73,7 @@ void copy_sub_image(Context& context, const SubImage& sub, GLint x, GLint y) {
     if (is_depth(image->shape.format) && !has_depth(context))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glCopyTexSubImage: there is no depth buffer"));
-    Copy(context, *image).run(box, x, y);
+    copy_pixels(context, *image, box, x, y);
     image_written(context, bound_texture(context, sub.target.kind), sub.target.face, sub.level);
 }
 

@@ -1,26 +1,21 @@
 // TexEnv: how a texel meets the fragment's colour (GL 1.3, 3.8.12, 3.8.13).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/tokens.hpp"
 
 namespace spangle::gl::cmd {
 
 namespace {
 
-bool is_mode(GLenum v) {
-    return v == GL_MODULATE || v == GL_REPLACE || v == GL_DECAL || v == GL_BLEND || v == GL_ADD ||
-           (SPANGLE_FEATURE_TEXTURE_COMBINE && v == GL_COMBINE);
-}
-
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
 
 bool is_function(GLenum v, bool alpha) {
-    return v == GL_REPLACE || v == GL_MODULATE || v == GL_ADD || v == GL_ADD_SIGNED || v == GL_INTERPOLATE ||
-           v == GL_SUBTRACT || (!alpha && (v == GL_DOT3_RGB || v == GL_DOT3_RGBA));
+    constexpr unsigned dot3 = 6; // the last two
+    return place_in(combine_functions, v) < (alpha ? dot3 : dot3 + 2);
 }
 
 bool is_source(GLenum v) {
-    return v == GL_TEXTURE || v == GL_CONSTANT || v == GL_PRIMARY_COLOR || v == GL_PREVIOUS ||
-           unit_of(v) < texture_units;
+    return is_in(combine_sources, v) || unit_of(v) < texture_units;
 }
 
 bool is_operand(GLenum v, bool alpha) {
@@ -28,8 +23,9 @@ bool is_operand(GLenum v, bool alpha) {
            (!alpha && (v == GL_SRC_COLOR || v == GL_ONE_MINUS_SRC_COLOR));
 }
 
+/// 1, 2 or 4.
 bool is_scale(Real v) {
-    return v == numeric::one || v == Real{0x40000000} || v == Real{0x40800000};
+    return v.bits == numeric::one.bits || v.bits == 0x40000000 || v.bits == 0x40800000;
 }
 
 /// Where a token of a combiner is kept, or null. Of the tokens of one kind those of alpha follow those of
@@ -114,7 +110,7 @@ bool left_out(Context& context, GLenum pname) {
 GLenum set(TexEnvState& env, GLenum pname, const Params& params) {
     switch (pname) {
     case GL_TEXTURE_ENV_MODE:
-        if (!is_mode(params.v[0].token()))
+        if (!is_in(env_modes, params.v[0].token()))
             return GL_INVALID_ENUM;
         env.mode = params.v[0].token();
         return GL_NO_ERROR;

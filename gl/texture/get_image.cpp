@@ -24,19 +24,11 @@ const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     return image != nullptr ? image : &none;
 }
 
-/// Components of a texel by table 6.1: what its format lacks is 0, alpha 1; luminance is red alone.
-Pixel components_of(raster::TexelFormat format, const ColorBits& bits, const std::uint8_t* texel) {
-    std::uint32_t codes[4];
-    load_texel(format, texel, codes);
-    Pixel pixel;
-    for (unsigned c = 0; c < 4; ++c)
-        pixel.value[c] = {codes[c], bits.of[c]};
-    return pixel;
-}
-
+/// What a format lacks is 0, alpha 1; luminance is red alone (table 6.1).
 void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayout& layout, void* pixels) {
     const LevelShape& shape = image.shape;
-    const ColorBits bits = texel_bits(shape.format);
+    const PixelLayout texels = texel_layout(shape.format);
+    const Groups groups(texels);
     const ImageRows rows = image_rows(pack, layout, shape.size[0]);
     const std::size_t next_image = image_stride(pack, rows, shape.size[1]);
     const bool volume = shape.dimensions == 3;
@@ -45,8 +37,8 @@ void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayo
     const std::uint8_t* texel = image.texels;
     for (unsigned z = 0; z < shape.size[2]; ++z, slice += next_image)
         for (unsigned y = 0; y < shape.size[1]; ++y)
-            for (unsigned x = 0; x < shape.size[0]; ++x, texel += texel_size(shape.format))
-                pack_pixel(layout, pack.swap_bytes, components_of(shape.format, bits, texel),
+            for (unsigned x = 0; x < shape.size[0]; ++x, texel += texels.group_bytes())
+                pack_pixel(layout, pack.swap_bytes, groups.color(texel, 0),
                            slice + y * rows.stride + x * std::size_t{layout.group_bytes()});
 }
 

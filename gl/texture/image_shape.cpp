@@ -13,22 +13,10 @@ namespace spangle::gl {
 namespace {
 
 /// 0, the null texture, or a side that is not above the largest of the level. It need not be a power of two
-/// (GL 2.0, 3.8.1).
-bool legal_side(GLsizei side, GLint border, GLsizei most) {
-    if (side == 0)
-        return border == 0;
-    const std::int64_t inner = std::int64_t{side} - 2 * border;
-    return inner > 0 && inner <= most;
-}
-
-bool legal_sides(const ImageRequest& request) {
-    const TextureKind kind = request.target.kind;
-    const GLsizei most =
-        (kind == TextureKind::three ? max_3d_texture_size : max_texture_size) >> request.level;
-    for (unsigned axis = 0; axis < dimensions_of(kind); ++axis)
-        if (!legal_side(request.size[axis], request.border, most))
-            return false;
-    return kind != TextureKind::cube || request.size[0] == request.size[1];
+/// (GL 2.0, 3.8.1). Of sides and borders that are not negative.
+bool legal_side(GLsizei side, std::uint32_t border, std::uint32_t most) {
+    const std::uint32_t inner = static_cast<std::uint32_t>(side) - 2 * border;
+    return side == 0 ? border == 0 : inner - 1 < most;
 }
 
 /// The image, which is there: constant memory is not written, nor what recorded draws look at, so these
@@ -54,48 +42,52 @@ LevelImage* writable(Context& context, const SubImage& sub) {
 
 } // namespace
 
-bool shape_of(Context& context, ImageRequest request, LevelShape& out) {
+bool shape_of(Context& context, const ImageRequest& request, LevelShape& out) {
     out = {};
+    LevelShape shape;
     const TextureKind kind = request.target.kind;
-    if (!texel_format_of(request.internal_format, context.drawable.surface.format, out.format)) {
+    GLint internal_format = request.internal_format;
+    if (!texel_format_of(internal_format, context.drawable.surface.format, shape.format)) {
         error(context, GL_INVALID_VALUE,
               SPANGLE_TEXT("glTexImage: not an internal format, or one that this build leaves out "
                            "(SPANGLE_TEXTURE_FORMATS)"));
         return false;
     }
-    if (is_depth(out.format) && kind != TextureKind::one && kind != TextureKind::two) {
+    if (is_depth(shape.format) && kind != TextureKind::one && kind != TextureKind::two) {
         error(context, GL_INVALID_OPERATION,
               SPANGLE_TEXT("glTexImage: depths are 1D and 2D (GL 1.4, 3.8.1)"));
         return false;
     }
-    bool negative = false;
-    for (unsigned axis = 0; axis < dimensions_of(kind); ++axis)
-        negative = negative || request.size[axis] < 0;
+    shape.internal_format = static_cast<std::uint16_t>(internal_format);
+    shape.border = static_cast<std::uint8_t>(request.border);
+    shape.dimensions = static_cast<std::uint8_t>(dimensions_of(kind));
+    const std::uint32_t most = static_cast<std::uint32_t>(
+        (kind == TextureKind::three ? max_3d_texture_size : max_texture_size) >> (request.level & 15));
+    bool negative = false, legal = kind != TextureKind::cube || request.size[0] == request.size[1];
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const GLsizei side = request.size[axis];
+        negative = negative || side < 0;
+        legal = legal && legal_side(side, shape.border_along(axis), most);
+        shape.size[axis] = static_cast<std::uint16_t>(side);
+    }
     if (!is_level(request.level) || request.border < 0 || request.border > 1 || negative) {
         error(context, GL_INVALID_VALUE);
         return false;
     }
-    const bool legal = legal_sides(request);
     if (!legal && !request.target.proxy) {
         error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexImage: too large, or a cube that is not square"));
         return false;
     }
-    if (!legal) // too large is an answer, all zero, and not an error (GL 1.3, 3.8.10)
-        return true;
-    out.dimensions = static_cast<std::uint8_t>(dimensions_of(kind));
-    for (unsigned axis = 0; axis < 3; ++axis)
-        out.size[axis] =
-            axis < out.dimensions ? static_cast<std::uint16_t>(request.size[axis]) : std::uint16_t{1};
-    out.internal_format = static_cast<std::uint16_t>(request.internal_format);
-    out.border = static_cast<std::uint8_t>(request.border);
+    out.format = shape.format;
+    if (legal) // too large is an answer, all zero, and not an error (GL 1.3, 3.8.10)
+        out = shape;
     return true;
 }
 
 LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
-    const unsigned dimensions = dimensions_of(sub.target.kind);
     bool negative = !is_level(sub.level);
-    for (unsigned axis = 0; axis < dimensions; ++axis)
-        negative = negative || sub.size[axis] < 0;
+    for (const GLsizei size : sub.size)
+        negative = negative || size < 0;
     if (negative) {
         error(context, GL_INVALID_VALUE);
         return nullptr;
@@ -110,15 +102,15 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         return nullptr;
     }
     for (unsigned axis = 0; axis < 3; ++axis) {
-        // From the array's first texel, which is -border.
-        const std::int64_t at = axis < dimensions ? std::int64_t{sub.at[axis]} + image->shape.border : 0;
-        const GLsizei size = axis < dimensions ? sub.size[axis] : 1;
-        if (at < 0 || at + size > image->shape.size[axis]) {
+        // From the array's first texel, which is -border; what lies before it is beyond all sizes.
+        const std::uint32_t at = static_cast<std::uint32_t>(sub.at[axis]) + image->shape.border_along(axis),
+                            size = static_cast<std::uint32_t>(sub.size[axis]), all = image->shape.size[axis];
+        if (at > all || size > all - at) {
             error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage: the box leaves the image"));
             return nullptr;
         }
-        out.at[axis] = static_cast<std::uint32_t>(at);
-        out.size[axis] = static_cast<std::uint32_t>(size);
+        out.at[axis] = at;
+        out.size[axis] = size;
     }
     return writable(context, sub);
 }

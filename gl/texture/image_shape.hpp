@@ -7,7 +7,7 @@
 
 namespace spangle::gl {
 
-/// An image to be made. Of the sizes those that the target has count.
+/// An image to be made. Sizes that the target does not have are 1.
 struct ImageRequest {
     ImageTarget target;
     GLint level, internal_format;
@@ -16,9 +16,10 @@ struct ImageRequest {
 };
 
 /// The shape, empty where a proxy cannot have it. False: the error is set.
-bool shape_of(Context& context, ImageRequest request, LevelShape& out);
+bool shape_of(Context& context, const ImageRequest& request, LevelShape& out);
 
-/// A box of an image that is there, counted like the arguments of TexSubImage from inside its border.
+/// A box of an image that is there, counted like the arguments of TexSubImage from inside its border. What
+/// the target does not have is at 0, and 1.
 struct SubImage {
     ImageTarget target;
     GLint level;

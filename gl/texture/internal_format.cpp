@@ -10,11 +10,6 @@ using raster::TexelFormat;
 
 namespace {
 
-/// Of formats without sizes.
-TexelFormat rgb_of(PixelFormat surface) {
-    return raster::drawn_info(surface).red_bits <= 5 ? TexelFormat::rgb565 : TexelFormat::rgb888;
-}
-
 bool depth_format_of(GLint internal_format, TexelFormat& out) {
     switch (internal_format) {
     case GL_DEPTH_COMPONENT:
@@ -38,78 +33,59 @@ void take_base_format(GLint& internal_format) {
     }
 }
 
+/// Of numbers of components, of base formats from ALPHA on, and of formats with sizes from ALPHA4 on: 4, 8,
+/// 12 and 16 bits, where there are not others. None is etc1, but that one is no format of TexImage.
+constexpr unsigned counted = 0, unsized = 4, sized = 9, all_kept = 42;
+constexpr TexelFormat none = TexelFormat::etc1;
+constexpr TexelFormat a8 = TexelFormat::a8, l8 = TexelFormat::l8, la = TexelFormat::la88,
+                      i8 = TexelFormat::i8, rgb565 = TexelFormat::rgb565, rgb8 = TexelFormat::rgb888,
+                      rgba4 = TexelFormat::rgba4444, rgba5 = TexelFormat::rgba5551,
+                      rgba8 = TexelFormat::rgba8888;
+constexpr TexelFormat kept[all_kept] = {
+    l8,    la,     rgb8,   rgba8,                          // 1, 2, 3, 4
+    a8,    rgb8,   rgba8,  l8,    la,                      // ALPHA, RGB, RGBA, LUMINANCE, LUMINANCE_ALPHA
+    a8,    a8,     a8,     a8,    l8,    l8,    l8,    l8, // ALPHA, LUMINANCE
+    la,    la,     la,     la,    la,    la,           // LUMINANCE_ALPHA: 4 4, 6 2, 8 8, 12 4, 12 12, 16 16
+    i8,    i8,     i8,     i8,    i8,                  // INTENSITY, with sizes too
+    none,  rgb565, rgb565, rgb8,  rgb8,  rgb8,  rgb8,  // RGB: (2), 4, 5, 8, 10, 12, 16
+    rgba4, rgba4,  rgba5,  rgba8, rgba8, rgba8, rgba8, // RGBA: 2, 4, 5 1, 8, 10 2, 12, 16
+};
+
 /// Of the table, whatever the build holds.
 bool kept_format_of(GLint internal_format, PixelFormat surface, TexelFormat& out) {
-    switch (internal_format) {
-    case GL_ALPHA:
-    case GL_ALPHA4:
-    case GL_ALPHA8:
-    case GL_ALPHA12:
-    case GL_ALPHA16:
-        out = TexelFormat::a8;
-        return true;
-    case 1:
-    case GL_LUMINANCE:
-    case GL_LUMINANCE4:
-    case GL_LUMINANCE8:
-    case GL_LUMINANCE12:
-    case GL_LUMINANCE16:
-        out = TexelFormat::l8;
-        return true;
-    case 2:
-    case GL_LUMINANCE_ALPHA:
-    case GL_LUMINANCE4_ALPHA4:
-    case GL_LUMINANCE6_ALPHA2:
-    case GL_LUMINANCE8_ALPHA8:
-    case GL_LUMINANCE12_ALPHA4:
-    case GL_LUMINANCE12_ALPHA12:
-    case GL_LUMINANCE16_ALPHA16:
-        out = TexelFormat::la88;
-        return true;
-    case GL_INTENSITY:
-    case GL_INTENSITY4:
-    case GL_INTENSITY8:
-    case GL_INTENSITY12:
-    case GL_INTENSITY16:
-        out = TexelFormat::i8;
-        return true;
-    case 3:
-    case GL_RGB:
-        out = rgb_of(surface);
-        return true;
-    case GL_R3_G3_B2:
-        out = TexelFormat::rgb332;
-        return true;
-    case GL_RGB4:
-    case GL_RGB5:
-    case GL_RGB565: // ARB_ES2_compatibility
-        out = TexelFormat::rgb565;
-        return true;
-    case GL_RGB8:
-    case GL_RGB10:
-    case GL_RGB12:
-    case GL_RGB16:
-        out = TexelFormat::rgb888;
-        return true;
-    case GL_RGBA2:
-    case GL_RGBA4:
-        out = TexelFormat::rgba4444;
-        return true;
-    case GL_RGB5_A1:
-        out = TexelFormat::rgba5551;
-        return true;
-    case 4:
-    case GL_RGBA:
-    case GL_RGBA8:
-    case GL_RGB10_A2:
-    case GL_RGBA12:
-    case GL_RGBA16:
-        out = TexelFormat::rgba8888;
-        return true;
-    default:
-        return depth_format_of(internal_format, out);
+    const auto token = static_cast<GLenum>(internal_format);
+    const unsigned at = token - 1 < 4                          ? token - 1 + counted
+                        : token - GL_ALPHA < sized - unsized   ? token - GL_ALPHA + unsized
+                        : token - GL_ALPHA4 < all_kept - sized ? token - GL_ALPHA4 + sized
+                                                               : all_kept;
+    if (at == all_kept) {
+        out = token == GL_RGB565 ? rgb565 : TexelFormat::rgb332; // ARB_ES2_compatibility
+        return token == GL_RGB565 || token == GL_R3_G3_B2 || depth_format_of(internal_format, out);
     }
+    out = kept[at];
+    if (at < sized && out == rgb8 && raster::drawn_info(surface).red_bits <= 5)
+        out = rgb565;
+    return out != none;
 }
+
+/// Texels as the groups of a client image that they are, so that there is one way to pack and to unpack.
+struct Texel {
+    std::uint16_t format, type;
+};
+constexpr Texel texels[] = {
+    {GL_ALPHA, GL_UNSIGNED_BYTE},
+    {GL_RED, GL_UNSIGNED_BYTE},
+    {GL_RED, GL_UNSIGNED_BYTE},
+    {GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE},
+    {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
+    {GL_RGB, GL_UNSIGNED_BYTE},
+    {GL_RGBA, GL_UNSIGNED_BYTE},
+    {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
+    {GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1},
+    {GL_RGB, GL_UNSIGNED_BYTE_3_3_2},
+    {GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT},
+    {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
+};
 
 } // namespace
 
@@ -146,23 +122,25 @@ unsigned texel_size(TexelFormat format) {
     return static_cast<unsigned>(raster::texel_bytes(raster::sampled(format)));
 }
 
-ColorBits texel_bits(TexelFormat format) {
-    switch (format) {
-    case TexelFormat::rgb565:
-        return {{5, 6, 5, 8}};
-    case TexelFormat::rgba5551:
-        return {{5, 5, 5, 1}};
-    case TexelFormat::rgba4444:
-        return {{4, 4, 4, 4}};
-    case TexelFormat::rgb332:
-        return {{3, 3, 2, 8}};
-    case TexelFormat::z16:
-        return {{16, 8, 8, 8}};
-    case TexelFormat::z24:
-        return {{24, 8, 8, 8}};
-    default:
-        return {};
-    }
+PixelLayout texel_layout(TexelFormat format) {
+    const Texel& texel = texels[static_cast<unsigned>(format)];
+    PixelLayout layout;
+    static_cast<void>(pixel_layout(texel.format, texel.type, layout));
+    if (layout.channel[0] == Channel::luminance)
+        layout.channel[0] = Channel::red; // of texels it is red alone (table 6.1)
+    if (format == TexelFormat::z24)
+        layout.bits[0] = 24;
+    return layout;
+}
+
+unsigned texel_bits(TexelFormat format, Channel channel) {
+    if (format >= TexelFormat::p4) // palettes are asked for themselves
+        return 8;
+    const PixelLayout layout = texel_layout(format);
+    for (unsigned i = 0; i < layout.components; ++i)
+        if (layout.channel[i] == channel)
+            return layout.bits[i];
+    return 0;
 }
 
 } // namespace spangle::gl

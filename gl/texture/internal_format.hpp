@@ -26,7 +26,10 @@ constexpr bool is_depth(raster::TexelFormat format) {
 
 unsigned texel_size(raster::TexelFormat format);
 
-/// Bits of R, G, B, A as a texel keeps them. Luminance and intensity come from R, as does depth (table 3.15).
-ColorBits texel_bits(raster::TexelFormat format);
+/// How a texel lies in memory. Luminance and intensity come from R (table 3.15). Not of compressed formats.
+PixelLayout texel_layout(raster::TexelFormat format);
+
+/// Bits that a texel keeps of a channel.
+unsigned texel_bits(raster::TexelFormat format, Channel channel);
 
 } // namespace spangle::gl

@@ -13,6 +13,13 @@
 
 namespace spangle::gl {
 
+#if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+/// Asked for in too many places to stand in all of them.
+[[gnu::noinline]] LevelImage*& TextureObject::image(unsigned face, GLint l) {
+    return face == 0 ? level[l] : reinterpret_cast<CubeTexture*>(this)->other[face - 1][l];
+}
+#endif
+
 LevelImage* new_image(Arena& arena, const LevelShape& shape) {
     const std::uint32_t stride = shape.size[0] * texel_size(shape.format);
     const std::uint64_t bytes = std::uint64_t{stride} * shape.size[1] * shape.size[2];

@@ -15,26 +15,28 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
     using raster::BaseFormat;
     if (shape.empty()) // a level without texels keeps no bits
         return 0;
-    const bool palette = is_palette(shape.internal_format);
-    const BaseFormat base = base_format_of(shape.format, shape.internal_format);
-    const ColorBits bits = texel_bits(palette ? palette_format_of(shape.internal_format) : shape.format);
     if (is_depth(shape.format) || pname == GL_TEXTURE_DEPTH_SIZE)
-        return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE ? bits.of[0] : 0;
-    switch (pname) {
-    case GL_TEXTURE_RED_SIZE:
-    case GL_TEXTURE_GREEN_SIZE:
-    case GL_TEXTURE_BLUE_SIZE:
-        return (base == BaseFormat::rgb || base == BaseFormat::rgba) ? bits.of[pname - GL_TEXTURE_RED_SIZE]
-                                                                     : 0;
-    case GL_TEXTURE_ALPHA_SIZE:
-        return (base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::rgba)
-                   ? bits.of[3]
+        return is_depth(shape.format) && pname == GL_TEXTURE_DEPTH_SIZE
+                   ? texel_bits(shape.format, Channel::depth)
                    : 0;
-    case GL_TEXTURE_LUMINANCE_SIZE:
-        return (base == BaseFormat::luminance || base == BaseFormat::luminance_alpha) ? bits.of[0] : 0;
-    default: // INTENSITY_SIZE
-        return base == BaseFormat::intensity ? bits.of[0] : 0;
-    }
+    // The base formats that have it.
+    const auto set = [](auto... bases) constexpr {
+        return static_cast<std::uint8_t>(((1u << static_cast<unsigned>(bases)) | ...));
+    };
+    constexpr std::uint8_t color = set(BaseFormat::rgb, BaseFormat::rgba),
+                           having[] = {color,
+                                       color,
+                                       color,
+                                       set(BaseFormat::alpha, BaseFormat::luminance_alpha, BaseFormat::rgba),
+                                       set(BaseFormat::luminance, BaseFormat::luminance_alpha),
+                                       set(BaseFormat::intensity)};
+    const unsigned of = pname - GL_TEXTURE_RED_SIZE;
+    const BaseFormat base = base_format_of(shape.format, shape.internal_format);
+    if ((having[of] >> static_cast<unsigned>(base) & 1) == 0)
+        return 0;
+    return texel_bits(is_palette(shape.internal_format) ? palette_format_of(shape.internal_format)
+                                                        : shape.format,
+                      of < 4 ? static_cast<Channel>(of) : Channel::red);
 }
 
 /// False: not a parameter of levels.
@@ -79,11 +81,12 @@ void cmd::GetTexLevelParameter(Context& context, GLenum target, GLint level, GLe
         return;
     if (!is_level(level))
         return error(context, GL_INVALID_VALUE);
+    static constexpr LevelShape none{};
     const LevelImage* const image =
         of.proxy ? nullptr : bound_texture(context, of.kind).image(of.face, level);
-    const LevelShape shape = of.proxy           ? context.texture.proxy(of.kind, level)
-                             : image != nullptr ? image->shape
-                                                : LevelShape{};
+    const LevelShape& shape = of.proxy           ? context.texture.proxy(of.kind, level)
+                              : image != nullptr ? image->shape
+                                                 : none;
     std::uint32_t value = 0;
     if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE) {
         if (image == nullptr || !is_compressed(shape.internal_format))

@@ -8,8 +8,8 @@
 #include "gl/context/share_group.hpp"
 #include "gl/texture/complete.hpp"
 #include "gl/texture/compressed_format.hpp"
+#include "gl/texture/internal_format.hpp"
 #include "gl/texture/level_image.hpp"
-#include "gl/texture/store_texels.hpp"
 #include "gl/texture/texture_target.hpp"
 
 namespace spangle::gl {
@@ -30,7 +30,8 @@ struct Covered {
 
 class Halving {
   public:
-    Halving(const LevelImage& from, LevelImage& to) : from_(from), to_(to) {
+    Halving(const LevelImage& from, LevelImage& to)
+        : from_(from), to_(to), layout_(texel_layout(from.shape.format)) {
         for (unsigned axis = 0; axis < 3; ++axis) {
             border_[axis] = static_cast<std::int32_t>(from.shape.border_along(axis));
             size_[axis] = static_cast<std::int32_t>(from.shape.inner(axis));
@@ -47,17 +48,18 @@ class Halving {
   private:
     void texel(std::int32_t x, std::int32_t y, std::int32_t z) const {
         const Covered cx(x, size_[0], next_[0]), cy(y, size_[1], next_[1]), cz(z, size_[2], next_[2]);
+        const Groups texels(layout_);
+        Pixel texel; // its codes are those of the last one, then the mean
         std::uint32_t sum[4] = {};
         for (unsigned i = 0; i < 8; ++i) {
-            std::uint32_t codes[4];
-            load_texel(from_.shape.format,
-                       from_.texels + place(from_, cx.of[i & 1], cy.of[i >> 1 & 1], cz.of[i >> 2]), codes);
+            texel =
+                texels.color(from_.texels + place(from_, cx.of[i & 1], cy.of[i >> 1 & 1], cz.of[i >> 2]), 0);
             for (unsigned c = 0; c < 4; ++c)
-                sum[c] += codes[c];
+                sum[c] += texel.value[c].code;
         }
-        for (std::uint32_t& c : sum)
-            c = (c + 4) >> 3;
-        store_texel(to_.shape.format, sum, to_.own_texels() + place(to_, x, y, z));
+        for (unsigned c = 0; c < 4; ++c)
+            texel.value[c].code = (sum[c] + 4) >> 3;
+        pack_pixel(layout_, false, texel, to_.own_texels() + place(to_, x, y, z));
     }
     std::size_t place(const LevelImage& image, std::int32_t x, std::int32_t y, std::int32_t z) const {
         const auto at = [&](std::int32_t v, unsigned axis) {
@@ -68,6 +70,7 @@ class Halving {
 
     const LevelImage& from_;
     LevelImage& to_;
+    PixelLayout layout_;
     std::int32_t border_[3], size_[3], next_[3];
 };
 

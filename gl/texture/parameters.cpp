@@ -4,6 +4,7 @@
 
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/tokens.hpp"
 #include "gl/texture/texture_target.hpp"
 
 namespace spangle::gl {
@@ -17,11 +18,6 @@ bool is_min_filter(GLenum v) {
 bool is_mag_filter(GLenum v) {
     return v == GL_NEAREST || v == GL_LINEAR;
 }
-bool is_wrap(GLenum v) {
-    return v == GL_REPEAT || v == GL_CLAMP || v == GL_CLAMP_TO_EDGE || v == GL_CLAMP_TO_BORDER ||
-           v == GL_MIRRORED_REPEAT;
-}
-
 [[maybe_unused]] bool is_compare_mode(GLenum v) {
     return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
 }
@@ -90,7 +86,7 @@ bool is_token(Rule rule, GLenum v) {
     case Rule::mag_filter:
         return is_mag_filter(v);
     case Rule::wrap:
-        return is_wrap(v);
+        return is_in(wraps, v);
 #if SPANGLE_FEATURE_DEPTH_TEXTURES
     case Rule::depth_mode:
         return is_depth_mode(v);

@@ -1,4 +1,4 @@
-// Client images and pixels of the framebuffer into texels, and texels one by one.
+// Client images into texels.
 #pragma once
 
 #include "gl/pixel/pixel_layout.hpp"
@@ -18,10 +18,5 @@ struct TexelBox {
 /// (GL 1.3, 3.8.1). The box lies inside the image; images of a volume are stacked as IMAGE_HEIGHT says.
 void store_texels(const Context& context, LevelImage& image, const TexelBox& box, const PixelLayout& layout,
                   const void* pixels);
-
-/// Codes of R, G, B, A with the bits that the format keeps (texel_bits); what it lacks is not looked at, or
-/// is 0 and for alpha 1.
-void store_texel(raster::TexelFormat format, const std::uint32_t rgba[4], std::uint8_t* to);
-void load_texel(raster::TexelFormat format, const std::uint8_t* from, std::uint32_t rgba[4]);
 
 } // namespace spangle::gl

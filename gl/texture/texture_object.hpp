@@ -124,8 +124,10 @@ struct CubeTexture {
     mutable raster::CubeFaces view_faces;
 };
 
-inline LevelImage*& TextureObject::image(unsigned face, GLint l) {
-    return face == 0 ? level[l] : reinterpret_cast<CubeTexture*>(this)->other[face - 1][l];
+#if !SPANGLE_FEATURE_TEXTURE_CUBE_MAP
+inline LevelImage*& TextureObject::image(unsigned, GLint l) {
+    return level[l];
 }
+#endif
 
 } // namespace spangle::gl

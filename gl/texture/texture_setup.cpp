@@ -1,5 +1,6 @@
 #include "gl/texture/texture_setup.hpp"
 
+#include "gl/context/tokens.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/texture/complete.hpp"
 #include "raster/span/fused_keys.hpp"
@@ -11,59 +12,15 @@ namespace {
 raster::TexEnv env_of(GLenum mode) {
     if (raster::spans_only_modulate) // all others are errors
         return mode == GL_MODULATE ? raster::TexEnv::modulate : raster::TexEnv::replace;
-    switch (mode) {
-    case GL_REPLACE:
-        return raster::TexEnv::replace;
-    case GL_DECAL:
-        return raster::TexEnv::decal;
-    case GL_BLEND:
-        return raster::TexEnv::blend;
-    case GL_ADD:
-        return raster::TexEnv::add;
-    case GL_COMBINE:
-        return raster::TexEnv::combine;
-    default:
-        return raster::TexEnv::modulate;
-    }
+    return static_cast<raster::TexEnv>(place_in(env_modes, mode));
 }
 
 #if SPANGLE_FEATURE_TEXTURE_COMBINE
 
-raster::CombineFunc func_of(GLenum func) {
-    switch (func) {
-    case GL_REPLACE:
-        return raster::CombineFunc::replace;
-    case GL_ADD:
-        return raster::CombineFunc::add;
-    case GL_ADD_SIGNED:
-        return raster::CombineFunc::add_signed;
-    case GL_INTERPOLATE:
-        return raster::CombineFunc::interpolate;
-    case GL_SUBTRACT:
-        return raster::CombineFunc::subtract;
-    case GL_DOT3_RGB:
-        return raster::CombineFunc::dot3_rgb;
-    case GL_DOT3_RGBA:
-        return raster::CombineFunc::dot3_rgba;
-    default:
-        return raster::CombineFunc::modulate;
-    }
-}
-
 raster::CombineSource source_of(GLenum source) {
-    switch (source) {
-    case GL_TEXTURE:
-        return raster::CombineSource::texture;
-    case GL_CONSTANT:
-        return raster::CombineSource::constant;
-    case GL_PRIMARY_COLOR:
-        return raster::CombineSource::primary_color;
-    case GL_PREVIOUS:
-        return raster::CombineSource::previous;
-    default:
-        return static_cast<raster::CombineSource>(static_cast<unsigned>(raster::CombineSource::texture0) +
-                                                  unit_of(source));
-    }
+    const unsigned place = place_in(combine_sources, source);
+    constexpr auto texture0 = static_cast<unsigned>(raster::CombineSource::texture0);
+    return static_cast<raster::CombineSource>(place < texture0 ? place : place + unit_of(source));
 }
 
 unsigned arguments_of(GLenum func) {
@@ -72,8 +29,9 @@ unsigned arguments_of(GLenum func) {
 
 raster::Combiner combiner_of(const TexEnvState& env, unsigned alpha) {
     raster::Combiner out;
-    out.func = func_of(env.func[alpha]);
-    out.log2_scale = env.scale[alpha] == numeric::one ? 0 : env.scale[alpha] == Real{0x40000000} ? 1 : 2;
+    out.func = static_cast<raster::CombineFunc>(place_in(combine_functions, env.func[alpha]));
+    out.log2_scale =
+        static_cast<std::uint8_t>((env.scale[alpha].bits - numeric::one.bits) >> 23); // 1, 2 or 4
     for (unsigned i = 0; i < arguments_of(env.func[alpha]); ++i)
         out.argument[i] = {source_of(env.source[alpha][i]),
                            static_cast<raster::CombineOperand>(env.operand[alpha][i] - GL_SRC_COLOR)};

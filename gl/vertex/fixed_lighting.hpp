@@ -97,9 +97,9 @@ class FixedLighting {
 
     /// All light is plain, and normals are as they are given.
     static constexpr bool always_given =
-        !has_specular && !has_local_lights && !has_full_lighting && !SPANGLE_FEATURE_COLOR_INDEX;
+        !has_specular && !has_local_lights && !has_full_lighting && !raster::has_indices;
     bool normalizes() const { return has_full_lighting && normalize_; }
-    bool indexed() const { return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0; }
+    bool indexed() const { return raster::has_indices && index_bits_ != 0; }
     void derive_source(const Light& light, const numeric::NormalMatrix& normal, Source& out) const;
     void fold(const Context& context);
     void fold_side(const Material& material, Fold& out) const;

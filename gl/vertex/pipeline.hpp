@@ -30,7 +30,7 @@ void draw_at_raster_position(const Context& context, const raster::DrawState& st
                              const raster::Surface& target, raster::PixelSource& source) {
     typename M::Window at;
     M::set_raster(context.current.raster, at);
-    if (SPANGLE_FEATURE_COLOR_INDEX && context.drawable.index_bits != 0)
+    if (is_indexed(context.drawable))
         M::set_index(context.current.raster.index, context.drawable.index_bits, at);
     raster::draw_pixels(state, target, at, source);
 }
@@ -257,7 +257,7 @@ template <class M, class L> class Pipeline {
             fog_ = context.fog.fog;
             fog_given_ = fog_ && context.fog.source == GL_FOG_COORDINATE;
         }
-        if constexpr (SPANGLE_FEATURE_COLOR_INDEX)
+        if constexpr (raster::has_indices)
             index_bits_ = context.drawable.index_bits;
         lit_ = context.lighting.lighting;
         sums_ = SPANGLE_FEATURE_SECONDARY_COLOR && !lit_ && sums_colors(context.lighting);
@@ -352,7 +352,7 @@ template <class M, class L> class Pipeline {
     }
     bool more_is_given() const {
         return (has_color_material || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
-                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG || SPANGLE_FEATURE_COLOR_INDEX ||
+                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG || raster::has_indices ||
                 SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
                each_vertex_;
     }
@@ -381,7 +381,7 @@ template <class M, class L> class Pipeline {
         return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && captures_;
     }
     bool indexed() const {
-        return SPANGLE_FEATURE_COLOR_INDEX && index_bits_ != 0;
+        return raster::has_indices && index_bits_ != 0;
     }
     /// The edges that the view volume cuts are seen, or what is left of the primitive is.
     bool exactly_clipped() const {

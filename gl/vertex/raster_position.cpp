@@ -24,7 +24,7 @@ void WindowPos(Context& context, Real x, Real y, Real z) {
     raster.position[2] = numeric::add(near, numeric::mul(numeric::clamp01(z), numeric::sub(far, near)));
     raster.position[3] = numeric::one;
     raster.distance = context.fog.source == GL_FOG_COORDINATE ? current.fog_coord : numeric::zero;
-    if (context.drawable.index_bits != 0)
+    if (is_indexed(context.drawable))
         raster.index = current.index;
     else
         for (int c = 0; c < 4; ++c)

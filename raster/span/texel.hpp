@@ -77,11 +77,17 @@ template <class N>
         return {from_steps<N, 7>(word >> 5), from_steps<N, 7>(word >> 2 & 7), from_steps<N, 3>(word & 3),
                 one};
     case TexelFormat::z16:
-        return grey(from_steps<N, 65535>(word));
+        if constexpr (has_format(TexelFormat::z16))
+            return grey(from_steps<N, 65535>(word));
+        break;
     default:
+        break;
+    }
+    if constexpr (has_format(TexelFormat::z24)) {
         __builtin_memcpy(&word, at, 4);
         return grey(from_steps<N, 0xFFFFFF>(word));
     }
+    return {};
 }
 
 /// The same of a format that the build may not have.

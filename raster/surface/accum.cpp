@@ -1,5 +1,6 @@
 #include "raster/surface/accum.hpp"
 
+#include "raster/numeric/reciprocal.hpp"
 #include "raster/surface/pixel.hpp"
 #include "raster/surface/quantize.hpp"
 #include "raster/surface/samples.hpp"
@@ -27,8 +28,58 @@ template <class Change> void each(const Surface& s, Rect area, Change change) {
 }
 
 /// Of a component with `bits` bits (none: the alpha of formats that have none is 1).
-constexpr std::int32_t largest(unsigned bits) {
-    return bits == 0 ? 1 : (1 << bits) - 1;
+constexpr std::uint32_t largest(unsigned bits) {
+    return bits == 0 ? 1 : (1u << bits) - 1;
+}
+
+/// value n / d towards 0; below 2^59.
+std::int64_t scaled(std::int32_t value, std::uint32_t n, std::uint32_t d) {
+    const std::int64_t q =
+        static_cast<std::int64_t>(numeric::divide(numeric::abs_u64(std::int64_t{value} * n), d).quotient);
+    return value < 0 ? -q : q;
+}
+
+/// All but clear. `colors` is what is looked at, or of give_back what becomes of it.
+void pass(const Surface& s, const AccumRequest& r, const Rect& area, const Surface& colors) {
+    using Op = AccumRequest::Op;
+    constexpr int guard = 8;
+    const bool reads = r.op == Op::accumulate || r.op == Op::load, gives = r.op == Op::give_back,
+               adds = r.op == Op::add, keeps = adds || r.op == Op::accumulate;
+    const FormatInfo& info = drawn_info(colors.format);
+    const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
+    // k v 32767 / (2^bits - 1): 8 bits k, 32 bits v, 15 and 8 more of the factor. Of give_back in colour
+    // units: 15 bits A, 32 bits v, 14 bits of color_one / 32767.
+    std::int64_t factor[4];
+    for (int c = 0; c < 4; ++c)
+        factor[c] = scaled(r.value,
+                           gives   ? color_one
+                           : reads ? accum_one << guard
+                                   : 1 << guard,
+                           gives   ? accum_one
+                           : reads ? largest(bits[c])
+                                   : 1);
+    each(s, area, [&](std::int32_t x, std::int32_t y, std::int16_t* a) {
+        StoredColor color;
+        if (reads || gives)
+            color = read_color(colors, x, y);
+        std::uint32_t k[4];
+        for (unsigned c = 0; c < 4; ++c) {
+            const std::int32_t of = reads ? color.c[c].k : adds ? accum_one : a[c];
+            const std::int64_t product = of * factor[c];
+            if (!gives) {
+                a[c] = saturated(rounded(product, accum_value_bits + guard) + (keeps ? a[c] : 0));
+                continue;
+            }
+            k[c] = color.c[c].k;
+            if ((r.channels >> c & 1) == 0 || bits[c] == 0)
+                continue;
+            const std::int64_t v = rounded(product, accum_return_bits);
+            const auto units = static_cast<std::uint32_t>(v < 0 ? 0 : v > color_one ? color_one : v);
+            k[c] = stored_component(units, bits[c], r.dither, dither_threshold(dither_row(y), x));
+        }
+        if (gives)
+            write_color(colors, x, y, k);
+    });
 }
 
 } // namespace
@@ -37,57 +88,6 @@ void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]) {
     each(s, area, [&](std::int32_t, std::int32_t, std::int16_t* a) {
         for (int c = 0; c < 4; ++c)
             a[c] = value[c];
-    });
-}
-
-void accumulate(const Surface& s, Rect area, const Surface& source, std::int32_t value, bool load) {
-    // k v 32767 / (2^bits - 1): 8 bits k, 32 bits v, 15 and 8 more of the factor.
-    constexpr int guard = 8;
-    const FormatInfo& info = drawn_info(source.format);
-    const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
-    std::int64_t factor[4];
-    for (int c = 0; c < 4; ++c)
-        factor[c] = ((std::int64_t{value} * accum_one) << guard) / largest(bits[c]);
-    each(s, area, [&](std::int32_t x, std::int32_t y, std::int16_t* a) {
-        const StoredColor color = read_color(source, x, y);
-        for (int c = 0; c < 4; ++c)
-            a[c] = saturated(rounded(color.c[c].k * factor[c], accum_value_bits + guard) + (load ? 0 : a[c]));
-    });
-}
-
-void multiply_accum(const Surface& s, Rect area, std::int32_t value) {
-    each(s, area, [value](std::int32_t, std::int32_t, std::int16_t* a) {
-        for (int c = 0; c < 4; ++c)
-            a[c] = saturated(rounded(std::int64_t{a[c]} * value, accum_value_bits));
-    });
-}
-
-void add_accum(const Surface& s, Rect area, std::int32_t value) {
-    const std::int64_t v = rounded(std::int64_t{value} * accum_one, accum_value_bits);
-    each(s, area, [v](std::int32_t, std::int32_t, std::int16_t* a) {
-        for (int c = 0; c < 4; ++c)
-            a[c] = saturated(a[c] + v);
-    });
-}
-
-void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t channels, bool dither) {
-    // In colour units: 15 bits A, 32 bits v, 14 bits of color_one / 32767.
-    const std::int64_t factor = std::int64_t{value} * color_one / accum_one;
-    const FormatInfo& info = drawn_info(s.format);
-    const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
-    each(s, area, [&](std::int32_t x, std::int32_t y, const std::int16_t* a) {
-        const StoredColor under = read_color(s, x, y);
-        const std::uint32_t threshold = dither_threshold(dither_row(y), x);
-        std::uint32_t k[4];
-        for (unsigned c = 0; c < 4; ++c) {
-            k[c] = under.c[c].k;
-            if ((channels >> c & 1) == 0 || bits[c] == 0)
-                continue;
-            const std::int64_t v = rounded(a[c] * factor, accum_return_bits);
-            const auto units = static_cast<std::uint32_t>(v < 0 ? 0 : v > color_one ? color_one : v);
-            k[c] = stored_component(units, bits[c], dither, threshold);
-        }
-        write_color(s, x, y, k);
     });
 }
 
@@ -111,15 +111,12 @@ void accum(const Surface& s, const AccumRequest& r, const Surface& source) {
     case Op::accumulate:
     case Op::load:
         resolve(source);
-        return accumulate(s, common(r.area, source.area()), source, r.value, r.op == Op::load);
+        return pass(s, r, common(r.area, source.area()), source);
     case Op::multiply:
-        return multiply_accum(s, r.area, r.value);
     case Op::add:
-        return add_accum(s, r.area, r.value);
+        return pass(s, r, r.area, s);
     case Op::give_back:
-        return each_sample(s, [&r](const Surface& sample, unsigned) {
-            return_accum(sample, r.area, r.value, r.channels, r.dither);
-        });
+        return each_sample(s, [&r](const Surface& sample, unsigned) { pass(sample, r, r.area, sample); });
     }
 }
 

@@ -24,21 +24,17 @@ struct AccumRequest {
     std::int32_t value = 0;    ///< of all but clear
     std::int16_t clear[4] = {};
 };
+
+/// Changes the pixels of the area, which lies in the surface:
+///   clear       A := clear
+///   accumulate  A := A + C v, where C is the colour of `source`, 0 .. 1
+///   load        A := C v
+///   multiply    A := A v
+///   add         A := A + v
+///   give_back   colour := A v (accum_return_bits), clamped to 0 .. 1, where `channels` (bit 0 red ...) are
+///   open
 void accum(const Surface& s, const AccumRequest& request, const Surface& source);
 
-/// All of these change the pixels of `area`, which lies in the surface.
 void clear_accum(const Surface& s, Rect area, const std::int16_t (&value)[4]);
-
-/// A := A + C v, or A := C v with `load`; C is the colour of `source`, 0 .. 1, within which `area` lies, too.
-void accumulate(const Surface& s, Rect area, const Surface& source, std::int32_t value, bool load);
-
-/// A := A v
-void multiply_accum(const Surface& s, Rect area, std::int32_t value);
-
-/// A := A + v
-void add_accum(const Surface& s, Rect area, std::int32_t value);
-
-/// Colour := A v (accum_return_bits), clamped to 0 .. 1, where `channels` (bit 0 red ...) are open.
-void return_accum(const Surface& s, Rect area, std::int32_t value, std::uint8_t channels, bool dither);
 
 } // namespace spangle::raster

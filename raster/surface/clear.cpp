@@ -15,7 +15,9 @@ namespace {
 /// where pixels have three bytes) can be read from any of its first four bytes on.
 struct Pattern {
     alignas(4) std::uint8_t byte[64];
-    std::int32_t period = 16; ///< 16 or 48
+    std::int32_t bytes = 16; ///< 16 or 48
+
+    std::int32_t period() const { return has_format(PixelFormat::rgb888) ? bytes : 16; }
 };
 
 void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
@@ -23,7 +25,20 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::int32_t n) {
         to[i] = from[i];
 }
 
-#if defined(__SSE2__) || defined(__aarch64__)
+#if !SPANGLE_SHORTCUTS
+
+/// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
+void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
+    std::int32_t from = 0;
+    for (; bytes >= 16; bytes -= 16, to += 16) {
+        __builtin_memcpy(to, pattern.byte + from, 16);
+        if (has_format(PixelFormat::rgb888)) // no other has a longer one
+            from = from + 16 == pattern.period() ? 0 : from + 16;
+    }
+    copy_bytes(to, pattern.byte + from, bytes);
+}
+
+#elif defined(__SSE2__) || defined(__aarch64__)
 
 // Stores of sixteen bytes, at any address.
 using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::uint64_t;
@@ -31,7 +46,7 @@ using Vector [[gnu::vector_size(16), gnu::aligned(1), gnu::may_alias]] = std::ui
 /// `bytes` bytes of the pattern, from its start; nothing beyond is touched.
 void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     Vector v[3];
-    const std::int32_t step = pattern.period == 16 ? 0 : 16;
+    const std::int32_t step = pattern.period() == 16 ? 0 : 16;
     for (int i = 0; i < 3; ++i)
         v[i] = *reinterpret_cast<const Vector*>(pattern.byte + i * step);
     std::int32_t left = bytes;
@@ -44,8 +59,8 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
         at[4] = v[1];
         at[5] = v[2];
     }
-    for (; left >= pattern.period; left -= pattern.period, to += pattern.period)
-        for (std::int32_t i = 0; i < pattern.period; i += 16)
+    for (; left >= pattern.period(); left -= pattern.period(), to += pattern.period())
+        for (std::int32_t i = 0; i < pattern.period(); i += 16)
             *reinterpret_cast<Vector*>(to + i) = v[i / 16];
     copy_bytes(to, pattern.byte, left);
 }
@@ -91,11 +106,11 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
     if (head != 0)
         w = static_cast<const Word*>(__builtin_memcpy(moved, pattern.byte + head, sizeof moved));
     Word* at = reinterpret_cast<Word*>(to + head);
-    if (pattern.period == 16 && bytes >= 64) {
+    if (pattern.period() == 16 && bytes >= 64) {
         at = store_blocks(at, w, bytes / 64);
         bytes &= 63;
     }
-    const std::int32_t period = pattern.period / 4;
+    const std::int32_t period = pattern.period() / 4;
     std::int32_t i = 0;
     for (; bytes >= 4; bytes -= 4) {
         *at++ = w[i];
@@ -106,18 +121,45 @@ void fill(std::uint8_t* to, const Pattern& pattern, std::int32_t bytes) {
 
 #endif
 
-/// `rows` rows of the same bytes: one piece where they touch.
-void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern& pattern,
-               std::int32_t bytes) {
-    if (stride == bytes || stride == -bytes) {
-        if (bytes % pattern.period == 0) {
-            fill(stride < 0 ? first + static_cast<std::intptr_t>(rows - 1) * stride : first, pattern,
-                 rows * bytes);
-            return;
-        }
+/// Of the bytes only the bits of the mask, whose period is the same.
+void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pattern& mask, std::int32_t bytes) {
+    std::int32_t from = 0;
+    const auto next = [&](std::int32_t step) {
+        to += step, bytes -= step, from += step;
+        if (from == pattern.period())
+            from = 0;
+    };
+    while (has_shortcuts && bytes >= 4) {
+        std::uint32_t old, fresh, open;
+        __builtin_memcpy(&old, to, 4);
+        __builtin_memcpy(&fresh, pattern.byte + from, 4);
+        __builtin_memcpy(&open, mask.byte + from, 4);
+        fresh = (old & ~open) | (fresh & open);
+        __builtin_memcpy(to, &fresh, 4);
+        next(4);
     }
-    for (std::int32_t y = 0; y < rows; ++y)
-        fill(first + static_cast<std::intptr_t>(y) * stride, pattern, bytes);
+    while (bytes > 0) {
+        const unsigned open = mask.byte[from];
+        *to = static_cast<std::uint8_t>((*to & ~open) | (pattern.byte[from] & open));
+        next(1);
+    }
+}
+
+/// Rows of a plane: of one pattern, or of four in turn. The bits of the mask alone, unless it is null.
+void fill_rows(std::uint8_t* first, std::int32_t stride, std::int32_t rows, const Pattern* pattern,
+               std::int32_t patterns, const Pattern* mask, std::int32_t bytes) {
+    // One piece where they touch.
+    if (has_shortcuts && mask == nullptr && patterns == 1 && (stride == bytes || stride == -bytes) &&
+        bytes % pattern->period() == 0)
+        return fill(stride < 0 ? first + static_cast<std::intptr_t>(rows - 1) * stride : first, *pattern,
+                    rows * bytes);
+    for (std::int32_t y = 0; y < rows; ++y, first += stride) {
+        const Pattern& of_row = pattern[y & (patterns - 1)];
+        if (mask == nullptr)
+            fill(first, of_row, bytes);
+        else
+            fill_masked(first, of_row, *mask, bytes);
+    }
 }
 
 /// Makes the pattern as long as `fill` wants it, of its first bytes: whole words.
@@ -150,28 +192,17 @@ Pixel pack(PixelFormat format, const std::uint32_t (&color)[4], bool dither, std
     }
 }
 
-/// Bits of a pixel that the channels name, as they lie in memory.
-Pixel mask_of(PixelFormat format, std::uint8_t channels) {
-    if (drawn_indexed(format))
-        return {{channels, 0, 0, 0}};
-    const std::uint32_t one = color_one;
-    const std::uint32_t color[4] = {(channels & 1) != 0 ? one : 0, (channels & 2) != 0 ? one : 0,
-                                    (channels & 4) != 0 ? one : 0, (channels & 8) != 0 ? one : 0};
-    return pack(format, color, false, 0);
-}
-
 /// The pixels of row y from column x on.
-Pattern row_pattern(const Surface& s, const ClearRequest& r, std::int32_t x, std::int32_t y) {
-    const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel;
-    Pattern p;
-    p.period = bytes == 3 ? 48 : 16;
+void set_pattern(Pattern& p, PixelFormat format, const std::uint32_t (&color)[4], bool dither, std::int32_t x,
+                 std::int32_t y) {
+    const std::int32_t bytes = drawn_info(format).bytes_per_pixel;
+    p.bytes = bytes == 3 ? 48 : 16;
     const std::uint32_t row = dither_row(y);
     for (std::int32_t i = 0; i < 4; ++i) { // as wide as the thresholds are
-        const Pixel pixel = pack(s.format, r.color, r.dither, dither_threshold(row, x + i));
+        const Pixel pixel = pack(format, color, dither, dither_threshold(row, x + i));
         copy_bytes(p.byte + i * bytes, pixel.byte, bytes);
     }
     repeat(p, 4 * bytes);
-    return p;
 }
 
 bool writes_all(PixelFormat format, std::uint8_t channels) {
@@ -179,13 +210,14 @@ bool writes_all(PixelFormat format, std::uint8_t channels) {
     return (channels & needed) == needed;
 }
 
-void fill_masked(std::uint8_t* to, const Pattern& pattern, const Pixel& mask, std::int32_t bytes_per_pixel,
-                 std::int32_t bytes) {
-    for (std::int32_t i = 0, phase = 0; i < bytes;
-         ++i, phase = phase + 1 == bytes_per_pixel ? 0 : phase + 1) {
-        const unsigned keep = mask.byte[phase];
-        to[i] = static_cast<std::uint8_t>((to[i] & ~keep) | (pattern.byte[i % pattern.period] & keep));
-    }
+/// The bits that the channels name are those that a colour of nothing else has.
+void set_mask(Pattern& p, PixelFormat format, std::uint8_t channels) {
+    std::uint32_t color[4];
+    for (unsigned c = 0; c < 4; ++c)
+        color[c] = (channels >> c & 1) != 0 ? color_one : 0;
+    if (drawn_indexed(format))
+        color[0] = std::uint32_t{channels} << color_fraction_bits;
+    set_pattern(p, format, color, false, 0, 0);
 }
 
 /// The stored bits of a clear colour on a surface of a narrow format.
@@ -246,25 +278,16 @@ void clear_narrow_masked(const Surface& s, const ClearRequest& r) {
 }
 
 void clear_wide(const Surface& s, const ClearRequest& r) {
-    const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel, row_bytes = r.area.w * bytes;
+    const std::int32_t bytes = drawn_info(s.format).bytes_per_pixel;
     const bool all = writes_all(s.format, r.channels),
-               dithers = r.dither && drawn_info(s.format).red_bits < 8;
-    const Pixel mask = mask_of(s.format, r.channels);
-    std::uint8_t* const first = s.color_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * bytes;
-    if (all && !dithers) {
-        fill_rows(first, s.color_stride, r.area.h, row_pattern(s, r, r.area.x, r.area.y), row_bytes);
-        return;
-    }
-    Pattern pattern[4];
-    for (std::int32_t i = 0; i < 4; ++i)
-        pattern[i] = row_pattern(s, r, r.area.x, r.area.y + i);
-    for (std::int32_t y = 0; y < r.area.h; ++y) {
-        std::uint8_t* const at = first + static_cast<std::intptr_t>(y) * s.color_stride;
-        if (all)
-            fill(at, pattern[y & 3], row_bytes);
-        else
-            fill_masked(at, pattern[y & 3], mask, bytes, row_bytes);
-    }
+               dithers = !has_shortcuts || (r.dither && drawn_info(s.format).red_bits < 8);
+    Pattern pattern[4], mask;
+    for (std::int32_t i = 0; i < (dithers ? 4 : 1); ++i)
+        set_pattern(pattern[i], s.format, r.color, r.dither, r.area.x, r.area.y + i);
+    if (!all)
+        set_mask(mask, s.format, r.channels);
+    fill_rows(s.color_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * bytes, s.color_stride, r.area.h,
+              pattern, dithers ? 4 : 1, all ? nullptr : &mask, r.area.w * bytes);
 }
 
 void clear_color(const Surface& s, const ClearRequest& r) {
@@ -274,36 +297,24 @@ void clear_color(const Surface& s, const ClearRequest& r) {
         clear_narrow(s, r);
 }
 
-void clear_z16(const Surface& s, const ClearRequest& r) {
-    const auto code = static_cast<std::uint16_t>(depth_to_16(r.z));
-    Pattern p;
-    for (int i = 0; i < 4; i += 2)
-        __builtin_memcpy(p.byte + i, &code, sizeof code);
+/// The depth plane, of words of one pixel or two alike: the bits of the mask.
+void clear_depth(const Surface& s, const Rect& area, std::uint32_t word, std::uint32_t mask,
+                 std::int32_t pixel) {
+    const bool all = mask == 0xFFFFFFFFu;
+    Pattern p, open;
+    __builtin_memcpy(p.byte, &word, sizeof word);
     repeat(p, 4);
-    fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 2, s.depth_stride, r.area.h, p,
-              r.area.w * 2);
+    if (!all) {
+        __builtin_memcpy(open.byte, &mask, sizeof mask);
+        repeat(open, 4);
+    }
+    fill_rows(s.depth_row(area.y) + static_cast<std::intptr_t>(area.x) * pixel, s.depth_stride, area.h, &p, 1,
+              all ? nullptr : &open, area.w * pixel);
 }
 
 void clear_z24s8(const Surface& s, const ClearRequest& r) {
-    const std::uint32_t word = depth_to_24(r.z) << 8 | r.stencil;
     const std::uint32_t mask = (r.depth ? 0xFFFFFF00u : 0u) | r.stencil_mask;
-    Pattern p;
-    __builtin_memcpy(p.byte, &word, sizeof word);
-    repeat(p, 4);
-    if (mask == 0xFFFFFFFFu) {
-        fill_rows(s.depth_row(r.area.y) + static_cast<std::intptr_t>(r.area.x) * 4, s.depth_stride, r.area.h,
-                  p, r.area.w * 4);
-        return;
-    }
-    for (std::int32_t y = 0; y < r.area.h; ++y) {
-        std::uint8_t* at = s.depth_row(r.area.y + y) + static_cast<std::intptr_t>(r.area.x) * 4;
-        for (std::int32_t x = 0; x < r.area.w; ++x, at += 4) {
-            std::uint32_t old;
-            __builtin_memcpy(&old, at, sizeof old);
-            const std::uint32_t fresh = (old & ~mask) | (word & mask);
-            __builtin_memcpy(at, &fresh, sizeof fresh);
-        }
-    }
+    clear_depth(s, r.area, depth_to_24(r.z) << 8 | r.stencil, mask, 4);
 }
 
 /// Equal exactly for equal pictures of a full clear. Pixels of 24 and 32 bits are never dithered: the pixel
@@ -364,7 +375,7 @@ void clear(const Surface& surface, const ClearRequest& request) {
         record(surface, request);
     }
     if (has_format(DepthFormat::z16) && surface.depth_format == DepthFormat::z16 && request.depth)
-        clear_z16(surface, request);
+        clear_depth(surface, request.area, depth_to_16(request.z) * 0x10001u, 0xFFFFFFFFu, 2);
     if (has_format(DepthFormat::z24s8) && surface.depth_format == DepthFormat::z24s8 &&
         (request.depth || request.stencil_mask != 0))
         clear_z24s8(surface, request);

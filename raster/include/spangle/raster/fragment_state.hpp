@@ -106,18 +106,23 @@ enum class TexelFormat : std::uint8_t {
     etc1, ///< blocks of 4 x 4 texels, 8 bytes each, in rows
 };
 
+/// The formats of a build that has the systems they belong to.
+inline constexpr unsigned sampled_formats = [] {
+    constexpr unsigned depths = 3u << static_cast<unsigned>(TexelFormat::z16),
+                       compressed = 7u << static_cast<unsigned>(TexelFormat::p4);
+    return texture_formats & ~(has_depth_textures ? 0 : depths) & ~(has_compressed_textures ? 0 : compressed);
+}();
 /// Textures may have it.
 constexpr bool has_format(TexelFormat format) {
-    return (texture_formats >> static_cast<unsigned>(format) & 1) != 0;
+    return (sampled_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
 /// Of a texture; where a build has one format only the compiler knows it.
 constexpr TexelFormat sampled(TexelFormat format) {
-    return one_of(texture_formats, format);
+    return one_of(sampled_formats, format);
 }
 /// Some texels have no loops of their own, or are found by their place.
-inline constexpr bool has_other_texels = texture_formats >> static_cast<unsigned>(TexelFormat::rgba4444) != 0,
-                      has_indirect_texels = has_compressed_textures &&
-                                            texture_formats >> static_cast<unsigned>(TexelFormat::p4) != 0;
+inline constexpr bool has_other_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::rgba4444) != 0,
+                      has_indirect_texels = sampled_formats >> static_cast<unsigned>(TexelFormat::p4) != 0;
 
 /// line: one row, t is not looked at. volume: images one behind the other, as high as the first one and its
 /// border.

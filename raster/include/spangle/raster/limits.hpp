@@ -108,7 +108,8 @@ constexpr bool has_format(PixelFormat format) {
 constexpr bool has_format(DepthFormat format) {
     return (depth_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
-inline constexpr bool has_narrow_formats = (color_formats & narrow_formats) != 0,
+inline constexpr bool has_indices = has_format(PixelFormat::index8),
+                      has_narrow_formats = (color_formats & narrow_formats) != 0,
                       has_wide_formats =
                           (color_formats & ~narrow_formats) != 0; ///< whose pixels have an address
 
@@ -140,7 +141,7 @@ constexpr bool drawn_narrow(PixelFormat format) {
     return has_narrow_formats && (!has_wide_formats || is_narrow(format));
 }
 constexpr bool drawn_indexed(PixelFormat format) {
-    return has_format(PixelFormat::index8) && is_indexed(drawn(format));
+    return has_indices && is_indexed(drawn(format));
 }
 
 } // namespace spangle::raster

@@ -1,0 +1,45 @@
+#include "gl/pixel/fetch.hpp"
+
+#include <bit>
+
+#include "raster/surface/pixel.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+/// k / max, max = 2^bits - 1.
+constexpr Component fraction(std::uint32_t k, std::uint32_t max) {
+    return {k, static_cast<std::uint8_t>(std::bit_width(max))};
+}
+
+Pixel color_of(const raster::Surface& surface, const Transfer& transfer, std::int32_t x, std::int32_t y) {
+    if (raster::drawn_indexed(surface.format))
+        return transfer.color_of(whole_index(raster::read_index(surface, x, y)));
+    const raster::StoredColor stored = raster::read_color(surface, x, y);
+    Pixel pixel;
+    for (int i = 0; i < 4; ++i)
+        pixel.value[i] = fraction(stored.c[i].k, stored.c[i].max);
+    transfer.apply(pixel);
+    return pixel;
+}
+
+} // namespace
+
+Group fetch(const raster::Surface& surface, const Transfer& transfer, Content content, std::int32_t x,
+            std::int32_t y) {
+    Group group;
+    if (content == Content::color) {
+        group.color = color_of(surface, transfer, x, y);
+    } else if (content == Content::depth) {
+        const raster::StoredDepth stored = raster::read_depth(surface, x, y);
+        group.color.value[0] = transfer.depth(fraction(stored.k, stored.max));
+    } else if (raster::has_indices && content == Content::index) {
+        group.index = transfer.index(whole_index(raster::read_index(surface, x, y)));
+    } else {
+        group.index = transfer.stencil(whole_index(raster::read_stencil(surface, x, y)));
+    }
+    return group;
+}
+
+} // namespace spangle::gl
