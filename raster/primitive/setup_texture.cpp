@@ -116,9 +116,12 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 
 /// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
 SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
+    span_.fog_exponent = -24;
+    if constexpr (!has_shortcuts)
+        return load_any_fog(fog);
     const auto& of = state_.fog;
     const auto offset = static_cast<std::int32_t>(of.offset);
-    bool near = has_shortcuts && of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
+    bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         near = near && half_below(numeric::mul_s32(v(i).fog_mantissa, of.scale),
@@ -126,7 +129,6 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
         fog[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(fog[i]) +
                                            static_cast<std::uint32_t>(offset));
     }
-    span_.fog_exponent = -24;
     if (!near) [[unlikely]]
         load_any_fog(fog);
 }
@@ -205,7 +207,7 @@ void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first
     at.value = first + word(by().center);
 }
 
-void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
+void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
     auto& at = span_.unit[unit];
     if (span_.kind == Kind::affine) {
         const auto& wraps = state_.wraps[unit];
@@ -217,7 +219,8 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
         };
         const int up_s = wraps.s ? u.shift : u.shift - less, up_t = wraps.t ? u.shift : u.shift - less;
         const std::uint32_t s0 = first(u.s0, wraps.s, at.s_base), t0 = first(u.t0, wraps.t, at.t_base);
-        if (!state_.needs.lod[unit]) {
+        // Small builds have one form, if there may be levels at all.
+        if ((has_shortcuts || !spans_sample_any) && !state_.needs.lod[unit]) {
             add_words(span_.s[unit], s0, u.s, up_s);
             add_words(span_.t[unit], t0, u.t, up_t);
             return;
@@ -234,20 +237,15 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
     at.shares_q = !u.homogeneous;
     at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // mul30 below takes 30 bits off
     if (u.homogeneous) {
-        at.s_dy = add_projective(at.s, u.s);
-        at.t_dy = add_projective(at.t, u.t);
         at.q_dy = add_projective(at.q, u.q);
         if (state_.needs.r[unit])
             at.r_dy = add_projective(at.r, u.r);
-        return;
+    } else {
+        over_w(u.s);
+        over_w(u.t);
     }
-    std::int32_t s[3], t[3];
-    for (int i = 0; i < 3; ++i) {
-        s[i] = mul30(u.s[i], q(i));
-        t[i] = mul30(u.t[i], q(i));
-    }
-    at.s_dy = add_projective(at.s, s);
-    at.t_dy = add_projective(at.t, t);
+    at.s_dy = add_projective(at.s, u.s);
+    at.t_dy = add_projective(at.t, u.t);
 }
 
 /// Affine where the bounds of the tier allow it, textured where only colours are, else full.
@@ -303,8 +301,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
             if constexpr (host_lanes > 1)
                 span_.fog_inside = stays_inside(fog, span_.fog);
         } else {
-            for (int i = 0; i < 3; ++i)
-                fog[i] = mul30(fog[i], q(i));
+            over_w(fog);
             span_.fog_exponent += 30;
             add_projective(span_.fog_q, fog);
         }

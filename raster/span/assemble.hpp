@@ -126,6 +126,8 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
         return;
     add_coordinates<N, Unit>(chain, key, state);
     using One = OneLane<N>;
+    if (has_combine && key.combine)
+        return; // one stage for all
     if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>);
     else
@@ -143,18 +145,12 @@ void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentSta
 }
 
 template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    if (!key.combine) {
-        add_unit<N, 0>(chain, key, state);
-        if constexpr (max_texture_units > 1)
-            add_unit<N, 1>(chain, key, state);
-        return;
-    }
+    add_unit<N, 0>(chain, key, state);
+    if constexpr (max_texture_units > 1)
+        add_unit<N, 1>(chain, key, state);
     if constexpr (has_combine) {
-        if (key.unit[0].on)
-            add_coordinates<N, 0>(chain, key, state);
-        if constexpr (max_texture_units > 1)
-            if (key.unit[1].on)
-                add_coordinates<N, 1>(chain, key, state);
+        if (!key.combine)
+            return;
         if constexpr (by_packets<N>)
             chain.add(&PacketTexture<N>::combined);
         else
