@@ -36,8 +36,8 @@ SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
 /// One coordinate of three vertices, in repeats, a whole number of which comes off: they would take bits from
 /// the fraction.
 struct Repeats {
-    std::int64_t v[3]; ///< 32 fraction bits
-    std::int32_t base;
+    std::int64_t v[3];   ///< 32 fraction bits
+    std::int32_t base;   ///< no further than matters
     std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
 
     SPANGLE_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
@@ -51,6 +51,7 @@ struct Repeats {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] -= base * (std::int64_t{1} << 32);
+        base = numeric::clamp<std::int32_t>(base, -4096, 4096);
     }
     SPANGLE_INLINE std::uint32_t fractions() const {
         return static_cast<std::uint32_t>(v[0]) | static_cast<std::uint32_t>(v[1]) |
@@ -80,8 +81,8 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     }
     u.s0 = s.v[0];
     u.t0 = t.v[0];
-    span_.unit[unit].s_base = numeric::clamp<std::int32_t>(s.base, -4096, 4096);
-    span_.unit[unit].t_base = numeric::clamp<std::int32_t>(t.base, -4096, 4096);
+    span_.unit[unit].s_base = s.base;
+    span_.unit[unit].t_base = t.base;
 }
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
@@ -92,12 +93,13 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     int exponent[3][2], top[2] = {-100000, -100000};
     for (int i = 0; i < 3; ++i) {
         const auto& c = v(i).tex[unit];
-        const std::int64_t w = v(i).w_mantissa >> 1;
+        const auto over_w = [w = static_cast<std::int32_t>(v(i).w_mantissa >> 1)](std::int32_t of, int down)
+                                SPANGLE_RUN_LAMBDA { return numeric::mul_s32(of, w) >> down; };
         const bool is_one = c.q_is_one != 0;
-        of[i][0] = (is_one ? 1 << 30 : c.q) * w;
-        of[i][1] = c.s * w >> halves.s;
-        of[i][2] = c.t * w >> halves.t;
-        of[i][3] = state_.needs.r[unit] ? v(i).r[unit] * w : 0;
+        of[i][0] = over_w(is_one ? 1 << 30 : c.q, 0);
+        of[i][1] = over_w(c.s, halves.s);
+        of[i][2] = over_w(c.t, halves.t);
+        of[i][3] = over_w(state_.needs.r[unit] ? v(i).r[unit] : 0, 0);
         exponent[i][0] = v(i).w_exponent + (is_one ? -30 : c.exponent);
         exponent[i][1] = v(i).w_exponent + c.exponent;
         for (int k = 0; k < coordinates; ++k) {
@@ -156,7 +158,7 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         span_.fog_exponent += shift_down;
     }
     for (int i = 0; i < 3; ++i)
-        fog[i] = static_cast<std::int32_t>(c[i] >> shift_down);
+        fog[i] = static_cast<std::int32_t>(scaled_word(c[i], shift_down));
 }
 
 /// Between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further; what a step of the
@@ -212,7 +214,7 @@ void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
     if (span_.kind == Kind::affine) {
         const auto& wraps = state_.wraps[unit];
         constexpr int less = 32 - clamped_coord_bits;
-        const auto first = [&](std::int64_t v, bool wrap, std::int32_t base) {
+        const auto first = [](std::int64_t v, bool wrap, std::int32_t base) {
             return wrap ? static_cast<std::uint32_t>(v)
                         : static_cast<std::uint32_t>(v >> less) +
                               (static_cast<std::uint32_t>(base) << clamped_coord_bits);

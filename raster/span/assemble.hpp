@@ -27,10 +27,24 @@
 
 namespace spangle::raster {
 
+/// A chain that grows, of any number system.
+class ChainEnd {
+  protected:
+    explicit ChainEnd(Variant& variant) : variant_(variant) {}
+    void append(AnyFunction stage) {
+        variant_.chain[count_++] = stage;
+        variant_.chain[count_] = nullptr;
+    }
+    Variant& variant_;
+
+  private:
+    int count_ = 0;
+};
+
 /// Appends stages of number system N to a chain.
-template <class N> class ChainBuilder {
+template <class N> class ChainBuilder : ChainEnd {
   public:
-    explicit ChainBuilder(Variant& variant) : variant_(variant) {
+    explicit ChainBuilder(Variant& variant) : ChainEnd(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
     }
     /// Another way to run it than row by row.
@@ -38,10 +52,7 @@ template <class N> class ChainBuilder {
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>);
     }
-    void add(ChainStage<N> stage) {
-        variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
-        variant_.chain[count_] = nullptr;
-    }
+    void add(ChainStage<N> stage) { append(reinterpret_cast<AnyFunction>(stage)); }
     template <bool there, class S> void add_if() {
         if constexpr (there)
             add<S>();
@@ -50,10 +61,6 @@ template <class N> class ChainBuilder {
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
     }
-
-  private:
-    Variant& variant_;
-    int count_ = 0;
 };
 
 /// The depth test may go first when nothing after it can drop the fragment: same bytes, less work.
