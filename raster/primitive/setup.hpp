@@ -143,7 +143,8 @@ template <> class Setup<Fixed> {
     void divided_colors();
     template <bool Rgb> void affine_colors(std::uint32_t bits, std::uint32_t bias);
     static void project(Span<Fixed>& span);
-    void add_unit(int unit, const UnitValues& u);
+    void over_w(std::int32_t v[3]) const;
+    void add_unit(int unit, UnitValues& u);
 
     Span<Fixed>& span_;
     const DrawState& state_;

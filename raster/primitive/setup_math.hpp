@@ -42,7 +42,7 @@ inline std::int64_t scaled(std::int64_t v, int n) {
 
 /// Both words of it; for 0 < n < 32 four instructions where words have 32 bits.
 SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
-    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
+    if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint64_t>(scaled(v, n));
     return static_cast<std::uint64_t>(numeric::words_after(v, n));
 }
@@ -60,7 +60,9 @@ SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out
 
 /// The low word of it; for 0 < n < 32 three instructions where words have 32 bits.
 SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
-    if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
+    if (!has_shortcuts)
+        return static_cast<std::uint32_t>(scaled_words(v, n));
+    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
         return static_cast<std::uint32_t>(scaled(v, n));
     return numeric::low_word_after(v, n);
 }

@@ -104,6 +104,12 @@ SPANGLE_INLINE bool Setup<Fixed>::weights() {
     return q_range_ == 0;
 }
 
+/// What varies over w, times 1/w.
+SPANGLE_RUN_INLINE void Setup<Fixed>::over_w(std::int32_t v[3]) const {
+    for (int i = 0; i < 3; ++i)
+        v[i] = mul30(v[i], q(i));
+}
+
 /// |error| of the affine form over a triangle is at most range(c) range(q) / (4 min(q)): the covariance of c
 /// and q under any weights, over the mean of q.
 SPANGLE_INLINE bool Setup<Fixed>::bounded(std::uint32_t range, std::uint64_t four_tolerances) const {

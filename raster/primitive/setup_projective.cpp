@@ -18,16 +18,12 @@ std::uint64_t Setup<Fixed>::projective(const Coefficients& by, Interpolant<std::
     return plane.dy;
 }
 
-/// Colour times 1/w.
-SPANGLE_INLINE static std::int32_t over_w(std::uint32_t color, std::int32_t q) {
-    return mul30(static_cast<std::int32_t>(color << 2), q);
-}
-
 void Setup<Fixed>::projective_colors() {
     each_color([&](const ColorSource& from, int i, auto&, Interpolant<std::uint64_t>& at) {
         std::int32_t v[3];
         for (int k = 0; k < 3; ++k)
-            v[k] = over_w(from.of[k][i], q(k));
+            v[k] = static_cast<std::int32_t>(from.of[k][i] << 2);
+        over_w(v);
         add_projective(at, v);
     });
 }
@@ -39,7 +35,7 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
     for (int i = 0; i < 3; ++i) {
         std::int32_t v[3];
         for (int k = 0; k < 3; ++k)
-            v[k] = over_w(from.v[k]->color[i], from.q[k]);
+            v[k] = mul30(static_cast<std::int32_t>(from.v[k]->color[i] << 2), from.q[k]);
         projective(from.by, span.color_q[has_full ? i : 0], v);
     }
 }

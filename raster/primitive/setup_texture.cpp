@@ -36,8 +36,8 @@ SPANGLE_INLINE std::int64_t to_fixed_below(std::int64_t m, int down) {
 /// One coordinate of three vertices, in repeats, a whole number of which comes off: they would take bits from
 /// the fraction.
 struct Repeats {
-    std::int64_t v[3]; ///< 32 fraction bits
-    std::int32_t base;
+    std::int64_t v[3];   ///< 32 fraction bits
+    std::int32_t base;   ///< no further than matters
     std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
 
     SPANGLE_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
@@ -51,6 +51,7 @@ struct Repeats {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] -= base * (std::int64_t{1} << 32);
+        base = numeric::clamp<std::int32_t>(base, -4096, 4096);
     }
     SPANGLE_INLINE std::uint32_t fractions() const {
         return static_cast<std::uint32_t>(v[0]) | static_cast<std::uint32_t>(v[1]) |
@@ -81,8 +82,8 @@ void Setup<Fixed>::load_unit(int unit, UnitValues& u) const {
     }
     u.s0 = s.v[0];
     u.t0 = t.v[0];
-    span_.unit[unit].s_base = numeric::clamp<std::int32_t>(s.base, -4096, 4096);
-    span_.unit[unit].t_base = numeric::clamp<std::int32_t>(t.base, -4096, 4096);
+    span_.unit[unit].s_base = s.base;
+    span_.unit[unit].t_base = t.base;
 }
 
 /// s/w, t/w and q/w as block numbers: the whole repeats cannot be taken off, because q varies.
@@ -93,12 +94,13 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
     int exponent[3][2], top[2] = {-100000, -100000};
     for (int i = 0; i < 3; ++i) {
         const auto& c = v(i).tex[unit];
-        const std::int64_t w = v(i).w_mantissa >> 1;
+        const auto over_w = [w = static_cast<std::int32_t>(v(i).w_mantissa >> 1)](std::int32_t of, int down)
+                                SPANGLE_RUN_LAMBDA { return numeric::mul_s32(of, w) >> down; };
         const bool is_one = c.q_is_one != 0;
-        of[i][0] = (is_one ? 1 << 30 : c.q) * w;
-        of[i][1] = c.s * w >> halves.s;
-        of[i][2] = c.t * w >> halves.t;
-        of[i][3] = state_.needs.r[unit] ? v(i).r[unit] * w : 0;
+        of[i][0] = over_w(is_one ? 1 << 30 : c.q, 0);
+        of[i][1] = over_w(c.s, halves.s);
+        of[i][2] = over_w(c.t, halves.t);
+        of[i][3] = over_w(state_.needs.r[unit] ? v(i).r[unit] : 0, 0);
         exponent[i][0] = v(i).w_exponent + (is_one ? -30 : c.exponent);
         exponent[i][1] = v(i).w_exponent + c.exponent;
         for (int k = 0; k < coordinates; ++k) {
@@ -117,9 +119,12 @@ void Setup<Fixed>::load_homogeneous(int unit, UnitValues& u) const {
 
 /// Fog coordinates, counting 2^span.fog_exponent: 2^-24 where all of them fit s7.24.
 SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
+    span_.fog_exponent = -24;
+    if constexpr (!has_shortcuts)
+        return load_any_fog(fog);
     const auto& of = state_.fog;
     const auto offset = static_cast<std::int32_t>(of.offset);
-    bool near = has_shortcuts && of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
+    bool near = of.offset == offset && numeric::abs_u32(offset) < 1u << 29;
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
         near = near && half_below(numeric::mul_s32(v(i).fog_mantissa, of.scale),
@@ -127,7 +132,6 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
         fog[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(fog[i]) +
                                            static_cast<std::uint32_t>(offset));
     }
-    span_.fog_exponent = -24;
     if (!near) [[unlikely]]
         load_any_fog(fog);
 }
@@ -155,7 +159,7 @@ void Setup<Fixed>::load_any_fog(std::int32_t fog[3]) const {
         span_.fog_exponent += shift_down;
     }
     for (int i = 0; i < 3; ++i)
-        fog[i] = static_cast<std::int32_t>(c[i] >> shift_down);
+        fog[i] = static_cast<std::int32_t>(scaled_word(c[i], shift_down));
 }
 
 /// Between 0 and 1, seen from the vertices. Ends of lines reach half a pixel further; what a step of the
@@ -208,19 +212,20 @@ void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first
     at.value = first + word(by().center);
 }
 
-void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
+void Setup<Fixed>::add_unit(int unit, UnitValues& u) {
     auto& at = span_.unit[unit];
     if (!has_division || span_.kind == Kind::affine) {
         const auto& wraps = state_.wraps[unit];
         constexpr int less = 32 - clamped_coord_bits;
-        const auto first = [&](std::int64_t v, bool wrap, std::int32_t base) {
+        const auto first = [](std::int64_t v, bool wrap, std::int32_t base) {
             return wrap ? static_cast<std::uint32_t>(v)
                         : static_cast<std::uint32_t>(v >> less) +
                               (static_cast<std::uint32_t>(base) << clamped_coord_bits);
         };
         const int up_s = wraps.s ? u.shift : u.shift - less, up_t = wraps.t ? u.shift : u.shift - less;
         const std::uint32_t s0 = first(u.s0, wraps.s, at.s_base), t0 = first(u.t0, wraps.t, at.t_base);
-        if (!state_.needs.lod[unit]) {
+        // Small builds have one form, if there may be levels at all.
+        if ((has_shortcuts || !spans_sample_any) && !state_.needs.lod[unit]) {
             add_words(span_.s[unit], s0, u.s, up_s);
             add_words(span_.t[unit], t0, u.t, up_t);
             return;
@@ -235,22 +240,17 @@ void Setup<Fixed>::add_unit(int unit, const UnitValues& u) {
         return;
     }
     at.shares_q = !u.homogeneous;
-    at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // mul30 below takes 30 bits off
+    at.exponent = u.homogeneous ? u.shift - 32 : u.shift - 2; // over_w() takes 30 bits off
     if (u.homogeneous) {
-        at.s_dy = add_projective(at.s, u.s);
-        at.t_dy = add_projective(at.t, u.t);
         at.q_dy = add_projective(at.q, u.q);
         if (state_.needs.r[unit])
             at.r_dy = add_projective(at.r, u.r);
-        return;
+    } else {
+        over_w(u.s);
+        over_w(u.t);
     }
-    std::int32_t s[3], t[3];
-    for (int i = 0; i < 3; ++i) {
-        s[i] = mul30(u.s[i], q(i));
-        t[i] = mul30(u.t[i], q(i));
-    }
-    at.s_dy = add_projective(at.s, s);
-    at.t_dy = add_projective(at.t, t);
+    at.s_dy = add_projective(at.s, u.s);
+    at.t_dy = add_projective(at.t, u.t);
 }
 
 /// Affine where the bounds of the tier allow it, textured where only colours are, else full.
@@ -306,8 +306,7 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
             if constexpr (host_lanes > 1)
                 span_.fog_inside = stays_inside(fog, span_.fog);
         } else {
-            for (int i = 0; i < 3; ++i)
-                fog[i] = mul30(fog[i], q(i));
+            over_w(fog);
             span_.fog_exponent += 30;
             add_projective(span_.fog_q, fog);
         }

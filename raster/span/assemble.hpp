@@ -27,10 +27,24 @@
 
 namespace spangle::raster {
 
+/// A chain that grows, of any number system.
+class ChainEnd {
+  protected:
+    explicit ChainEnd(Variant& variant) : variant_(variant) {}
+    void append(AnyFunction stage) {
+        variant_.chain[count_++] = stage;
+        variant_.chain[count_] = nullptr;
+    }
+    Variant& variant_;
+
+  private:
+    int count_ = 0;
+};
+
 /// Appends stages of number system N to a chain.
-template <class N> class ChainBuilder {
+template <class N> class ChainBuilder : ChainEnd {
   public:
-    explicit ChainBuilder(Variant& variant) : variant_(variant) {
+    explicit ChainBuilder(Variant& variant) : ChainEnd(variant) {
         variant.run = reinterpret_cast<AnyFunction>(&by_row<typename N::Policy, &chain_span<N>>);
     }
     /// Another way to run it than row by row.
@@ -38,10 +52,7 @@ template <class N> class ChainBuilder {
     template <class S> void add() {
         add(&chain_stage<std::conditional_t<uses_color<S>, N, Colorless<N>>, S>);
     }
-    void add(ChainStage<N> stage) {
-        variant_.chain[count_++] = reinterpret_cast<AnyFunction>(stage);
-        variant_.chain[count_] = nullptr;
-    }
+    void add(ChainStage<N> stage) { append(reinterpret_cast<AnyFunction>(stage)); }
     template <bool there, class S> void add_if() {
         if constexpr (there)
             add<S>();
@@ -50,10 +61,6 @@ template <class N> class ChainBuilder {
     template <class WhenTrue, class WhenFalse> void choose(bool condition) {
         condition ? add<WhenTrue>() : add<WhenFalse>();
     }
-
-  private:
-    Variant& variant_;
-    int count_ = 0;
 };
 
 /// The depth test may go first when nothing after it can drop the fragment: same bytes, less work.
@@ -126,6 +133,8 @@ void add_unit(ChainBuilder<N>& chain, const Key& key, const FragmentState& state
         return;
     add_coordinates<N, Unit>(chain, key, state);
     using One = OneLane<N>;
+    if (has_combine && key.combine)
+        return; // one stage for all
     if constexpr (by_packets<N>)
         chain.add(&PacketTexture<N>::template run<Unit>);
     else
@@ -143,18 +152,12 @@ void add_unit_in_steps(ChainBuilder<N>& chain, const Key& key, const FragmentSta
 }
 
 template <class N> void add_units(ChainBuilder<N>& chain, const Key& key, const FragmentState& state) {
-    if (!key.combine) {
-        add_unit<N, 0>(chain, key, state);
-        if constexpr (max_texture_units > 1)
-            add_unit<N, 1>(chain, key, state);
-        return;
-    }
+    add_unit<N, 0>(chain, key, state);
+    if constexpr (max_texture_units > 1)
+        add_unit<N, 1>(chain, key, state);
     if constexpr (has_combine) {
-        if (key.unit[0].on)
-            add_coordinates<N, 0>(chain, key, state);
-        if constexpr (max_texture_units > 1)
-            if (key.unit[1].on)
-                add_coordinates<N, 1>(chain, key, state);
+        if (!key.combine)
+            return;
         if constexpr (by_packets<N>)
             chain.add(&PacketTexture<N>::combined);
         else

@@ -41,7 +41,7 @@ struct HomogeneousRow {
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
-    if constexpr (!numeric::wide_words)
+    if constexpr (!numeric::wide_words && has_shortcuts)
         if (down > 0 && down < 32) [[likely]]
             return numeric::words_after(product, down);
     if (down >= 0)

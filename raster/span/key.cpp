@@ -14,10 +14,9 @@ bool unit_on(const TextureUnit& unit) {
 }
 
 /// Modes a fused loop can have: one image, its rows packed, no border, both wraps REPEAT.
-UnitKey unit_key(const TextureUnit& unit) {
-    UnitKey key;
+void set_unit(UnitKey& key, const TextureUnit& unit) {
     if (!unit_on(unit))
-        return key;
+        return;
     key.on = true;
     const Texture& texture = *unit.texture;
     const TextureLevel& image = texture.level[0];
@@ -29,12 +28,11 @@ UnitKey unit_key(const TextureUnit& unit) {
                   texture.wrap_s != Wrap::repeat || texture.wrap_t != Wrap::repeat ||
                   texture.border_texels != 0 || !packed || unit.env == TexEnv::combine;
     if (key.general)
-        return key;
+        return;
     key.texels = format;
     key.base = texture.base;
     key.filter = texture.mag;
     key.env = unit.env;
-    return key;
 }
 
 /// Does the primary colour (or its alpha) get past the texture units? (GL 1.3, tables 3.21 and 3.22)
@@ -151,7 +149,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
         return key;
     }
     for (int i = 0; i < max_texture_units; ++i)
-        key.unit[i] = unit_key(state.unit[i]);
+        set_unit(key.unit[i], state.unit[i]);
     key.color_sum = (has_color_sum || !has_chain) && state.color_sum; // without chain, of no span
     key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
     if (state.alpha_test)

@@ -29,10 +29,11 @@ class LevelOfDetail {
         const auto& unit = span_.unit[unit_];
         const auto& q = unit.shares_q ? span_.q : unit.q;
         const std::uint64_t q_dy = unit.shares_q ? span_.q_dy : unit.q_dy;
-        const std::int64_t at_q = positive(span_.at(x, q)), at_s = unguarded(span_.at(x, unit.s)),
+        const std::int32_t at_q = positive(span_.at(x, q)), at_s = unguarded(span_.at(x, unit.s)),
                            at_t = unguarded(span_.at(x, unit.t));
-        const auto numerator = [&](std::uint64_t dv, std::int64_t v, std::uint64_t dq) SPANGLE_RUN_LAMBDA {
-            return numeric::abs_u64(unguarded(dv) * at_q - v * unguarded(dq));
+        const auto numerator = [&](std::uint64_t dv, std::int32_t v, std::uint64_t dq) SPANGLE_RUN_LAMBDA {
+            return numeric::abs_u64(numeric::mul_s32(unguarded(dv), at_q) -
+                                    numeric::mul_s32(v, unguarded(dq)));
         };
         const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
         const std::uint64_t dt = largest(numerator(unit.t.dx, at_t, q.dx), numerator(unit.t_dy, at_t, q_dy));
@@ -64,7 +65,7 @@ class LevelOfDetail {
         return texture.shape == TextureShape::line || u > v ? u : v;
     }
 
-    static std::int64_t positive(std::uint64_t q) {
+    static std::int32_t positive(std::uint64_t q) {
         const std::int32_t v = unguarded(q);
         return v > 0 ? v : 1;
     }

@@ -48,24 +48,53 @@ class VolumeCoords {
           lod_(raster::wants_lod(texture_)) {}
 
     [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
-        const Planes planes[3] = {{span_.at(x, at_.s), at_.s.dx, at_.s_dy},
-                                  {span_.at(x, at_.t), at_.t.dx, at_.t_dy},
-                                  {span_.at(x, at_.r), at_.r.dx, at_.r_dy}};
-        if (has_cube_maps && texture_.shape == TextureShape::cube)
-            return on_cube(planes);
-        return divided(planes, {span_.at(x, at_.q), at_.q.dx, at_.q_dy});
+        Planes s(span_.at(x, at_.s), at_.s.dx, at_.s_dy), t(span_.at(x, at_.t), at_.t.dx, at_.t_dy),
+            r(span_.at(x, at_.r), at_.r.dx, at_.r_dy);
+        const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
+        VolumePlace place;
+        place.face = cube ? face(s, t, r) : 0;
+        const Planes q =
+            cube ? r : Planes(span_.at(x, at_.q), at_.q.dx, at_.q_dy); // what the others are divided by
+        const Inverse inverse(positive(q.v));
+        const int exponent = cube ? 0 : at_.exponent;
+        const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
+            const std::int64_t of = detail::to_repeats(v, inverse, exponent);
+            return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of; // s = (sc / |ma| + 1) / 2
+        };
+        place.s = word(repeats(s.v), texture_.wrap_s);
+        place.t = word(repeats(t.v), texture_.wrap_t);
+        const bool volume = texture_.shape == TextureShape::volume;
+        const std::int64_t third = repeats(r.v); // of a cube nobody looks at it
+        place.r = volume ? word(third, texture_.wrap_r)
+                         : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(third >> 2, 0, 1 << 30));
+        place.lod = 0;
+        if (!lod_)
+            return place;
+        const TextureLevel& base = texture_.level[0];
+        std::int32_t most = steps(s, q, base.width);
+        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
+        if (texture_.shape != TextureShape::line)
+            also(steps(t, q, base.height));
+        if (volume)
+            also(steps(r, q, texture_.depth));
+        place.lod = most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
+                    (cube ? -256 : at_.exponent << 8);
+        return place;
     }
 
   private:
     /// A projective value and what it changes by.
     struct Planes {
-        std::int64_t v, dx, dy;
+        std::int32_t v, dx, dy;
         Planes(std::uint64_t value, std::uint64_t across, std::uint64_t up)
             : v(unguarded(value)), dx(unguarded(across)), dy(unguarded(up)) {}
-        Planes turned() const { return {-v, -dx, -dy}; }
+        Planes turned(bool back) const { return back ? Planes{negated(v), negated(dx), negated(dy)} : *this; }
 
       private:
-        Planes(std::int64_t value, std::int64_t across, std::int64_t up) : v(value), dx(across), dy(up) {}
+        Planes(std::int32_t value, std::int32_t across, std::int32_t up) : v(value), dx(across), dy(up) {}
+        static std::int32_t negated(std::int32_t v) {
+            return static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(v));
+        }
     };
 
     const Span<Fixed>& span_;
@@ -73,7 +102,7 @@ class VolumeCoords {
     const Texture& texture_;
     const bool lod_;
 
-    static std::int32_t positive(std::int64_t q) { return static_cast<std::int32_t>(q > 0 ? q : 1); }
+    static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
         const bool mirrored = wrap == Wrap::mirrored_repeat; // counts in two repeats
@@ -82,61 +111,21 @@ class VolumeCoords {
 
     /// log2 of the steps of v / q, times q^2: the larger of both directions.
     static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
-        const std::uint64_t dx = numeric::abs_u64(v.dx * q.v - v.v * q.dx),
-                            dy = numeric::abs_u64(v.dy * q.v - v.v * q.dy);
+        const auto step = [&](std::int32_t dv, std::int32_t dq) {
+            return numeric::abs_u64(numeric::mul_s32(dv, q.v) - numeric::mul_s32(v.v, dq));
+        };
+        const std::uint64_t dx = step(v.dx, q.dx), dy = step(v.dy, q.dy);
         return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
     }
 
-    VolumePlace divided(const Planes (&planes)[3], const Planes& q) const {
-        const Inverse inverse(positive(q.v));
-        const auto repeats = [&](int axis) {
-            return detail::to_repeats(static_cast<std::int32_t>(planes[axis].v), inverse, at_.exponent);
-        };
-        VolumePlace place;
-        place.face = 0;
-        place.s = word(repeats(0), texture_.wrap_s);
-        place.t = word(repeats(1), texture_.wrap_t);
-        const std::int64_t r = repeats(2);
-        const bool volume = texture_.shape == TextureShape::volume;
-        place.r = volume ? word(r, texture_.wrap_r)
-                         : static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(r >> 2, 0, 1 << 30));
-        place.lod = lod_ ? level(planes, q, volume) : 0;
-        return place;
-    }
-    std::int32_t level(const Planes (&planes)[3], const Planes& q, bool volume) const {
-        const TextureLevel& base = texture_.level[0];
-        std::int32_t most = steps(planes[0], q, base.width);
-        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
-        if (texture_.shape != TextureShape::line)
-            also(steps(planes[1], q, base.height));
-        if (volume)
-            also(steps(planes[2], q, texture_.depth));
-        return most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) + (at_.exponent << 8);
-    }
-
-    /// s = (sc / |ma| + 1) / 2; what s, t and r are multiplied by cancels.
-    VolumePlace on_cube(const Planes (&planes)[3]) const {
-        const CubeFace<std::int64_t> face(planes[0].v, planes[1].v, planes[2].v);
-        const Planes along = planes[face.major].v < 0 ? planes[face.major].turned() : planes[face.major];
-        const Inverse inverse(positive(along.v));
-        const auto coordinate = [&](int axis, bool back, Wrap wrap) {
-            const auto v = static_cast<std::int32_t>(back ? -planes[axis].v : planes[axis].v);
-            const std::int64_t repeats = (detail::to_repeats(v, inverse, 0) + (std::int64_t{1} << 32)) >> 1;
-            return word(repeats, wrap);
-        };
-        VolumePlace place;
-        place.face = face.face;
-        place.s = coordinate(face.s, face.s_back, texture_.wrap_s);
-        place.t = coordinate(face.t, face.t_back, texture_.wrap_t);
-        place.r = 0;
-        place.lod = 0;
-        if (lod_) {
-            const std::uint32_t size = texture_.level[0].width;
-            const std::int32_t s = steps(planes[face.s], along, size), t = steps(planes[face.t], along, size);
-            place.lod =
-                (s > t ? s : t) - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(along.v))) - 256;
-        }
-        return place;
+    /// The face of a direction; s and t as they lie in it, r along it. What they are multiplied by cancels.
+    static unsigned face(Planes& s, Planes& t, Planes& r) {
+        const Planes planes[3] = {s, t, r};
+        const CubeFace<std::int64_t> face(s.v, t.v, r.v);
+        s = planes[face.s].turned(face.s_back);
+        t = planes[face.t].turned(face.t_back);
+        r = planes[face.major].turned(planes[face.major].v < 0);
+        return face.face;
     }
 };
 
