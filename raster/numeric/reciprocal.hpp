@@ -173,10 +173,22 @@ constexpr Quotient divide(std::uint64_t n, std::uint32_t d) {
         return detail::divide_by_words(n, d);
 }
 
-/// n / d, towards 0.
-constexpr std::int64_t quotient(std::int64_t n, std::uint32_t d) {
-    const auto q = static_cast<std::int64_t>(divide(abs_u64(n), d).quotient);
+namespace detail {
+
+/// Not in line: words take some 200 bytes.
+[[gnu::noinline]] constexpr std::int64_t quotient_by_words(std::int64_t n, std::uint32_t d) {
+    const auto q = static_cast<std::int64_t>(divide_by_words(abs_u64(n), d).quotient);
     return n < 0 ? -q : q;
+}
+
+} // namespace detail
+
+/// n / d, d > 0, towards 0.
+constexpr std::int64_t quotient(std::int64_t n, std::uint32_t d) {
+    if constexpr (wide_words)
+        return n / static_cast<std::int64_t>(d);
+    else
+        return detail::quotient_by_words(n, d);
 }
 
 struct LongQuotient {

@@ -46,8 +46,8 @@ void set_depth_offset<FixedVertex>(PrimitiveState& out, const PolygonOffset& off
     // m = most / |area2| 2^-22 = q 2^exponent; q loses less than 2^-30 of itself.
     const int up = numeric::clz64(most) - 1, zeros = numeric::clz64(numeric::abs_u64(area2));
     const int down = zeros < 32 ? 32 - zeros : 0;
-    std::uint64_t q =
-        numeric::divide(most << up, static_cast<std::uint32_t>(numeric::abs_u64(area2) >> down)).quotient;
+    auto q = static_cast<std::uint64_t>(numeric::quotient(
+        static_cast<std::int64_t>(most << up), static_cast<std::uint32_t>(numeric::abs_u64(area2) >> down)));
     int exponent = 10 - up - down; // 2^32 is the range of depth and one code
     q -= q >> bits;
     if (const int excess = 26 - numeric::clz64(q); excess > 0) {

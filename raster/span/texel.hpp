@@ -52,8 +52,8 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
     } else {
         constexpr std::uint32_t common = Most % 255 == 0 ? 255 : 1, parts = 255 / common, of = Most / common;
         if constexpr (of >= 1u << (32 - color_fraction_bits))
-            return N::from_units(static_cast<std::uint32_t>(
-                numeric::divide(std::uint64_t{k} * color_one + Most / 2, Most).quotient));
+            return N::from_units(
+                static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most / 2, Most)));
         else // k parts / of: the whole ones and the rest apart, which words hold
             return N::from_units((k * parts / of << color_fraction_bits) +
                                  ((k * parts % of << color_fraction_bits) + of / 2) / of);

@@ -144,6 +144,7 @@ TEST(Kernels, DivisionIsExact) {
         const auto s = static_cast<std::int64_t>(n);
         if (s != INT64_MIN) {
             ASSERT_EQ(quotient(s, d), s / std::int64_t{d}) << s << " / " << d;
+            ASSERT_EQ(detail::quotient_by_words(s, d), s / std::int64_t{d}) << s << " / " << d;
         }
         const FloorQuotient f = floor_divide(s, d);
         ASSERT_LT(f.remainder, d);
