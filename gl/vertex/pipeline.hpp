@@ -181,7 +181,7 @@ template <class M, class L> class Pipeline {
     Context* context_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     GLenum mode_ = GL_POINTS;
-    int held_ = 0, full_ = 1; ///< corners held, and how many make a primitive
+    int held_ = 0, full_ = 0; ///< corners held, and how many make a primitive
     bool odd_ = false;        ///< number of triangles of the strip so far
     bool fog_ = false, lit_ = false, flat_ = false, two_sided_ = false;
     unsigned units_ = 0;          ///< bit u: texture unit u is on; bit u + third_coordinate: it looks at r
@@ -200,15 +200,15 @@ template <class M, class L> class Pipeline {
     bool fills_whole_ = false;    ///< filled polygons are antialiased, or drawn to samples
     bool smooth_polygons_ = false;
     bool multisampling_ = false;
-    bool stipple_starts_ = true;               ///< no line since the pattern was to start anew
-    GLenum face_mode_[2] = {GL_FILL, GL_FILL}; ///< of front and back
-    bool front_is_ccw_ = true, culls_[2] = {}; ///< counter-clockwise ones, and clockwise ones
-    Vertex* corner_[slot_count] = {};          ///< of the primitive being assembled
-    unsigned layout_ = 0;                      ///< of the arrays that the cached vertices came from
-    Given given_;                              ///< the element at hand
-    Real given_color_[4] = {};                 ///< current during the last draw of elements
-    std::uint32_t now_ = 1; ///< of cached vertices; another one when their results would differ
-    std::int32_t point_size_ = 1, line_width_ = 1;
+    bool stipple_starts_ = false;               ///< no line since the pattern was to start anew
+    GLenum face_mode_[2] = {};                  ///< of front and back
+    bool front_is_ccw_ = false, culls_[2] = {}; ///< counter-clockwise ones, and clockwise ones
+    Vertex* corner_[slot_count] = {};           ///< of the primitive being assembled
+    unsigned layout_ = 0;                       ///< of the arrays that the cached vertices came from
+    Given given_;                               ///< the element at hand
+    Real given_color_[4] = {};                  ///< current during the last draw of elements
+    std::uint32_t now_ = 0; ///< of cached vertices; another one when their results would differ
+    std::int32_t point_size_ = 0, line_width_ = 0;
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
