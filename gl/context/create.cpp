@@ -1,5 +1,6 @@
 #include "gl/context/create.hpp"
 
+#include <cstring>
 #include <new>
 
 #include "gl/context/hooks.hpp"
@@ -62,24 +63,31 @@ void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names) {
 }
 
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {
-    // The large ones first: what is looked for is rounded up most.
-    void* const memory = arena.allocate(sizeof(Context));
-    void* const pipeline = arena.allocate(config.engine->pipeline_bytes);
-    void* const group_memory = share == nullptr ? arena.allocate(sizeof(ShareGroup)) : nullptr;
-    if (memory == nullptr || pipeline == nullptr || (share == nullptr && group_memory == nullptr)) {
-        arena.free(memory);
-        arena.free(pipeline);
-        arena.free(group_memory);
+    // Its pipeline lies behind it.
+    constexpr std::size_t own =
+        (sizeof(Context) + Arena::alignment - 1) / Arena::alignment * Arena::alignment;
+    const std::size_t bytes = own + config.engine->pipeline_bytes;
+    auto* const memory = static_cast<unsigned char*>(arena.allocate(bytes));
+    if (memory == nullptr)
         return nullptr;
+    ShareGroup* group = share != nullptr ? share->share : nullptr;
+    if (group == nullptr) {
+        void* const group_memory = arena.allocate(sizeof(ShareGroup));
+        if (group_memory == nullptr) {
+            arena.free(memory);
+            return nullptr;
+        }
+        group = new (group_memory) ShareGroup(arena);
     }
+    std::memset(memory, 0, bytes);
     Context* const context = begin_context(memory);
     context->arena = &arena;
     context->tier = config.tier;
     context->engine = config.engine;
-    context->pipeline = pipeline;
-    config.engine->construct(pipeline);
-    context->share = share != nullptr ? share->share : new (group_memory) ShareGroup(arena);
-    ++context->share->references;
+    context->pipeline = memory + own;
+    config.engine->construct(context->pipeline);
+    context->share = group;
+    ++group->references;
     return context;
 }
 
@@ -102,9 +110,7 @@ void destroy_context(Context* context) {
     release_textures(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);
-    Arena& arena = *context->arena;
-    arena.free(context->pipeline);
-    arena.free(context);
+    context->arena->free(context);
 }
 
 void make_current(Context* context, const raster::Surface& surface, bool double_buffered,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <memory>
 #include <new>
 #include <type_traits>
 
@@ -223,22 +224,20 @@ constexpr auto initial = [] {
 
 Context* begin_context(void* memory) {
     constexpr std::size_t word = sizeof(std::uint32_t);
-    auto* at = static_cast<unsigned char*>(memory);
-    std::memset(at, 0, sizeof(Context));
+    auto* at = std::assume_aligned<word>(static_cast<unsigned char*>(memory));
     for (const Step* step = std::begin(initial.step); step != std::end(initial.step); ++step) {
         at += step->zeros * word;
         if (step->value != 0) {
-            std::memcpy(at, &initial.value[step->value], word);
+            std::memcpy(std::assume_aligned<word>(at), &initial.value[step->value], word);
             at += word;
             continue;
         }
         ++step;
         for (unsigned left = step->value; left != 0; --left, at += word)
-            std::memcpy(at, at - step->zeros * word, word);
+            std::memcpy(std::assume_aligned<word>(at), std::assume_aligned<word>(at - step->zeros * word),
+                        word);
     }
-    auto* const context = std::launder(static_cast<Context*>(memory));
-    new (&context->fragments) FragmentCache();
-    return context;
+    return std::launder(static_cast<Context*>(memory));
 }
 
 } // namespace spangle::gl

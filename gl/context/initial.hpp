@@ -5,8 +5,8 @@
 
 namespace spangle::gl {
 
-/// Makes a context in memory of that size. Entries of matrix stacks above their top are written before they
-/// are read.
+/// Makes a context in memory of that size, whose bytes are 0. Entries of matrix stacks above their top are
+/// written before they are read, and what is compiled of fragments' state is compiled before it is looked at.
 Context* begin_context(void* memory);
 
 } // namespace spangle::gl

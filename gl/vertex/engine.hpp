@@ -26,6 +26,7 @@ template <class F> using EngineCall = F*;
 
 struct Engine {
     SPANGLE_ENGINE_MEMBER const std::size_t pipeline_bytes; ///< what Context::pipeline points at
+    /// In memory of so many bytes that are 0.
     SPANGLE_ENGINE_MEMBER EngineCall<void(void* memory)> construct;
     SPANGLE_ENGINE_MEMBER
     EngineCall<void(const raster::FragmentState&, const raster::Surface&, raster::DrawState& out)> compile;

@@ -1,5 +1,4 @@
 // The product's engine: the pipeline in integers.
-#include <cstring>
 #include <type_traits>
 
 #include "gl/context/features.hpp"
@@ -33,11 +32,10 @@ FixedPipeline& pipeline(Context& context) {
 #define OF_ENGINE
 #endif
 
-/// All of it begins as 0, what is not derived before it is used: constructors, run in line, would clear
-/// member by member.
-void OF_ENGINE construct(void* memory) {
+/// All that is not derived before it is used begins as 0, as the memory does: constructors, run in line,
+/// would clear it member by member.
+void OF_ENGINE construct(void*) {
     static_assert(std::is_trivially_copyable_v<FixedPipeline>); // bytes make one
-    std::memset(memory, 0, sizeof(FixedPipeline));
 }
 
 void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,
