@@ -12,8 +12,8 @@ namespace spangle::minimal {
 namespace {
 
 constexpr mcu::Mps2 blocks = {.spi = 0x40021000, .fpgaio = 0x40028000, .clock_hz = 25000000};
-using Port = mcu::StartBytePort<mcu::Pl022, mcu::RegisterPin, mcu::RegisterPin, mcu::SysTick>;
-using Screen = hal::FrameDisplay<boards::mps2_an386, Port>;
+using Wires = mcu::StartByteWires<mcu::Pl022, mcu::RegisterPin, mcu::RegisterPin, mcu::SysTick>;
+using Screen = hal::FrameDisplay<boards::mps2_an386, Wires>;
 
 static_assert(hal::picture_size(boards::mps2_an386.display).width == width &&
               hal::picture_size(boards::mps2_an386.display).height == height);
@@ -27,8 +27,8 @@ alignas(4) std::uint8_t frame[Screen::bytes];
 /// Behind a depth buffer of 16 bits.
 alignas(8) __attribute__((section(".noinit"))) unsigned char arena[Screen::bytes + MINIMAL_GL_BYTES];
 
-constinit Port port{mcu::Pl022(blocks.spi), blocks.misc(0), blocks.misc(3), mcu::SysTick{blocks.clock_hz}};
-constinit Screen screen{port, frame};
+constinit Wires wires{mcu::Pl022(blocks.spi), blocks.misc(0), blocks.misc(3), mcu::SysTick{blocks.clock_hz}};
+constinit Screen screen{wires, frame};
 
 } // namespace
 

@@ -127,7 +127,6 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
 #if SPANGLE_HAS_RECORDS
     drawable.recording = nullptr;
 #endif
-    read_from(*context, surface, double_buffered);
     context->changed(dirty_all);
     if (drawable.bound_before)
         return;

@@ -37,7 +37,7 @@ void forget_images(Context& context);
 bool has_objects(const Context& context, const ShareGroup& share);
 #endif
 
-/// After that: pixels are read from another surface than they are drawn to (ReadPixels, ReadBuffer).
+/// Pixels are read from this surface, it may be another than they are drawn to (ReadPixels, ReadBuffer).
 void read_from(Context& context, const raster::Surface& surface, bool double_buffered);
 
 } // namespace spangle::gl

@@ -124,8 +124,7 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
 
 } // namespace
 
-EGLint choose_band(const Display& display, EGLint wish, Band& band) {
-    const hal::DisplayInfo info = display.native->info();
+EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band) {
     if (wish < 0)
         return EGL_BAD_PARAMETER;
     band.colors = info.band_height != 0;
@@ -165,8 +164,8 @@ bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* d
 
 #else
 
-EGLint egl::choose_band(const Display& display, EGLint, Band&) {
-    return display.native->info().band_height == 0 ? EGL_SUCCESS : EGL_BAD_MATCH;
+EGLint egl::choose_band(const hal::DisplayInfo& info, EGLint, Band&) {
+    return info.band_height == 0 ? EGL_SUCCESS : EGL_BAD_MATCH;
 }
 void egl::show_band(Surface&, raster::Surface&) {}
 

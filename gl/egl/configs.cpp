@@ -10,23 +10,28 @@ namespace spangle::egl {
 
 namespace {
 
-constexpr DepthFormat depths[] = {DepthFormat::none, DepthFormat::z16, DepthFormat::z24s8};
 #ifdef SPANGLE_FIRMWARE
 constexpr EGLint precision_count = 3; // no references
 #else
 constexpr EGLint precision_count = 7;
 #endif
-constexpr EGLint depth_count = 3, format_count = pixel_formats;
-constexpr EGLint plain_count = format_count * depth_count * precision_count;
-constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1); ///< those with samples last
+/// What a number less 1 says, from its lowest bit on: precision, depth, format, samples; not all of them
+/// exist.
+constexpr int precision_bits = 3, depth_bits = 2, format_bits = 4;
+constexpr EGLint plain_count = 1 << (precision_bits + depth_bits + format_bits);
+constexpr EGLint config_count = plain_count * (raster::has_samples ? 2 : 1);
+static_assert(precision_count <= 1 << precision_bits && pixel_formats <= 1 << format_bits);
+/// No more than these exist.
+constexpr EGLint most_configs = pixel_formats * 3 * precision_count * (raster::has_samples ? 2 : 1);
 
 const gl::Engine* reference_engines[2] = {nullptr, nullptr}; ///< double, shadow
 
 Config config_of(EGLint id) {
-    const EGLint i = (id - 1) % plain_count;
-    return {id, static_cast<PixelFormat>(i / (depth_count * precision_count)),
-            depths[i / precision_count % depth_count], id > plain_count,
-            EGL_PRECISION_EXACT_SPANGLE + i % precision_count};
+    const auto i = static_cast<unsigned>(id - 1);
+    const auto part = [i](int first, int bits) { return i >> first & ((1u << bits) - 1); };
+    return {id, static_cast<PixelFormat>(part(precision_bits + depth_bits, format_bits)),
+            static_cast<DepthFormat>(part(precision_bits, depth_bits)), id > plain_count,
+            EGL_PRECISION_EXACT_SPANGLE + static_cast<EGLint>(part(0, precision_bits))};
 }
 
 /// Indices have no mean: of samples there are none.
@@ -279,7 +284,7 @@ Precision precision_of(EGLint precision) {
     }
     if (policy == 3)
         return {reference_engines[0], raster::Tier::exact};
-    return {reference_engines[1], static_cast<raster::Tier>(shadow)};
+    return {policy < precision_count ? reference_engines[1] : nullptr, static_cast<raster::Tier>(shadow)};
 }
 
 void register_engine(EGLint precision, const gl::Engine* engine) {
@@ -328,7 +333,7 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
     if (!read_wishes(attrib_list, wishes))
         return fail(EGL_BAD_ATTRIBUTE);
     static_assert(config_count <= UINT16_MAX);
-    std::uint16_t found[config_count];
+    std::uint16_t found[most_configs];
     EGLint n = 0;
     for (EGLint id = 1; id <= config_count; ++id) {
         const Config config = config_of(id);

@@ -26,8 +26,7 @@ bool elsewhere(const Surface* surface) {
 void attach_surfaces() {
     const Thread& t = thread();
     gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_window);
-    if (t.read != t.draw)
-        gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
+    gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
     attach_record(*t.draw);
 }
 
@@ -47,10 +46,8 @@ void release_current() {
     context->current = false;
     for (Surface* s : surfaces)
         --s->bindings;
-    release(display, surfaces[0]);
-    if (surfaces[1] != surfaces[0])
-        release(display, surfaces[1]);
-    release(display, context);
+    if (display.sweep != nullptr)
+        display.sweep(display);
 }
 
 } // namespace spangle::egl
@@ -103,7 +100,8 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
     Context* const context = find_context(*display, handle);
     if (context == nullptr)
         return EGL_FALSE;
-    destroy(*display, context);
+    context->destroyed = true;
+    free_destroyed(*display);
     return succeed();
 }
 

@@ -23,16 +23,42 @@ alignas(16) unsigned char host_memory[64u << 20];
 
 template <class T> T* on_list(T* first, const void* handle) {
     for (T* object = first; object != nullptr; object = object->next)
-        if (object == handle && object->destroyed == nullptr)
+        if (object == handle && !object->destroyed)
             return object;
     return nullptr;
 }
 
-template <class T> void unlink(T*& first, T* object) {
-    T** link = &first;
-    while (*link != object)
-        link = &(*link)->next;
-    *link = object->next;
+void free_object(Surface* surface) {
+    free_surface(surface);
+}
+
+void free_object(Context* context) {
+    gl::destroy_context(context->gl);
+    arena().free(context);
+}
+
+bool is_held(const Surface& surface) {
+    return surface.bindings != 0;
+}
+
+bool is_held(const Context& context) {
+    return context.current;
+}
+
+template <class T> void sweep_list(T** link) {
+    while (T* const object = *link) {
+        if (object->destroyed && !is_held(*object)) {
+            *link = object->next;
+            free_object(object);
+        } else {
+            link = &object->next;
+        }
+    }
+}
+
+void sweep(Display& display) {
+    sweep_list(&display.surfaces);
+    sweep_list(&display.contexts);
 }
 
 } // namespace
@@ -88,31 +114,9 @@ gl::Arena& arena() {
     return memory_arena;
 }
 
-void release(Display& display, Surface* surface) {
-    if (surface->destroyed != nullptr && surface->bindings == 0)
-        surface->destroyed(display, surface);
-}
-
-void release(Display& display, Context* context) {
-    if (context->destroyed != nullptr && !context->current)
-        context->destroyed(display, context);
-}
-
-void destroy(Display& display, Surface* surface) {
-    surface->destroyed = [](Display& from, Surface* object) {
-        unlink(from.surfaces, object);
-        free_surface(object);
-    };
-    release(display, surface);
-}
-
-void destroy(Display& display, Context* context) {
-    context->destroyed = [](Display& from, Context* object) {
-        unlink(from.contexts, object);
-        gl::destroy_context(object->gl);
-        arena().free(object);
-    };
-    release(display, context);
+void free_destroyed(Display& display) {
+    display.sweep = sweep;
+    sweep(display);
 }
 
 } // namespace egl
@@ -176,16 +180,11 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
         if (!display.used || &display != dpy)
             continue;
         // What is current stays alive until it is released (EGL 1.4, 3.2).
-        for (Surface* s = display.surfaces; s != nullptr;) {
-            Surface* const next = s->next;
-            destroy(display, s);
-            s = next;
-        }
-        for (Context* c = display.contexts; c != nullptr;) {
-            Context* const next = c->next;
-            destroy(display, c);
-            c = next;
-        }
+        for (Surface* s = display.surfaces; s != nullptr; s = s->next)
+            s->destroyed = true;
+        for (Context* c = display.contexts; c != nullptr; c = c->next)
+            c->destroyed = true;
+        free_destroyed(display);
         display.initialized = false;
         // With nothing left alive the entry can serve another display.
         if (display.surfaces == nullptr && display.contexts == nullptr)

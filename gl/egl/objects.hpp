@@ -31,6 +31,7 @@ struct Display;
 
 /// What of a window is in memory, where that is not all of it.
 struct Band {
+#if SPANGLE_FEATURE_BANDS
     std::int32_t height = 0;          ///< rows of depth, stencil and accumulation; 0: all
     bool colors = false;              ///< and of colours: the display has no whole frame either
     std::int32_t first = 0, rows = 0; ///< from the top: what is drawn to now
@@ -38,17 +39,18 @@ struct Band {
     RecordedFrame* record = nullptr;  ///< what is drawn is kept there; null: bands are drawn by callback
     bool cleared = false;             ///< all bands of this frame so far, to clear_value
     std::uint32_t clear_value = 0;
+#else
+    static constexpr std::int32_t height = 0, first = 0;
+    static constexpr bool colors = false;
+    static constexpr RecordedFrame* record = nullptr;
+#endif
 };
-
-/// What frees an object that was destroyed, once nothing holds it any more; null while it is alive. A program
-/// that destroys nothing links none of it.
-template <class T> using Free = void (*)(Display&, T*);
 
 struct Surface {
     Surface* next = nullptr;
-    Free<Surface> destroyed = nullptr;
     Config config;
     std::int32_t width = 0, height = 0;
+    bool destroyed = false; ///< no handle any more, and freed once nothing holds it
     bool window = false;
     bool wants_single = false;     ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
     bool back_buffered = false;    ///< SwapBuffers shows what was drawn; else Flush does
@@ -60,16 +62,16 @@ struct Surface {
     RowSpan* unresolved = nullptr;         ///< of each row that is in memory
     raster::Samples samples;
     hal::Frame frame; ///< of a window
-    Band band;
+    [[no_unique_address]] Band band;
 
     bool in_bands() const { return SPANGLE_FEATURE_BANDS && band.height != 0; }
 };
 
 struct Context {
     Context* next = nullptr;
-    Free<Context> destroyed = nullptr;
     Config config;
     gl::Context* gl = nullptr;
+    bool destroyed = false;
     bool current = false;
 };
 
@@ -78,6 +80,9 @@ struct Display {
     bool used = false, initialized = false;
     Surface* surfaces = nullptr;
     Context* contexts = nullptr;
+    /// Frees what was destroyed and nothing holds any more; null while nothing was ever destroyed: a program
+    /// that destroys nothing links none of it.
+    void (*sweep)(Display&) = nullptr;
 };
 
 /// What is current on this thread.
@@ -105,12 +110,8 @@ gl::Arena& arena();
 /// A surface's memory.
 void free_surface(Surface* surface);
 
-/// Frees the object if it was destroyed and nothing holds it any more.
-void release(Display& display, Surface* surface);
-void release(Display& display, Context* context);
-/// It is no handle any more.
-void destroy(Display& display, Surface* surface);
-void destroy(Display& display, Context* context);
+/// What is marked as destroyed is freed as soon as nothing holds it.
+void free_destroyed(Display& display);
 
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
 raster::Surface pixels_of(Surface& surface);
@@ -125,7 +126,7 @@ bool take(Surface& surface, const hal::Frame& frame);
 bool next_frame(Display& display, Surface& surface);
 
 /// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.
-EGLint choose_band(const Display& display, EGLint wish, Band& band);
+EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band);
 
 /// A buffer for rows [first, first + rows) of a window in bands; they are in memory then.
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows);

@@ -162,6 +162,13 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
     return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
+EGLSurface refuse_window(EGLint problem) {
+    fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
+                               "no other window, and bands no higher than the display's, and a record "
+                               "only where the display has bands"));
+    return EGL_NO_SURFACE;
+}
+
 /// Where GL row 0 would be in a plane whose first row is row `first` of so many from the top. Addresses are
 /// numbers: of a band, that row is not there.
 std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
@@ -284,29 +291,25 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
     if (display == nullptr)
         return EGL_NO_SURFACE;
     const Config found = find_config(*display, config);
-    EGLint problem = found.id == 0 ? EGL_BAD_CONFIG : EGL_SUCCESS;
-    if (problem == EGL_SUCCESS && !fits_window(*display, found))
-        problem = EGL_BAD_MATCH;
-    if (problem == EGL_SUCCESS && win != 0)
-        problem = EGL_BAD_NATIVE_WINDOW;
+    if (found.id == 0)
+        return refuse_window(EGL_BAD_CONFIG);
+    if (display->native == nullptr)
+        return refuse_window(EGL_BAD_MATCH);
+    const spangle::hal::DisplayInfo info = display->native->info();
     WindowWish wish;
     Band band;
+    EGLint problem = found.format != info.format ? EGL_BAD_MATCH
+                     : win != 0                  ? EGL_BAD_NATIVE_WINDOW
+                                                 : read_window(attrib_list, wish);
     if (problem == EGL_SUCCESS)
-        problem = read_window(attrib_list, wish);
-    if (problem == EGL_SUCCESS)
-        problem = choose_band(*display, wish.band_height, band);
+        problem = choose_band(info, wish.band_height, band);
     if (problem == EGL_SUCCESS && wish.record != 0)
         problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
     for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
-        if (s->window && s->destroyed == nullptr)
+        if (s->window && !s->destroyed)
             problem = EGL_BAD_ALLOC; // the glass has one window
-    if (problem != EGL_SUCCESS) {
-        fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
-                                   "no other window, and bands no higher than the display's, and a record "
-                                   "only where the display has bands"));
-        return EGL_NO_SURFACE;
-    }
-    const spangle::hal::DisplayInfo info = display->native->info();
+    if (problem != EGL_SUCCESS)
+        return refuse_window(problem);
     Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band, wish.record});
     if (surface == nullptr) {
         fail(EGL_BAD_ALLOC,
@@ -356,7 +359,8 @@ EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
     Surface* const surface = find_surface(*display, handle);
     if (surface == nullptr)
         return EGL_FALSE;
-    destroy(*display, surface);
+    surface->destroyed = true;
+    free_destroyed(*display);
     return succeed();
 }
 

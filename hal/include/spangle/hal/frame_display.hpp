@@ -91,8 +91,8 @@ constexpr bool sends_plain_frames(const Board& board) {
 } // namespace detail
 
 /// All but the pixels is written down when the program is compiled; on the wire it is what PanelDisplay sends
-/// of frames that changed everywhere. `Port` is a PolledPort, called without its table.
-template <const Board& board, class Port> class FrameDisplay final : public Display {
+/// of frames that changed everywhere. `Wires` has the functions of a PolledPort, and needs no table of them.
+template <const Board& board, class Wires> class FrameDisplay final : public Display {
     static_assert(detail::sends_plain_frames(board), "display: this board asks for more than whole frames");
     static_assert(!detail::opening_program<board>.empty(),
                   "display: one window of this panel does not name a frame");
@@ -101,7 +101,7 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
     static constexpr std::size_t bytes = bus_memory(board); ///< of a frame
 
     /// `frame` must stay, and is black: all zero.
-    constexpr FrameDisplay(Port& port, std::uint8_t* frame) : port_(port), frame_(frame) {}
+    constexpr FrameDisplay(Wires& wires, std::uint8_t* frame) : wires_(wires), frame_(frame) {}
 
     DisplayInfo info() const override {
         return {.name = board.display.panel->name,
@@ -113,9 +113,9 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
     /// The panel comes on with what was drawn last, if it loses its power.
     Result<void> init() override {
         if constexpr (board.display.reset_line) {
-            port_.reset(true);
-            port_.pause(board.display.panel->timing.reset_low_us);
-            port_.reset(false);
+            wires_.reset(true);
+            wires_.pause(board.display.panel->timing.reset_low_us);
+            wires_.reset(false);
         }
         Fault fault = send(detail::opening_program<board>);
         if (fault == Fault::none)
@@ -140,7 +140,7 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
     static constexpr bool parameters_are_data = !board.display.panel->commands->parameters_are_commands;
 
     Result<void> ended(Fault fault) {
-        port_.end();
+        wires_.end();
         ready_ = fault == Fault::none;
         if (fault != Fault::none)
             return Error{fault, "FrameDisplay: the port ended the transfer with a fault"};
@@ -159,8 +159,8 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
             const std::uint8_t* const command = program.at;
             const Program::Step step = program.next();
             if (step.delay_micros != 0) {
-                port_.end();
-                port_.pause(step.delay_micros);
+                wires_.end();
+                wires_.pause(step.delay_micros);
                 continue;
             }
             if (const Fault fault = write(false, command, 1); fault != Fault::none)
@@ -173,11 +173,11 @@ template <const Board& board, class Port> class FrameDisplay final : public Disp
         return Fault::none;
     }
     Fault write(bool data, const std::uint8_t* from, std::uint32_t count) {
-        const Fault fault = port_.begin(data);
-        return fault == Fault::none ? port_.write(from, count) : fault;
+        const Fault fault = wires_.begin(data);
+        return fault == Fault::none ? wires_.write(from, count) : fault;
     }
 
-    Port& port_;
+    Wires& wires_;
     std::uint8_t* frame_;
     std::int32_t age_ = 0;
     bool ready_ = false;

@@ -29,6 +29,23 @@ class PolledPort {
     ~PolledPort() = default;
 };
 
+/// A port of a type that has these functions without a table: FrameDisplay calls them by name.
+template <class Wires> class PolledPortOf final : public PolledPort, public Wires {
+  public:
+    using Wires::Wires;
+
+    Fault begin(bool data) override { return Wires::begin(data); }
+    Fault write(const std::uint8_t* bytes, std::uint32_t count) override {
+        return Wires::write(bytes, count);
+    }
+    Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) override {
+        return Wires::read(dummy_bits, into, count);
+    }
+    void end() override { Wires::end(); }
+    void reset(bool low) override { Wires::reset(low); }
+    void pause(std::uint32_t micros) override { Wires::pause(micros); }
+};
+
 class PolledBus final : public Bus {
   public:
     PolledBus(PolledPort& port, const BusCaps& caps, Buffer memory)

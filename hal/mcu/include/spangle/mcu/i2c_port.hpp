@@ -1,5 +1,6 @@
 // A display on I2C: a control byte stands for D/C (SSD1306 datasheet, 8.1.5).
 //
+// PolledBus has a port, FrameDisplay the wires themselves.
 // `I2c` has begin(address, byte), write(byte) and end(byte), `Timer` has pause(micros).
 #pragma once
 
@@ -9,17 +10,17 @@
 
 namespace spangle::mcu {
 
-template <class I2c, class Timer> class I2cPort final : public hal::PolledPort {
+template <class I2c, class Timer> class I2cWires {
   public:
-    constexpr I2cPort(I2c i2c, std::uint8_t address, Timer timer)
+    constexpr I2cWires(I2c i2c, std::uint8_t address, Timer timer)
         : i2c_(i2c), address_(address), timer_(timer) {}
 
-    hal::Fault begin(bool data) override {
+    hal::Fault begin(bool data) {
         data_ = data;
         return hal::Fault::none;
     }
     /// Data are one message. Commands are a message each, Co = 1: SSD0303 takes no more in one.
-    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) override {
+    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         if (data_)
             return message(data_follow, bytes, count);
         hal::Fault fault = hal::Fault::none;
@@ -27,10 +28,10 @@ template <class I2c, class Timer> class I2cPort final : public hal::PolledPort {
             fault = message(one_command, bytes++, 1);
         return fault;
     }
-    hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) override { return hal::Fault::unsupported; }
-    void end() override {}
-    void reset(bool) override {} ///< no line for it
-    void pause(std::uint32_t micros) override { timer_.pause(micros); }
+    hal::Fault read(std::uint8_t, std::uint8_t*, std::uint32_t) { return hal::Fault::unsupported; }
+    void end() {}
+    void reset(bool) {} ///< no line for it
+    void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
     static constexpr std::uint8_t one_command = 0x80, data_follow = 0x40;
@@ -49,5 +50,6 @@ template <class I2c, class Timer> class I2cPort final : public hal::PolledPort {
     Timer timer_;
     bool data_ = false;
 };
+template <class I2c, class Timer> using I2cPort = hal::PolledPortOf<I2cWires<I2c, Timer>>;
 
 } // namespace spangle::mcu

@@ -1,5 +1,6 @@
 // A display on SPI, as its lines are wired: with a D/C line, or with start bytes.
 //
+// PolledBus has a port, FrameDisplay the wires themselves.
 // `Spi` has write(bytes, count) and read(), `Pin` has set(high), `Timer` has pause(micros).
 #pragma once
 
@@ -12,31 +13,31 @@ namespace spangle::mcu {
 /// BusKind::spi4: chip select and reset are low when active, D/C is low for commands. `SelectHigh`: chip
 /// select comes through an inverter.
 template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
-class SpiPort final : public hal::PolledPort {
+class SpiWires {
   public:
-    constexpr SpiPort(Spi spi, Select select, Data data, Reset reset, Timer timer)
+    constexpr SpiWires(Spi spi, Select select, Data data, Reset reset, Timer timer)
         : spi_(spi), select_(select), data_(data), reset_(reset), timer_(timer) {}
 
-    hal::Fault begin(bool data) override {
+    hal::Fault begin(bool data) {
         data_.set(data);
         select_.set(SelectHigh);
         return hal::Fault::none;
     }
-    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) override {
+    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         spi_.write(bytes, count);
         return hal::Fault::none;
     }
     /// Dummy clocks come in whole bytes here.
-    hal::Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) override {
+    hal::Fault read(std::uint8_t dummy_bits, std::uint8_t* into, std::uint32_t count) {
         for (unsigned bits = 0; bits + 8 <= dummy_bits; bits += 8)
             spi_.read();
         for (; count != 0; --count)
             *into++ = spi_.read();
         return hal::Fault::none;
     }
-    void end() override { select_.set(!SelectHigh); }
-    void reset(bool low) override { reset_.set(!low); }
-    void pause(std::uint32_t micros) override { timer_.pause(micros); }
+    void end() { select_.set(!SelectHigh); }
+    void reset(bool low) { reset_.set(!low); }
+    void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
     Spi spi_;
@@ -45,31 +46,32 @@ class SpiPort final : public hal::PolledPort {
     Reset reset_;
     Timer timer_;
 };
+template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
+using SpiPort = hal::PolledPortOf<SpiWires<Spi, Select, Data, Reset, Timer, SelectHigh>>;
 
 /// BusKind::spi_start: behind chip select a byte says what follows (HX8347-D datasheet, serial interface).
-template <class Spi, class Select, class Reset, class Timer>
-class StartBytePort final : public hal::PolledPort {
+template <class Spi, class Select, class Reset, class Timer> class StartByteWires {
   public:
-    constexpr StartBytePort(Spi spi, Select select, Reset reset, Timer timer)
+    constexpr StartByteWires(Spi spi, Select select, Reset reset, Timer timer)
         : spi_(spi), select_(select), reset_(reset), timer_(timer) {}
 
-    hal::Fault begin(bool data) override {
+    hal::Fault begin(bool data) {
         start(data ? write_value : write_index);
         return hal::Fault::none;
     }
-    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) override {
+    hal::Fault write(const std::uint8_t* bytes, std::uint32_t count) {
         spi_.write(bytes, count);
         return hal::Fault::none;
     }
-    hal::Fault read(std::uint8_t, std::uint8_t* into, std::uint32_t count) override {
+    hal::Fault read(std::uint8_t, std::uint8_t* into, std::uint32_t count) {
         start(read_value);
         for (; count != 0; --count)
             *into++ = spi_.read();
         return hal::Fault::none;
     }
-    void end() override { select_.set(true); }
-    void reset(bool low) override { reset_.set(!low); }
-    void pause(std::uint32_t micros) override { timer_.pause(micros); }
+    void end() { select_.set(true); }
+    void reset(bool low) { reset_.set(!low); }
+    void pause(std::uint32_t micros) { timer_.pause(micros); }
 
   private:
     static constexpr std::uint8_t write_index = 0x70, write_value = 0x72, read_value = 0x73;
@@ -85,5 +87,7 @@ class StartBytePort final : public hal::PolledPort {
     Reset reset_;
     Timer timer_;
 };
+template <class Spi, class Select, class Reset, class Timer>
+using StartBytePort = hal::PolledPortOf<StartByteWires<Spi, Select, Reset, Timer>>;
 
 } // namespace spangle::mcu
