@@ -62,25 +62,25 @@ GLfloat sine(unsigned step) {
     return (step & 32) != 0 ? -value : value;
 }
 
-void load_modelview(unsigned step) {
-    const GLfloat s = sine(step), c = sine(step + 16);
-    const GLfloat m[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1};
+/// A turn about y of which these are cosine and sine; or, by `y`, scales.
+void load_turn(GLfloat c, GLfloat s, GLfloat y) {
+    const GLfloat m[16] = {c, 0, -s, 0, 0, y, 0, 0, s, 0, c, 0, 0, 0, 0, 1};
     glLoadMatrixf(m);
 }
 
 /// Light, material, viewport and background are those that GL begins with: the light stands behind the eye.
 void set_up() {
     static constexpr auto to_screen = projection();
-    static constexpr GLfloat scale = model::mesh.texcoord_scale;
-    static constexpr GLfloat texels[] = {scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static constexpr GLfloat texels = model::mesh.texcoord_scale;
+    static constexpr GLenum systems[] = {GL_TEXTURE_2D, GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, GL_CULL_FACE};
     glDisable(GL_DITHER);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(to_screen.data());
     glMatrixMode(GL_TEXTURE);
-    glLoadMatrixf(texels);
+    load_turn(texels, 0, texels);
     glMatrixMode(GL_MODELVIEW);
     baked::load(model::textures[0]);
-    for (const GLenum system : {GL_TEXTURE_2D, GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, GL_CULL_FACE})
+    for (const GLenum system : systems)
         glEnable(system);
     baked::point_arrays(model::parts[0]);
 }
@@ -115,7 +115,7 @@ EGLSurface window;
 
 bool show(unsigned step) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    load_modelview(step);
+    load_turn(sine(step + 16), sine(step), 1);
     baked::draw(model::parts[0]);
     return eglSwapBuffers(screen, window) != EGL_FALSE;
 }

@@ -1,4 +1,4 @@
-// The four functions every C++ compiler may call without being asked. Words where both sides are aligned.
+// The four functions every C++ compiler may call without being asked. Words where all sides are aligned.
 #include <cstddef>
 #include <cstdint>
 
@@ -28,10 +28,9 @@ void* memmove(void* to, const void* from, std::size_t n) {
 void* memset(void* to, int value, std::size_t n) {
     auto* d = static_cast<unsigned char*>(to);
     const std::uint32_t word = 0x01010101u * static_cast<unsigned char>(value);
-    for (; n != 0 && (reinterpret_cast<std::uintptr_t>(d) & 3) != 0; --n)
-        *d++ = static_cast<unsigned char>(value);
-    for (; n >= 4; n -= 4, d += 4)
-        *reinterpret_cast<std::uint32_t*>(d) = word;
+    if ((reinterpret_cast<std::uintptr_t>(d) & 3) == 0)
+        for (; n >= 4; n -= 4, d += 4)
+            *reinterpret_cast<std::uint32_t*>(d) = word;
     for (; n != 0; --n)
         *d++ = static_cast<unsigned char>(value);
     return to;
