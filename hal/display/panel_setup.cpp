@@ -211,7 +211,7 @@ Result<void> PanelDisplay::append_program(Program program) {
         if (step.count > op_limit())
             return Error{Fault::unsupported,
                          "display: a setup command is longer than one operation of the bus"};
-        ops_.command(step.command, step.params, step.count);
+        ops_.command(*step.command, step.params, step.count);
     }
     return {};
 }

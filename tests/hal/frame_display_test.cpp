@@ -18,7 +18,9 @@ using namespace spangle;
 using namespace spangle::hal;
 
 /// Each byte with how it was sent, and what it waited.
-struct Port final : PolledPort {
+template <bool fails> struct PortThat final : PolledPort {
+    static constexpr bool can_fail = fails;
+
     std::string log;
     std::uint64_t paused = 0;
     int fails_at = -1, calls = 0; ///< the call of begin() with this number
@@ -42,7 +44,10 @@ struct Port final : PolledPort {
     void pause(std::uint32_t micros) override { paused += micros; }
 };
 
-template <const Board& board> struct Plain {
+using Port = PortThat<true>;
+
+template <const Board& board, bool fails = true> struct Plain {
+    using Port = PortThat<fails>;
     Port port;
     std::vector<std::uint8_t> frame = std::vector<std::uint8_t>(FrameDisplay<board, Port>::bytes);
     FrameDisplay<board, Port> display{port, frame.data()};
@@ -63,8 +68,8 @@ void draw(Display& display, int n) {
     ASSERT_TRUE(display.present().ok());
 }
 
-template <const Board& board> void same_as_the_panels_display() {
-    Plain<board> own;
+template <const Board& board, bool fails = true> void same_as_the_panels_display() {
+    Plain<board, fails> own;
     Port port;
     const auto memory = std::make_unique<BusMemoryOf<board>>();
     PolledBus bus(port, bus_caps(board), memory->buffer());
@@ -112,6 +117,12 @@ TEST(FrameDisplay, SendsWhatPanelDisplaySendsOfWholeFrames) {
     same_as_the_panels_display<no_reset>();
     same_as_the_panels_display<commands_only>();
     same_as_the_panels_display<window_again>();
+}
+
+/// Wires that cannot fail: what looks after faults is not compiled.
+TEST(FrameDisplay, SendsTheSameWhereNothingCanFail) {
+    same_as_the_panels_display<start_bytes, false>();
+    same_as_the_panels_display<no_reset, false>();
 }
 
 /// Nobody knows what such a panel holds: the next frame begins with a reset.

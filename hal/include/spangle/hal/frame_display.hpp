@@ -112,25 +112,26 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
     }
     /// The panel comes on with what was drawn last, if it loses its power.
     Result<void> init() override {
+        fault_ = Fault::none;
         if constexpr (board.display.reset_line) {
             wires_.reset(true);
             wires_.pause(board.display.panel->timing.reset_low_us);
             wires_.reset(false);
         }
-        Fault fault = send(detail::opening_program<board>);
-        if (fault == Fault::none)
-            fault = play(light);
-        return ended(fault);
+        send(detail::opening_program<board>);
+        play(light);
+        return ended();
     }
     Result<Frame> acquire() override {
         return Frame{frame_, row_bytes(board.display.format, size.width), age_};
     }
     /// A panel that did not take a frame is set up anew with the next.
     Result<void> present() override {
-        if (!ready_)
+        if (failed())
             return init();
         age_ = 1;
-        return ended(send(detail::next_program<board>));
+        send(detail::next_program<board>);
+        return ended();
     }
 
   private:
@@ -139,48 +140,49 @@ template <const Board& board, class Wires> class FrameDisplay final : public Dis
     static constexpr Program light = board.display.panel->commands->light;
     static constexpr bool parameters_are_data = !board.display.panel->commands->parameters_are_commands;
 
-    Result<void> ended(Fault fault) {
+    /// Wires on which nobody acknowledges anything say so.
+    static constexpr bool can_fail = !requires { requires !Wires::can_fail; };
+    bool failed() const { return can_fail && fault_ != Fault::none; }
+    Result<void> ended() {
         wires_.end();
-        ready_ = fault == Fault::none;
-        if (fault != Fault::none)
-            return Error{fault, "FrameDisplay: the port ended the transfer with a fault"};
+        if (failed())
+            return Error{fault_, "FrameDisplay: the port ended the transfer with a fault"};
         return {};
     }
     /// A frame behind a program that ends with the command for its pixels.
-    Fault send(Program program) {
-        if (const Fault fault = play(program); fault != Fault::none)
-            return fault;
-        return write(true, frame_,
-                     row_bytes(board.display.format, size.width) *
-                         stored_rows(board.display.format, size.height));
+    void send(Program program) {
+        play(program);
+        write(true, frame_,
+              row_bytes(board.display.format, size.width) * stored_rows(board.display.format, size.height));
     }
-    Fault play(Program program) {
-        while (!program.empty()) {
-            const std::uint8_t* const command = program.at;
+    void play(Program program) {
+        while (!program.empty() && !failed()) {
             const Program::Step step = program.next();
             if (step.delay_micros != 0) {
                 wires_.end();
                 wires_.pause(step.delay_micros);
                 continue;
             }
-            if (const Fault fault = write(false, command, 1); fault != Fault::none)
-                return fault;
+            write(false, step.command, 1);
             if (step.count != 0)
-                if (const Fault fault = write(parameters_are_data, step.params, step.count);
-                    fault != Fault::none)
-                    return fault;
+                write(parameters_are_data, step.params, step.count);
         }
-        return Fault::none;
     }
-    Fault write(bool data, const std::uint8_t* from, std::uint32_t count) {
-        const Fault fault = wires_.begin(data);
-        return fault == Fault::none ? wires_.write(from, count) : fault;
+    /// Nothing behind a fault.
+    void write(bool data, const std::uint8_t* from, std::uint32_t count) {
+        if (failed())
+            return;
+        Fault fault = wires_.begin(data);
+        if (fault == Fault::none)
+            fault = wires_.write(from, count);
+        if constexpr (can_fail)
+            fault_ = fault;
     }
 
     Wires& wires_;
     std::uint8_t* frame_;
     std::int32_t age_ = 0;
-    bool ready_ = false;
+    Fault fault_ = Fault::none; ///< what ended the last transfer; the next one sets the panel up anew
 };
 
 } // namespace spangle::hal

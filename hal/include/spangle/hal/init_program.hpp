@@ -46,28 +46,22 @@ struct Program {
     template <std::size_t N> constexpr Program(const ProgramBytes<N>& bytes) : at(bytes.data()), size(N) {}
 
     struct Step {
-        std::uint8_t command = 0;
-        std::uint32_t delay_micros = 0; ///< not 0: a delay, and nothing else
-        const std::uint8_t* params = nullptr;
-        std::uint8_t count = 0;
+        const std::uint8_t* command;
+        const std::uint8_t* params;
+        std::uint8_t count;
+        std::uint32_t delay_micros; ///< not 0: a delay, and nothing else
     };
 
     constexpr bool empty() const { return size == 0; }
 
     /// Takes the first step off. The program must not be empty.
     constexpr Step next() {
-        Step step;
-        if (at[1] == program_delay_mark) {
-            step.delay_micros = at[0] * 10000u;
-        } else {
-            step.command = at[0];
-            step.count = at[1];
-            step.params = at + 2;
-        }
-        const std::size_t taken = 2u + step.count;
-        at += taken;
-        size -= taken;
-        return step;
+        const std::uint8_t* const first = at;
+        const bool delays = first[1] == program_delay_mark;
+        const auto count = delays ? std::uint8_t{0} : first[1];
+        at += 2u + count;
+        size -= 2u + count;
+        return {first, first + 2, count, delays ? first[0] * 10000u : 0};
     }
 };
 

@@ -13,9 +13,6 @@ inline volatile std::uint32_t& reg(std::uintptr_t address) {
 inline void set_bits(std::uintptr_t address, std::uint32_t bits) {
     reg(address) = reg(address) | bits;
 }
-inline void clear_bits(std::uintptr_t address, std::uint32_t bits) {
-    reg(address) = reg(address) & ~bits;
-}
 
 /// A line that is one bit of an output register.
 struct RegisterPin {
@@ -23,10 +20,8 @@ struct RegisterPin {
     unsigned bit;
 
     void set(bool high) const {
-        if (high)
-            set_bits(address, 1u << bit);
-        else
-            clear_bits(address, 1u << bit);
+        const std::uint32_t others = reg(address) & ~(1u << bit);
+        reg(address) = others | std::uint32_t{high} << bit;
     }
 };
 

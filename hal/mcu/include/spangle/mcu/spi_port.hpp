@@ -15,6 +15,8 @@ namespace spangle::mcu {
 template <class Spi, class Select, class Data, class Reset, class Timer, bool SelectHigh = false>
 class SpiWires {
   public:
+    static constexpr bool can_fail = false;
+
     constexpr SpiWires(Spi spi, Select select, Data data, Reset reset, Timer timer)
         : spi_(spi), select_(select), data_(data), reset_(reset), timer_(timer) {}
 
@@ -52,6 +54,8 @@ using SpiPort = hal::PolledPortOf<SpiWires<Spi, Select, Data, Reset, Timer, Sele
 /// BusKind::spi_start: behind chip select a byte says what follows (HX8347-D datasheet, serial interface).
 template <class Spi, class Select, class Reset, class Timer> class StartByteWires {
   public:
+    static constexpr bool can_fail = false;
+
     constexpr StartByteWires(Spi spi, Select select, Reset reset, Timer timer)
         : spi_(spi), select_(select), reset_(reset), timer_(timer) {}
 

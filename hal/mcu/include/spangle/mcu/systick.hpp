@@ -8,7 +8,7 @@
 namespace spangle::mcu {
 
 struct SysTick {
-    std::uint32_t clock_hz; ///< of the processor, below 4 GHz
+    std::uint32_t clock_hz; ///< of the processor, below 4.29 GHz
 
     static constexpr std::uintptr_t control = 0xE000E010, reload = 0xE000E014, current = 0xE000E018;
     static constexpr std::uint32_t most_ticks = 0xFFFFFF;
@@ -16,7 +16,7 @@ struct SysTick {
 
     /// Clocks of so long at least, of a millisecond at most: words do.
     constexpr std::uint32_t ticks_of(std::uint32_t micros) const {
-        const std::uint32_t a_milli = clock_hz / 1000 + (clock_hz % 1000 != 0 ? 1 : 0); // below 2^32 / 1000
+        const std::uint32_t a_milli = (clock_hz + 999) / 1000; // below 2^32 / 1000
         return (micros * a_milli + 999) / 1000;
     }
 
