@@ -113,31 +113,33 @@ void destroy_context(Context* context) {
     context->arena->free(context);
 }
 
-void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
-                  void (*show)(bool)) {
-    set_current_context(context);
-    if (context == nullptr)
-        return;
-    Drawable& drawable = context->drawable;
-    drawable.surface = surface;
-    drawable.double_buffered = double_buffered;
+void make_current(Context& context) {
+    set_current_context(&context);
+    Drawable& drawable = context.drawable;
+    const raster::Surface& surface = drawable.surface;
     drawable.index_bits =
         raster::drawn_indexed(surface.format) ? format_info(surface.format).index_bits : std::uint8_t{0};
-    drawable.show = show;
 #if SPANGLE_HAS_RECORDS
     drawable.recording = nullptr;
 #endif
-    context->changed(dirty_all);
+    context.changed(dirty_all);
     if (drawable.bound_before)
         return;
     drawable.bound_before = true;
-    const GLenum buffer = double_buffered ? GL_BACK : GL_FRONT;
-    context->fragment_ops.draw_buffer = context->fragment_ops.read_buffer = buffer;
-    for (auto* box : {&context->transform.viewport, &context->fragment_ops.scissor_box}) {
+    const GLenum buffer = drawable.double_buffered ? GL_BACK : GL_FRONT;
+    context.fragment_ops.draw_buffer = context.fragment_ops.read_buffer = buffer;
+    for (auto* box : {&context.transform.viewport, &context.fragment_ops.scissor_box}) {
         (*box)[0] = (*box)[1] = 0;
         (*box)[2] = surface.width;
         (*box)[3] = surface.height;
     }
+}
+
+void make_current(Context* context, const raster::Surface& surface, bool double_buffered) {
+    Drawable& drawable = context->drawable;
+    drawable.surface = drawable.read = surface;
+    drawable.double_buffered = drawable.read_double_buffered = double_buffered;
+    make_current(*context);
 }
 
 #if SPANGLE_HAS_RECORDS
@@ -171,11 +173,6 @@ void move_drawable(Context& context, const raster::Surface& surface, bool read_t
     context.drawable.recording = recording;
 #endif
     context.changed(dirty_fragment);
-}
-
-void read_from(Context& context, const raster::Surface& surface, bool double_buffered) {
-    context.drawable.read = surface;
-    context.drawable.read_double_buffered = double_buffered;
 }
 
 } // namespace spangle::gl

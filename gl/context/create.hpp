@@ -18,11 +18,11 @@ Context* create_context(Arena& arena, const ContextConfig& config, Context* shar
 /// current.
 void destroy_context(Context* context);
 
-/// MakeCurrent's half in GL. The first drawable gives viewport, scissor box, draw and read buffer
-/// (GL 1.3, 2.10.1, 4.1.2, 4.2.1). Null releases.
-/// `show` is what Flush (false) and Finish (true) do to it.
-void make_current(Context* context, const raster::Surface& surface, bool double_buffered,
-                  void (*show)(bool finish) = nullptr);
+/// MakeCurrent's half in GL, of a context whose drawable is set. The first drawable gives viewport, scissor
+/// box, draw and read buffer (GL 1.3, 2.10.1, 4.1.2, 4.2.1).
+void make_current(Context& context);
+/// On one surface, which is drawn to and read.
+void make_current(Context* context, const raster::Surface& surface, bool double_buffered);
 
 /// Its drawable shows another part of itself, or what is drawn is recorded from now on, or is not any more.
 void move_drawable(Context& context, const raster::Surface& surface, bool read_too,
@@ -36,8 +36,5 @@ void release_objects(ShareGroup* share);
 void forget_images(Context& context);
 bool has_objects(const Context& context, const ShareGroup& share);
 #endif
-
-/// Pixels are read from this surface, it may be another than they are drawn to (ReadPixels, ReadBuffer).
-void read_from(Context& context, const raster::Surface& surface, bool double_buffered);
 
 } // namespace spangle::gl

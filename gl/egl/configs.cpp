@@ -269,10 +269,10 @@ bool fits_window(const Display& display, const Config& config) {
 
 Config find_config(const Display&, EGLConfig handle) {
     const auto id = reinterpret_cast<std::uintptr_t>(handle);
-    if (id < 1 || id > static_cast<std::uintptr_t>(config_count))
-        return {};
-    const Config config = config_of(static_cast<EGLint>(id));
-    return exists(config) ? config : Config{};
+    Config config = config_of(static_cast<EGLint>(id));
+    if (id - 1 >= static_cast<std::uintptr_t>(config_count) || !exists(config))
+        config.id = 0;
+    return config;
 }
 
 Precision precision_of(EGLint precision) {

@@ -25,8 +25,13 @@ bool elsewhere(const Surface* surface) {
 
 void attach_surfaces() {
     const Thread& t = thread();
-    gl::make_current(t.context->gl, pixels_of(*t.draw), t.draw->back_buffered, show_window);
-    gl::read_from(*t.context->gl, pixels_of(*t.read), t.read->back_buffered);
+    gl::Drawable& drawable = t.context->gl->drawable;
+    set_pixels(*t.draw, drawable.surface);
+    drawable.double_buffered = t.draw->back_buffered;
+    set_pixels(*t.read, drawable.read);
+    drawable.read_double_buffered = t.read->back_buffered;
+    drawable.show = show_window;
+    gl::make_current(*t.context->gl);
     attach_record(*t.draw);
 }
 

@@ -114,7 +114,12 @@ void free_surface(Surface* surface);
 void free_destroyed(Display& display);
 
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
-raster::Surface pixels_of(Surface& surface);
+void set_pixels(Surface& surface, raster::Surface& out);
+inline raster::Surface pixels_of(Surface& surface) {
+    raster::Surface out;
+    set_pixels(surface, out);
+    return out;
+}
 
 /// Hands the surfaces of this thread to its context; again after a window got another buffer.
 void attach_surfaces();

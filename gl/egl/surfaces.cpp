@@ -242,8 +242,8 @@ void show_window(bool finish) {
     thread().error = before;
 }
 
-raster::Surface pixels_of(Surface& surface) {
-    raster::Surface out;
+void set_pixels(Surface& surface, raster::Surface& out) {
+    out = {};
     const PixelFormat format = surface.config.drawn();
     const bool bands = surface.in_bands();
     const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
@@ -274,9 +274,10 @@ raster::Surface pixels_of(Surface& surface) {
     out.accum = surface.accum;
     if (bands)
         show_band(surface, out);
+#if SPANGLE_FEATURE_MULTISAMPLE
     if (surface.config.has_samples())
         out.samples = &show_samples(surface, out.area());
-    return out;
+#endif
 }
 
 } // namespace spangle::egl

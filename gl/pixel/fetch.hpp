@@ -10,14 +10,17 @@ namespace spangle::gl {
 class ReadRows {
   public:
     explicit ReadRows(const Context& context)
-        : recording_(context.drawable.recording), rows_(read_surface(context)) {
-        all_ = rows_.area();
+        : recording_(context.drawable.recording), rows_(read_surface(context)), all_(rows_.area()) {
+#if SPANGLE_HAS_RECORDS
         if (recording_ != nullptr)
             rows_.first_row = rows_.end_row = 0; // none is there yet
+#endif
     }
 
     /// All pixels, whether or not they are there now.
-    const Rect& area() const { return all_; }
+    const Rect& area() const {
+        return all_;
+    }
 
     /// With row y, which is one of them; null where it cannot be had. Until the next call.
     const raster::Surface* with_row(std::int32_t y) {

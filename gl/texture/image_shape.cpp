@@ -43,7 +43,6 @@ LevelImage* writable(Context& context, const SubImage& sub) {
 } // namespace
 
 bool shape_of(Context& context, const ImageRequest& request, LevelShape& out) {
-    out = {};
     LevelShape shape;
     const TextureKind kind = request.target.kind;
     GLint internal_format = request.internal_format;
@@ -78,9 +77,11 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& out) {
         error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexImage: too large, or a cube that is not square"));
         return false;
     }
-    out.format = shape.format;
-    if (legal) // too large is an answer, all zero, and not an error (GL 1.3, 3.8.10)
-        out = shape;
+    out = shape;
+    if (!legal) { // an answer, all zero, and not an error (GL 1.3, 3.8.10)
+        out = {};
+        out.format = shape.format;
+    }
     return true;
 }
 

@@ -38,9 +38,9 @@ void* memset(void* to, int value, std::size_t n) {
 
 int memcmp(const void* a, const void* b, std::size_t n) {
     const auto *x = static_cast<const unsigned char*>(a), *y = static_cast<const unsigned char*>(b);
-    for (; n != 0; --n, ++x, ++y)
-        if (*x != *y)
-            return *x < *y ? -1 : 1;
-    return 0;
+    int difference = 0;
+    for (; n != 0 && difference == 0; --n)
+        difference = *x++ - *y++;
+    return difference;
 }
 }

@@ -105,7 +105,9 @@ Surface sample_of(const Surface& s, unsigned sample) {
     out.touched = samples.unresolved;
     out.touched_step = 1;
 #endif
+#if SPANGLE_FEATURE_MULTISAMPLE
     out.samples = nullptr;
+#endif
     return out;
 }
 

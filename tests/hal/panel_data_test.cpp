@@ -17,12 +17,12 @@ TEST(InitProgram, IsBytesInFlash) {
     static_assert(program == ProgramBytes<11>{0xC0, 1, 0x23, 0x11, 0, 12, 0xFF, 0xC5, 2, 0x3E, 0x28});
     Program at = program;
     EXPECT_EQ(at.next().params[0], 0x23);
-    EXPECT_EQ(at.next().command, 0x11);
+    EXPECT_EQ(*at.next().command, 0x11);
     const Program::Step pause = at.next();
     EXPECT_EQ(pause.delay_micros, 120000u);
     EXPECT_EQ(pause.count, 0);
     const Program::Step last = at.next();
-    EXPECT_EQ(last.command, 0xC5);
+    EXPECT_EQ(*last.command, 0xC5);
     EXPECT_EQ(last.count, 2);
     EXPECT_EQ(last.params[1], 0x28);
     EXPECT_TRUE(at.empty());

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <spangle/format.hpp>
-#include <spangle/raster/limits.hpp>
+#include <spangle/raster/features.hpp>
 
 namespace spangle::raster {
 
@@ -29,11 +29,19 @@ struct Surface {
     static constexpr std::int32_t touched_step = 0;
 #endif
     std::int32_t width = 0, height = 0;
+#if SPANGLE_FEATURE_BANDS
     /// GL rows that are there, of a band; the pointers are those that row 0 would have.
     std::int32_t first_row = 0, end_row = INT32_MAX;
+#else
+    static constexpr std::int32_t first_row = 0, end_row = INT32_MAX;
+#endif
     PixelFormat format = PixelFormat::rgb565_be;
     DepthFormat depth_format = DepthFormat::none;
+#if SPANGLE_FEATURE_MULTISAMPLE
     const Samples* samples = nullptr; ///< the multisample buffer of GL's surfaces that have one
+#else
+    static constexpr const Samples* samples = nullptr;
+#endif
 
     /// Pixels that are there.
     constexpr Rect area() const {
