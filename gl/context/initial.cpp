@@ -89,9 +89,7 @@ struct Image {
         MEMBERS(LevelShape, PUT(internal_format) PUT(dimensions) PUT(format))
         MEMBERS(TextureParameters, PUT(min_filter) PUT(mag_filter) PUT(wrap) PUT(priority) PUT(min_lod)
                                        PUT(max_lod) PUT(max_level) PUT(depth_mode) PUT(compare_func))
-        MEMBERS(raster::Texture, PUT(format) PUT(base) PUT(mag) PUT(shape) PUT(depth) PUT(compare)
-                                     PUT(palette_format) PUT(min_lod) PUT(max_lod))
-        MEMBERS(TextureObject, PUT(kind) PUT(parameters) put(at + offsetof(T, view), decltype(s.view){});)
+        MEMBERS(TextureObject, PUT(kind) PUT(parameters))
         MEMBERS(CubeTexture, PUT(object))
         MEMBERS(TextureState,
                 PUT(unit) PUT(default_2d) PUT(default_1d) PUT(default_3d) PUT(default_cube) PUT(proxies))

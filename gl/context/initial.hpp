@@ -6,7 +6,7 @@
 namespace spangle::gl {
 
 /// Makes a context in memory of that size, whose bytes are 0. Entries of matrix stacks above their top are
-/// written before they are read, and what is compiled of fragments' state is compiled before it is looked at.
+/// written before they are read, and so is what is compiled of fragments' state and derived of textures.
 Context* begin_context(void* memory);
 
 } // namespace spangle::gl

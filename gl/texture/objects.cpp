@@ -1,5 +1,7 @@
 // Texture objects: names, bindings, lifetime (GL 1.3, 3.8.11).
+#include <cstring>
 #include <new>
+#include <type_traits>
 
 #include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
@@ -31,11 +33,16 @@ void unbind(ShareGroup& share, TextureObject*& bound) {
 }
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
-    const bool cube = kind == TextureKind::cube;
-    void* const memory = arena.allocate(cube ? sizeof(CubeTexture) : sizeof(TextureObject));
+    static_assert(std::is_trivially_copyable_v<CubeTexture>); // bytes make one
+    const std::size_t bytes = kind == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
+    void* const memory = arena.allocate(bytes);
     if (memory == nullptr)
         return nullptr;
-    return cube ? &(new (memory) CubeTexture)->object : new (memory) TextureObject(kind);
+    // The rest begins as 0; what is derived is not looked at before it is.
+    auto* const texture = std::launder(static_cast<TextureObject*>(std::memset(memory, 0, bytes)));
+    texture->kind = kind;
+    texture->parameters = TextureParameters();
+    return texture;
 }
 
 /// The object of a name, made when the name has none yet; null without memory.

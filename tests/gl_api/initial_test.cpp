@@ -19,12 +19,33 @@ template <class Stack> void clear_above_top(Stack& stack) {
         std::memset(static_cast<void*>(&stack.entry[i]), 0, sizeof stack.entry[i]);
 }
 
+template <class Texture> void clear_view(Texture& texture) {
+    if constexpr (requires { texture.view_faces; }) {
+        std::memset(static_cast<void*>(&texture.view_faces), 0, sizeof texture.view_faces);
+        clear_view(texture.object);
+    } else {
+        std::memset(static_cast<void*>(&texture.view), 0, sizeof texture.view);
+    }
+}
+
+/// What is derived of textures before it is looked at.
+template <class State> void clear_views(State& s) {
+    clear_view(s.default_2d);
+    if constexpr (requires { s.default_1d; })
+        clear_view(s.default_1d);
+    if constexpr (requires { s.default_3d; })
+        clear_view(s.default_3d);
+    if constexpr (requires { s.default_cube; })
+        clear_view(s.default_cube);
+}
+
 TEST(Initial, StepsMakeWhatConstructorsMake) {
     static Memory made, expected;
     Context* const context = begin_context(&made);
     auto* const reference = new (&expected) Context(); // zeroed first, so that bytes between members are, too
     for (Context* c : {context, reference}) {
-        std::memset(static_cast<void*>(&c->fragments), 0, sizeof c->fragments); // made by its constructor
+        std::memset(static_cast<void*>(&c->fragments), 0, sizeof c->fragments); // compiled first
+        clear_views(c->texture);
         clear_above_top(c->transform.modelview);
         clear_above_top(c->transform.projection);
         for (auto& stack : c->transform.texture)
