@@ -52,16 +52,15 @@ struct Surface {
     std::int32_t width = 0, height = 0;
     bool destroyed = false; ///< no handle any more, and freed once nothing holds it
     bool window = false;
-    bool wants_single = false;     ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
-    bool back_buffered = false;    ///< SwapBuffers shows what was drawn; else Flush does
-    unsigned bindings = 0;         ///< contexts it is current to
-    std::uint8_t* color = nullptr; ///< a pbuffer's own; a window's belongs to the display
+    bool wants_single = false;  ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
+    bool back_buffered = false; ///< SwapBuffers shows what was drawn; else Flush does
+    unsigned bindings = 0;      ///< contexts it is current to
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
     std::uint8_t* sample_colors = nullptr; ///< a plane for each, where the config is multisampled
     RowSpan* unresolved = nullptr;         ///< of each row that is in memory
     raster::Samples samples;
-    hal::Frame frame; ///< of a window
+    hal::Frame frame; ///< a window's belongs to the display
     [[no_unique_address]] Band band;
 
     bool in_bands() const { return SPANGLE_FEATURE_BANDS && band.height != 0; }

@@ -55,10 +55,12 @@ Surface* make(const Config& config, std::int32_t width, std::int32_t height, con
         return memory_of;
     };
     const PixelFormat format = config.drawn();
-    if (extras.color)
-        surface->color =
-            static_cast<std::uint8_t*>(plane(static_cast<std::size_t>(row_bytes(format, width)) *
+    if (extras.color) {
+        surface->frame.stride = row_bytes(format, width);
+        surface->frame.pixels =
+            static_cast<std::uint8_t*>(plane(static_cast<std::size_t>(surface->frame.stride) *
                                              static_cast<std::size_t>(stored_rows(format, height))));
+    }
     const std::size_t samples = config.has_samples() ? raster::sample_count : 1;
     const std::size_t depth_bytes = pixels * static_cast<std::size_t>(bytes_per_depth(config.depth));
     if (config.depth != DepthFormat::none)
@@ -209,7 +211,8 @@ bool next_frame(Display& display, Surface& surface) {
 
 void free_surface(Surface* surface) {
     free_record(surface->band);
-    for (void* const plane : {static_cast<void*>(surface->color), static_cast<void*>(surface->depth),
+    std::uint8_t* const own = surface->window ? nullptr : surface->frame.pixels;
+    for (void* const plane : {static_cast<void*>(own), static_cast<void*>(surface->depth),
                               static_cast<void*>(surface->accum), static_cast<void*>(surface->sample_colors),
                               static_cast<void*>(surface->unresolved), static_cast<void*>(surface)})
         arena().free(plane);
@@ -252,21 +255,16 @@ void set_pixels(Surface& surface, raster::Surface& out) {
     out.height = surface.height;
     out.format = format;
     out.depth_format = surface.config.depth;
-    if (surface.window) { // top row first
-        out.color_stride = -surface.frame.stride;
-        out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
-                               surface.frame.stride);
+    out.color_stride = -surface.frame.stride; // top row first
+    out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
+                           surface.frame.stride);
 #if SPANGLE_EXTENTS
-        out.extents = surface.frame.extents;
-        out.touched = out.extents != nullptr && out.extents->rows != nullptr
-                          ? out.extents->rows + (surface.height - 1)
-                          : nullptr;
-        out.touched_step = -1;
+    out.extents = surface.frame.extents;
+    out.touched = out.extents != nullptr && out.extents->rows != nullptr
+                      ? out.extents->rows + (surface.height - 1)
+                      : nullptr;
+    out.touched_step = -1;
 #endif
-    } else {
-        out.color_stride = -row_bytes(format, surface.width);
-        out.color = bottom_row(surface.color, 0, rows, -out.color_stride);
-    }
     if (surface.depth != nullptr) {
         out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);
         out.depth = bottom_row(surface.depth, first, surface.height, -out.depth_stride);
@@ -404,7 +402,7 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
         if (thread().draw != s)
             return fail(EGL_BAD_SURFACE);
-        *value = s->window ? s->frame.age : 0;
+        *value = s->frame.age;
         break;
     case EGL_TEXTURE_FORMAT:
     case EGL_TEXTURE_TARGET:
