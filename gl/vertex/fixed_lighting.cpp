@@ -107,10 +107,11 @@ std::uint32_t plain_color(std::int64_t sum) {
 /// N^T u: n . u of normals as they are given is their product with it.
 numeric::BlockRow3 in_object_space(const numeric::NormalMatrix& normal, const numeric::Unit3& u,
                                    const numeric::Columns<3>& column) {
-    numeric::Block v[3];
+    numeric::Block v[3], along[3];
+    for (int i = 0; i < 3; ++i)
+        along[i] = numeric::make_block(u.m[i], -30);
     for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-            v[j] = numeric::add(v[j], numeric::mul(normal.at[3 * j + i], numeric::make_block(u.m[i], -30)));
+        v[j] = numeric::detail::dot(normal.at + 3 * j, along);
     return numeric::to_block_row(v, column);
 }
 

@@ -172,16 +172,20 @@ constexpr Block mul(Block a, Block b) {
     return make_block(mul_s32(a.m, b.m), a.e + b.e);
 }
 
+namespace detail {
+
+/// a * 2^e_a + b * 2^e_b of magnitudes below 2^62: the one of the larger exponent keeps its bits.
+SPANGLE_RUN_CALL constexpr Block sum(std::int64_t a, std::int32_t e_a, std::int64_t b, std::int32_t e_b) {
+    if (b == 0 || (a != 0 && e_a >= e_b))
+        return make_block(a + (b == 0 ? 0 : shift_right_round(b, e_a - e_b)), e_a);
+    return make_block(b + (a == 0 ? 0 : shift_right_round(a, e_b - e_a)), e_b);
+}
+
+} // namespace detail
+
 constexpr Block add(Block a, Block b) {
-    if (a.m == 0)
-        return b;
-    if (b.m == 0)
-        return a;
-    const bool a_is_large = a.e >= b.e;
-    const Block large = a_is_large ? a : b, small = a_is_large ? b : a;
-    const std::int64_t aligned =
-        shift_right_round(std::int64_t{small.m} * (std::int64_t{1} << 32), large.e - small.e);
-    return make_block(std::int64_t{large.m} * (std::int64_t{1} << 32) + aligned, large.e - 32);
+    constexpr std::int64_t up = std::int64_t{1} << 32;
+    return detail::sum(a.m * up, a.e - 32, b.m * up, b.e - 32);
 }
 
 constexpr Block sub(Block a, Block b) {
@@ -323,9 +327,11 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     // v / sqrt(square) = v * (r * 2^-30) * 2^((zeros - 64) / 2); in Q2.30 that is v * r >> (32 - zeros / 2).
     const int shift = 32 - zeros / 2;
     const std::int64_t half = std::int64_t{1} << (shift - 1);
-    return {{static_cast<std::int32_t>((mul_s32_u32(v.m[0], r) + half) >> shift),
-             static_cast<std::int32_t>((mul_s32_u32(v.m[1], r) + half) >> shift),
-             static_cast<std::int32_t>((mul_s32_u32(v.m[2], r) + half) >> shift)}};
+    Unit3 out;
+#pragma GCC unroll runs_inline ? 3 : 1
+    for (int i = 0; i < 3; ++i)
+        out.m[i] = static_cast<std::int32_t>((mul_s32_u32(v.m[i], r) + half) >> shift);
+    return out;
 }
 
 /// The same with one Newton step: within 2^-17 (design 3, fast tier).

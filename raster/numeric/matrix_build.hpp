@@ -107,17 +107,9 @@ constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, 
 
 namespace detail {
 
-/// a d - b c, both products exact before they are subtracted.
-constexpr Block determinant2(Block a, Block b, Block c, Block d) {
-    const std::int64_t p = mul_s32(a.m, d.m), q = mul_s32(b.m, c.m);
-    const std::int32_t ep = a.e + d.e, eq = b.e + c.e;
-    if (p == 0)
-        return make_block(-q, eq);
-    if (q == 0)
-        return make_block(p, ep);
-    // |p|, |q| < 2^60; the larger exponent keeps its place two bits up.
-    return ep >= eq ? make_block(p * 4 - shift_right_round(q * 4, ep - eq), ep - 2)
-                    : make_block(shift_right_round(p * 4, eq - ep) - q * 4, eq - 2);
+/// a d - b c, both products, below 2^60, exact before they are subtracted.
+SPANGLE_RUN_CALL constexpr Block determinant2(Block a, Block b, Block c, Block d) {
+    return sum(mul_s32(a.m, d.m) * 4, a.e + d.e - 2, mul_s32(b.m, c.m) * -4, b.e + c.e - 2);
 }
 
 constexpr int next_axis(int i) {
@@ -125,7 +117,7 @@ constexpr int next_axis(int i) {
 }
 
 /// Of three each.
-constexpr Block dot(const Block* a, const Block* b) {
+SPANGLE_RUN_CALL constexpr Block dot(const Block* a, const Block* b) {
     return add(add(mul(a[0], b[0]), mul(a[1], b[1])), mul(a[2], b[2]));
 }
 
