@@ -267,8 +267,9 @@ constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
 
 /// Row i of a for vertices loaded under columns that need not be its own.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
-    const Block v[4] = {to_block(a.at(i, 0)), to_block(a.at(i, 1)), to_block(a.at(i, 2)),
-                        to_block(a.at(i, 3))};
+    Block v[4];
+    for (int j = 0; j < 4; ++j)
+        v[j] = element(a, i, j);
     BlockRow r;
     r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
     return r;

@@ -142,6 +142,19 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
     return make_element(sum, top + 2 * element_bias);
 }
 
+/// n of a matrix's elements, as it holds them, `step` apart.
+SPANGLE_RUN_CALL constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
+#pragma GCC unroll runs_inline ? 4 : 1
+    for (int k = 0; k < n; ++k)
+        out[k] = {a.m[first + k * step], a.e[first + k * step]};
+}
+constexpr void row_of(const Matrix& a, int i, Element (&out)[4]) {
+    gather(a, i, 4, 4, out);
+}
+constexpr void column_of(const Matrix& a, int j, Element (&out)[4]) {
+    gather(a, 4 * j, 1, 4, out);
+}
+
 template <int N> constexpr Element sum_of_products(const Element (&a)[N], const Element (&b)[N]) {
     static_assert(N <= 6);
     return sum_of_products(a, b, N);
@@ -161,7 +174,8 @@ template <int N> constexpr bool is_unit(const Element (&column)[N], int j) {
 constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
     const Element row[4] = {to_element(v[0]), to_element(v[1]), to_element(v[2]), to_element(v[3])};
     for (int j = 0; j < 4; ++j) {
-        const Element column[4] = {a.at(0, j), a.at(1, j), a.at(2, j), a.at(3, j)};
+        Element column[4];
+        detail::column_of(a, j, column);
         out[j] = to_real(detail::sum_of_products(row, column));
     }
 }
@@ -171,11 +185,13 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
 constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
     for (int j = 0; j < 4; ++j) {
-        const Element column[4] = {b.at(0, j), b.at(1, j), b.at(2, j), b.at(3, j)};
+        Element column[4];
+        detail::column_of(b, j, column);
         if (detail::is_unit(column, j))
             continue;
         for (int i = 0; i < 4; ++i) {
-            const Element row[4] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 3)};
+            Element row[4];
+            detail::row_of(a, i, row);
             r.set(i, j, detail::sum_of_products(row, column));
         }
     }

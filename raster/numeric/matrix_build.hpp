@@ -62,12 +62,16 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     Matrix r = a; // the last column stays
     for (int j = 0; j < 3; ++j) {
-        const Element column[6] = {b.matrix.at(0, j), b.matrix.at(1, j), b.matrix.at(2, j),
-                                   b.rest[0][j],      b.rest[1][j],      b.rest[2][j]};
+        Element column[6];
+        detail::gather(b.matrix, 4 * j, 1, 3, column);
+        for (int i = 0; i < 3; ++i)
+            column[3 + i] = b.rest[i][j];
         if (detail::is_unit(column, j))
             continue;
         for (int i = 0; i < 4; ++i) {
-            const Element row[6] = {a.at(i, 0), a.at(i, 1), a.at(i, 2), a.at(i, 0), a.at(i, 1), a.at(i, 2)};
+            Element row[6];
+            detail::gather(a, i, 4, 3, row);
+            detail::gather(a, i, 4, 3, row + 3);
             r.set(i, j, detail::sum_of_products(row, column));
         }
     }
