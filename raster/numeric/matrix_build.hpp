@@ -78,35 +78,31 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     return r;
 }
 
-/// Where l = r, b = t or n = f GL reports INVALID_VALUE before it comes here; the result is then some large
-/// matrix.
-constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
-    const Block near2 = mul(to_block(near), to_block(from_i32(2)));
+/// Frustum, or, without perspective, Ortho. Where l = r, b = t or n = f GL reports INVALID_VALUE before it
+/// comes here; the result is then some large matrix.
+SPANGLE_RUN_CALL constexpr Matrix projection(const Real (&low)[3], const Real (&high)[3], bool perspective) {
+    Block twice = to_block(perspective ? low[2] : one); // 2 n, or 2
+    ++twice.e;
     Matrix m = identity();
     for (int i = 0; i < 3; ++i) {
         const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
         const Block middle = div(add(to, from), size);
-        m.set(i, 2, to_element(i == 2 ? negate(middle) : middle));
-        const Block scale = div(i == 2 ? mul(near2, to) : near2, size);
-        m.set(i, i == 2 ? 3 : i, to_element(i == 2 ? negate(scale) : scale));
+        m.set(i, perspective ? 2 : 3, to_element(perspective && i != 2 ? middle : negate(middle)));
+        const bool divided = perspective && i == 2; // -2 f n over the depth, in the last column
+        const Block scale = div(divided ? mul(twice, to) : twice, size);
+        m.set(i, divided ? 3 : i, to_element(i == 2 ? negate(scale) : scale));
     }
-    m.set(3, 2, to_element(-one));
-    m.set(3, 3, Element{});
+    if (perspective) {
+        m.set(3, 2, to_element(-one));
+        m.set(3, 3, Element{});
+    }
     return m;
 }
-
+constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near, Real far) {
+    return projection({left, bottom, near}, {right, top, far}, true);
+}
 constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
-    const Block two = to_block(from_i32(2));
-    Matrix m = identity();
-    for (int i = 0; i < 3; ++i) {
-        const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
-        const Block scale = div(two, size);
-        m.set(i, i, to_element(i == 2 ? negate(scale) : scale));
-        m.set(i, 3, to_element(negate(div(add(to, from), size))));
-    }
-    return m;
+    return projection({left, bottom, near}, {right, top, far}, false);
 }
 
 namespace detail {
@@ -163,16 +159,25 @@ constexpr BlockMatrix3 to_block_matrix(const NormalMatrix& n) {
     return to_block_matrix(n.at);
 }
 
+namespace detail {
+
+/// The pairs of four columns, the three that are not one, and the minors of these without their first, second
+/// and third column.
+inline constexpr std::int8_t pair[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+inline constexpr std::int8_t rest[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+inline constexpr std::int8_t minor[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}};
+
+} // namespace detail
+
 /// The inverse by 2 x 2 minors of the upper and the lower half; false, and `out` as it was, where the
 /// determinant is 0.
 constexpr bool inverse(const Matrix& a, Matrix& out) {
-    constexpr int pair[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
     Block v[4][4], upper[6], lower[6]; // upper: rows 0 and 1, lower: rows 2 and 3, of the columns in `pair`
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             v[i][j] = element(a, i, j);
     for (int p = 0; p < 6; ++p) {
-        const int j = pair[p][0], k = pair[p][1];
+        const int j = detail::pair[p][0], k = detail::pair[p][1];
         upper[p] = detail::determinant2(v[0][j], v[0][k], v[1][j], v[1][k]);
         lower[p] = detail::determinant2(v[2][j], v[2][k], v[3][j], v[3][k]);
     }
@@ -184,16 +189,15 @@ constexpr bool inverse(const Matrix& a, Matrix& out) {
     if (determinant.m == 0)
         return false;
     // Row i of the adjugate leaves column i out: the three other columns and the minors of their pairs.
-    constexpr int rest[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-    constexpr int minor[4][3] = {
-        {5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3, 1, 0}}; // without its first, second, third column
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
             const Block* row = v[j ^ 1]; // the other row of the half that j is in
             const Block* minors = j < 2 ? lower : upper;
-            const Block c =
-                add(sub(mul(row[rest[i][0]], minors[minor[i][0]]), mul(row[rest[i][1]], minors[minor[i][1]])),
-                    mul(row[rest[i][2]], minors[minor[i][2]]));
+            Block c;
+            for (int k = 0; k < 3; ++k) {
+                const Block term = mul(row[detail::rest[i][k]], minors[detail::minor[i][k]]);
+                c = k == 1 ? sub(c, term) : add(c, term);
+            }
             const Block quotient = div(c, determinant);
             out.set(i, j, to_element((i + j) % 2 == 0 ? quotient : negate(quotient)));
         }
