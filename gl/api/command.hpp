@@ -1,7 +1,7 @@
-// A family as a constant. Families with arguments of the same types share the code that checks, records and
-// plays them.
+// A family as a constant: what checks, records and plays its commands, whatever their arguments are.
 #pragma once
 
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -9,22 +9,84 @@
 
 namespace spangle::gl {
 
-/// What there is to know before arguments are looked at.
-struct Gated : list::Player {
-    std::uint8_t stops = 0; ///< the bits of the gate that keep the command from simply running
-#if SPANGLE_MESSAGES
-    const char* refusal = nullptr;
-#else
-    static constexpr const char* refusal = nullptr;
-#endif
+/// An argument on its way through what all commands share: a word, or where it lies when it is more.
+using Arg = std::uintptr_t;
+inline constexpr std::size_t most_args = 10;
+
+template <class T> struct Passed {
+    static constexpr Arg arg(T value) { return static_cast<Arg>(value); }
+    static constexpr T value(Arg arg) { return static_cast<T>(arg); }
+};
+template <> struct Passed<Real> {
+    static constexpr Arg arg(Real value) { return value.bits; }
+    static constexpr Real value(Arg arg) { return {static_cast<std::uint32_t>(arg)}; }
+};
+template <class T> struct Passed<T*> {
+    static Arg arg(T* value) { return reinterpret_cast<Arg>(value); }
+    static T* value(Arg arg) { return reinterpret_cast<T*>(arg); }
+};
+template <class T> struct Passed<const T&> {
+    static Arg arg(const T& value) { return reinterpret_cast<Arg>(&value); }
+    static const T& value(Arg arg) { return *reinterpret_cast<const T*>(arg); }
 };
 
-template <class... A> struct Command : Gated { void (*run)(Context&, A...) = nullptr; };
+// Functions of families, for any arguments: each takes as many as it needs, of a few numbers of them.
+template <std::size_t> using AnyArg = Arg;
+template <class Places> struct Taking;
+template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
+    using Function = void(Context&, AnyArg<I>...);
+
+    template <auto function, class... A, std::size_t... J>
+    static constexpr Function* of(void (*)(Context&, A...), std::index_sequence<J...>) {
+        return [](Context& context, AnyArg<I>... args) {
+            [[maybe_unused]] const Arg given[] = {args...};
+            function(context, Passed<A>::value(given[J])...);
+        };
+    }
+};
+inline constexpr std::size_t few_args = 3, some_args = 6;
+using Few = Taking<std::make_index_sequence<few_args>>;
+using Some = Taking<std::make_index_sequence<some_args>>;
+using Many = Taking<std::make_index_sequence<most_args>>;
+
+union Run {
+    Few::Function* few = nullptr;
+    Some::Function* some;
+    Many::Function* many;
+};
+
+template <auto function, class... A> constexpr Run run_of(void (*typed)(Context&, A...)) {
+    constexpr auto places = std::index_sequence_for<A...>{};
+    if constexpr (sizeof...(A) <= few_args)
+        return {.few = Few::of<function>(typed, places)};
+    else if constexpr (sizeof...(A) <= some_args)
+        return {.some = Some::of<function>(typed, places)};
+    else
+        return {.many = Many::of<function>(typed, places)};
+}
+
+/// Of so many arguments.
+void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]);
+
+struct Command : list::Player {
+    Run run;
+
+    /// The same where the number of arguments is known.
+    template <class... A> void operator()(Context& context, A... args) const {
+        const Arg given[most_args] = {args...};
+        if constexpr (sizeof...(A) <= few_args)
+            run.few(context, given[0], given[1], given[2]);
+        else if constexpr (sizeof...(A) <= some_args)
+            run.some(context, given[0], given[1], given[2], given[3], given[4], given[5]);
+        else
+            call(context, run, sizeof...(A), given);
+    }
+};
 
 /// One that lists take by a function of its own, not word by word.
-template <class... A> struct EncodedCommand : Command<A...> {
+struct EncodedCommand : Command {
 #if SPANGLE_FEATURE_LISTS
-    void (*encode)(Context&, A...) = nullptr;
+    Run encode;
 #endif
 };
 
@@ -34,68 +96,53 @@ constexpr std::uint8_t stops =
                               (SPANGLE_FEATURE_LISTS && F::listing != Listing::never ? gate_compiling : 0));
 
 /// False, and INVALID_OPERATION, for a command that Begin and End do not allow between them (GL 1.3, 2.6.3).
-bool allowed(Context& context, const Gated& command);
+bool allowed(Context& context, const list::Player& command);
 
-namespace list {
-
-template <class... A, std::size_t... I>
-void run_words(Context& context, const Command<A...>& command, const Word* words, std::index_sequence<I...>) {
-    command.run(context, Codec<A>::load(words + I)...); // all but the last argument take one word
+template <class... A> constexpr list::Form form_of(void (*)(Context&, A...)) {
+    return (std::is_same_v<A, const Params&> || ...)     ? list::Form::params
+           : (std::is_same_v<A, const Matrix16&> || ...) ? list::Form::matrix
+                                                         : list::Form::words;
+}
+template <class... A> constexpr std::uint8_t count_args(void (*)(Context&, A...)) {
+    static_assert(sizeof...(A) <= most_args);
+    return sizeof...(A);
 }
 
-template <class... A> const Word* play_words(Context& context, const Word* words) {
-    const Player* player;
-    __builtin_memcpy(&player, words - player_words, sizeof player);
-    const auto& command = static_cast<const Command<A...>&>(*player);
-    if (allowed(context, command))
-        run_words(context, command, words, std::index_sequence_for<A...>{});
-    ((words += Codec<A>::stored(words)), ...);
-    return words;
-}
-
-/// A record of these arguments.
-void write(Context& context, const Player& player, const Word* words, std::uint32_t count);
-
-/// The arguments as words of a record, behind room for its player.
-template <class... A> struct Words {
-    Word record[player_words + (Codec<A>::most + ... + 0u)];
-    std::uint32_t count = 0;
-    explicit Words(A... args) {
-        ((Codec<A>::store(at() + count, args), count += Codec<A>::words(args)), ...);
-    }
-    Word* at() { return record + player_words; }
-};
-
-} // namespace list
-
-template <class F, class... A> constexpr auto command_of(void (*)(Context&, A...)) {
+template <class F> constexpr auto command_of() {
     constexpr bool encoded = F::encode != nullptr;
-    std::conditional_t<encoded, EncodedCommand<A...>, Command<A...>> command;
+    std::conditional_t<encoded, EncodedCommand, Command> command;
     command.stops = stops<F>;
+    command.args = count_args(F::run);
+    command.form = encoded ? list::Form::encoded : form_of(F::run);
 #if SPANGLE_MESSAGES
     command.refusal = F::refusal;
 #endif
-    command.run = F::run;
+    command.run = run_of<F::run>(F::run);
 #if SPANGLE_FEATURE_LISTS
     if constexpr (encoded)
-        command.encode = F::encode;
-    if constexpr (F::listing == Listing::words || F::listing == Listing::attribute)
-        command.play = &list::play_words<A...>;
+        command.encode = run_of<F::encode>(F::encode);
 #endif
     return command;
 }
 
-template <class F> inline constexpr auto command = command_of<F>(F::run);
+template <class F> inline constexpr auto command = command_of<F>();
 
 namespace list {
 
-template <class... A>
-void record_words(Context& context, const Command<A...>& command, std::type_identity_t<A>... args) {
-    Words<A...> words(args...);
-    write(context, command, words.at(), words.count);
+/// How many of a command's arguments are a word.
+constexpr unsigned words_of(const Command& command) {
+    return command.args - (command.form == Form::params || command.form == Form::matrix ? 1u : 0u);
 }
-template <class F, class... A> inline void record_words(Context& context, const A&... args) {
-    record_words(context, command<F>, args...);
+
+/// A record of these arguments, word by word.
+void write(Context& context, const Command& command, const Arg* args);
+
+/// Executes one; returns the next record.
+const Word* play_command(Context& context, const Command& command, const Word* words);
+
+template <class F, class... A> void record_words(Context& context, const A&... args) {
+    const Arg given[] = {Passed<A>::arg(args)...};
+    write(context, command<F>, given);
 }
 
 } // namespace list

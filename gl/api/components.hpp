@@ -22,15 +22,24 @@ template <class... A> constexpr std::size_t count_reals(void (*)(Context&, A...)
     return (std::size_t{std::is_same_v<A, Real>} + ...);
 }
 
+/// Families share these: what stands before the components, if anything does, then those.
+void issue_loaded(const void* v, convert::Components kind, const Command& command, const char* null_text);
+void issue_loaded_at(GLenum target, const void* v, convert::Components kind, const Command& command,
+                     const char* null_text);
+
 template <class F>
 [[gnu::noinline]] void issue_components(const void* v, convert::Components kind, const char* null_text) {
-    if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
+    if constexpr (!converts_in_line)
+        issue_loaded(v, kind, command<F>, null_text);
+    else if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{});
 }
 template <class F>
 [[gnu::noinline]] void issue_components(GLenum target, const void* v, convert::Components kind,
                                         const char* null_text) {
-    if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
+    if constexpr (!converts_in_line)
+        issue_loaded_at(target, v, kind, command<F>, null_text);
+    else if (const convert::Loaded loaded = convert::load(v, kind, null_text); !loaded.null)
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{}, target);
 }
 
@@ -71,19 +80,6 @@ inline void issue_components(GLenum target, const T (&given)[count], convert::Co
         issue_components<F>(target, static_cast<const void*>(given), kind, static_cast<const char*>(nullptr));
 }
 
-/// Families of the same signature share this.
-template <class... A>
-[[gnu::noinline]] void issue_loaded(const Command<A...>& command, const void* v, convert::Components kind,
-                                    const char* null_text) {
-    const convert::Loaded loaded = convert::load(v, kind, null_text);
-    if (loaded.null)
-        return;
-    const auto issue_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        issue_command(command, loaded.at[I]...);
-    };
-    issue_all(std::index_sequence_for<A...>{});
-}
-
 template <convert::Element kind, unsigned count, std::size_t index, class T> inline Real real_at(const T* v) {
     if constexpr (index < count)
         return convert::one<kind>(v[index]);
@@ -103,7 +99,7 @@ inline void issue_reals(const T* v, const char* null_text) {
     } else if constexpr (F::listing == Listing::attribute) {
         issue_components<F>(v, convert::components(kind, count), null_text);
     } else {
-        issue_loaded(command<F>, v, convert::components(kind, count), null_text);
+        issue_loaded(v, convert::components(kind, count), command<F>, null_text);
     }
 }
 
@@ -115,21 +111,16 @@ inline void issue_reals(const T (&given)[count], std::nullptr_t) {
         issue_reals<F, kind, count>(static_cast<const T*>(given), static_cast<const char*>(nullptr));
 }
 
-[[gnu::noinline]] inline void issue_loaded_matrix(const Command<const Matrix16&>& command, const void* m,
-                                                  convert::Element kind, const char* null_text) {
-    if (m == nullptr)
-        return refuse_null(null_text);
-    issue_command(command, convert::matrix(m, kind));
-}
+void issue_loaded_matrix(const void* m, convert::Element kind, const Command& command, const char* null_text);
 
 template <class F, convert::Element kind, class T>
 inline void issue_matrix(const T* m, const char* null_text) {
     if constexpr (converts_in_line) {
         if (m == nullptr)
             return refuse_null(null_text);
-        issue_command(command<F>, convert::matrix<kind>(m));
+        issue<F>(convert::matrix<kind>(m));
     } else {
-        issue_loaded_matrix(command<F>, m, kind, null_text);
+        issue_loaded_matrix(m, kind, command<F>, null_text);
     }
 }
 

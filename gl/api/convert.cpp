@@ -131,6 +131,8 @@ template <class T> void store_element(void* array, std::size_t index, T value) {
     std::memcpy(static_cast<unsigned char*>(array) + index * sizeof(T), &value, sizeof value);
 }
 
+} // namespace
+
 void store_value(void* array, std::size_t index, Number type, Kind kind, Param value) {
     switch (type) {
     case Number::f:
@@ -139,12 +141,12 @@ void store_value(void* array, std::size_t index, Number type, Kind kind, Param v
         return store_element(array, index, to_int(kind, value));
     case Number::d:
         return store_element(array, index, to_double(kind, value));
+    case Number::b:
+        return store_element(array, index, to_boolean(kind, value));
     default:
         return store_element(array, index, to_fixed(kind, value));
     }
 }
-
-} // namespace
 
 } // namespace spangle::gl::convert
 

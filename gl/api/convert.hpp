@@ -85,7 +85,7 @@ template <Element kind, class T> [[gnu::noinline]] Matrix16 matrix(const T* m) {
 Matrix16 matrix(const void* m, Element kind);
 
 // Light, Material, Fog, TexParameter...: the pname's shape decides what the values are.
-enum class Number : std::uint8_t { f, i, d, x }; ///< of client memory
+enum class Number : std::uint8_t { f, i, d, x, b }; ///< of client memory; b, GLboolean, is only stored
 /// A single value comes in a register, whatever its type: a double as the float that is kept of it.
 inline std::uint32_t word(GLfloat v) {
     return std::bit_cast<std::uint32_t>(v);
@@ -98,7 +98,9 @@ inline std::uint32_t word(GLint v) {
 }
 Params scalar(Shape shape, std::uint32_t word, Number type);
 Params vector(Shape shape, const void* values, Number type);
-/// And back, for their queries. Nothing is written when `found.count` is 0.
+/// And back, for queries (GL 1.3, 6.1.2).
+void store_value(void* array, std::size_t index, Number type, Kind kind, Param value);
+/// Nothing is written when `found.count` is 0.
 void store(Shape shape, const Params& found, void* out, Number type);
 
 // One value of a given kind, as the queries return it (GL 1.3, 6.1.2).

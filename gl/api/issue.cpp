@@ -1,4 +1,5 @@
-#include "gl/api/issue.hpp"
+#include "gl/api/components.hpp"
+#include "gl/api/params.hpp"
 
 #include <cstring>
 
@@ -21,48 +22,120 @@ void refuse_feature(const char* text) {
     refuse(GL_INVALID_OPERATION, text);
 }
 
-bool allowed(Context& context, const Gated& command) {
+bool allowed(Context& context, const list::Player& command) {
     return (command.stops & gate_inside) == 0 || allowed_outside(context, command.refusal);
 }
 
+void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]) {
+    if (count <= few_args)
+        run.few(context, args[0], args[1], args[2]);
+    else if (count <= some_args)
+        run.some(context, args[0], args[1], args[2], args[3], args[4], args[5]);
+    else
+        run.many(context, args[0], args[1], args[2], args[3], args[4], args[5], args[6], args[7], args[8],
+                 args[9]);
+}
+
+bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
 #if SPANGLE_FEATURE_LISTS
-bool admit_words(Context& context, const Gated& command, const list::Word* words, std::uint32_t count) {
-    if ((context.gate & gate_compiling) != 0) { // words are of commands that lists take
-        list::write(context, command, words, count);
+    if ((context.gate & gate_compiling) != 0) { // what comes here is what lists take
+        if (command.form == list::Form::encoded)
+            call(context, static_cast<const EncodedCommand&>(command).encode, command.args, args);
+        else
+            list::write(context, command, args);
         if (!context.list.execute)
             return false;
     }
+#endif
     return allowed(context, command);
 }
 
+#if SPANGLE_ARGUMENTS_INLINE && !SPANGLE_FEATURE_LISTS
+Context* admitted(const Command& command) {
+    Context* const context = current_context();
+    return context != nullptr && allowed(*context, command) ? context : nullptr;
+}
+#endif
+
 #if !SPANGLE_ARGUMENTS_INLINE
-void issue_words(const Gated& command, list::Word* words, std::uint32_t count) {
+void issue_args(const Command& command, const Arg* args) {
     Context* const context = current_context();
     if (context == nullptr)
         return;
-    if ((context->gate & gate_compiling) != 0) {
-        list::write(*context, command, words, count);
-        if (!context->list.execute)
-            return;
-    }
-    const list::Player* const player = &command;
-    std::memcpy(words - list::player_words, &player, sizeof player);
-    command.play(*context, words);
+    Arg given[most_args] = {};
+    std::memcpy(given, args, command.args * sizeof(Arg));
+    if (admit(*context, command, given))
+        call(*context, command.run, command.args, given);
 }
 
-Step next_step(Context* context, const Gated& command, Step done) {
-    if (context == nullptr || done == Step::run)
-        return Step::none;
-    if (done == Step::none && (context->gate & gate_compiling) != 0)
-        return Step::record;
-    return (done == Step::none || context->list.execute) && allowed(*context, command) ? Step::run
-                                                                                       : Step::none;
+void issue_few(const Command& command) {
+    issue_args(command, nullptr);
+}
+void issue_few(Arg a, const Command& command) {
+    issue_args(command, &a);
+}
+void issue_few(Arg a, Arg b, const Command& command) {
+    const Arg args[] = {a, b};
+    issue_args(command, args);
+}
+void issue_few(Arg a, Arg b, Arg c, const Command& command) {
+    const Arg args[] = {a, b, c};
+    issue_args(command, args);
 }
 #endif
-#else
-Context* admitted(const Gated& command) {
-    Context* const context = current_context();
-    return context != nullptr && allowed(*context, command) ? context : nullptr;
+
+namespace {
+
+/// Of a command whose last arguments are those; what it does not take comes behind.
+[[gnu::noinline]] void issue_shaped(const ParamFamily& family, GLenum target, GLenum pname,
+                                    const Params& params) {
+    const Arg last = Passed<const Params&>::arg(params);
+    const bool targets = family.command->args == few_args;
+    issue_command(*family.command, Arg{targets ? target : pname}, targets ? Arg{pname} : last, last);
+}
+
+} // namespace
+
+[[gnu::noinline]] void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
+                                   const ParamFamily& family) {
+    issue_shaped(family, target, pname, convert::scalar(find_shape(family.rows, pname), word, type));
+}
+
+[[gnu::noinline]] void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
+                                    const ParamFamily& family, const char* null_text) {
+    if (values == nullptr)
+        return refuse_null(null_text);
+    issue_shaped(family, target, pname, convert::vector(find_shape(family.rows, pname), values, type));
+}
+
+#if !SPANGLE_ARGUMENTS_INLINE
+void issue_loaded(const void* v, convert::Components kind, const Command& command, const char* null_text) {
+    const convert::Loaded loaded = convert::load(v, kind, null_text);
+    if (loaded.null)
+        return;
+    Arg args[convert::most_components];
+    for (std::size_t i = 0; i < convert::most_components; ++i)
+        args[i] = loaded.at[i].bits;
+    issue_args(command, args);
+}
+
+void issue_loaded_at(GLenum target, const void* v, convert::Components kind, const Command& command,
+                     const char* null_text) {
+    const convert::Loaded loaded = convert::load(v, kind, null_text);
+    if (loaded.null)
+        return;
+    Arg args[1 + convert::most_components] = {target};
+    for (std::size_t i = 0; i < convert::most_components; ++i)
+        args[1 + i] = loaded.at[i].bits;
+    issue_args(command, args);
+}
+
+void issue_loaded_matrix(const void* m, convert::Element kind, const Command& command,
+                         const char* null_text) {
+    if (m == nullptr)
+        return refuse_null(null_text);
+    const Matrix16 matrix = convert::matrix(m, kind);
+    issue_command(command, Passed<const Matrix16&>::arg(matrix));
 }
 #endif
 

@@ -17,113 +17,90 @@ void refuse_feature(const char* text);
 /// The current context where Begin and End allow a command; else null, and INVALID_OPERATION if there is one.
 Context* outside_begin_end(const char* refusal);
 
-#if SPANGLE_FEATURE_LISTS
-
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
 /// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
 /// 9).
-bool admit_words(Context& context, const Gated& command, const list::Word* words, std::uint32_t count);
+bool admit(Context& context, const Command& command, const Arg (&args)[most_args]);
 
-// Arguments come by value, so that they stay in registers on the way that does not come here. In line they
-// are passed on once.
 #if SPANGLE_ARGUMENTS_INLINE
-#define SPANGLE_ADMIT [[gnu::noinline, gnu::cold]]
-#else
-#define SPANGLE_ADMIT [[gnu::always_inline]] inline
-#endif
-template <class... A> SPANGLE_ADMIT bool admit(const Command<A...>& command, Context& context, A... args) {
-    list::Words<A...> words(args...);
-    return admit_words(context, command, words.at(), words.count);
-}
+
+/// Arguments come by value, so that they stay in registers on the way that does not come here.
 template <class... A>
-SPANGLE_ADMIT bool admit(const EncodedCommand<A...>& command, Context& context, A... args) {
-    if ((context.gate & gate_compiling) != 0) {
-        command.encode(context, args...);
-        if (!context.list.execute)
-            return false;
-    }
-    return allowed(context, command);
+[[gnu::noinline, gnu::cold]] bool admit_given(const Command& command, Context& context, A... args) {
+    const Arg given[most_args] = {args...};
+    return admit(context, command, given);
 }
-#undef SPANGLE_ADMIT
 
-#else
+#endif
 
-template <class... A> inline bool admit(const Gated& command, Context& context, const A&...) {
-    return allowed(context, command);
-}
+#if SPANGLE_ARGUMENTS_INLINE && !SPANGLE_FEATURE_LISTS
 
 /// The current context where a command may run, else null.
-Context* admitted(const Gated& command);
+Context* admitted(const Command& command);
 
-#endif
-
-#if !SPANGLE_FEATURE_LISTS
-
-/// Arguments lie where the family's function takes them.
-template <template <class...> class Kind, class... A>
-[[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
+/// Arguments lie where the family's function takes them. Commands of as many share this, whatever their
+/// types.
+template <class... A> [[gnu::noinline]] void issue_command(const Command& command, A... args) {
     if (Context* const context = admitted(command); context != nullptr)
-        command.run(*context, args...);
+        command(*context, args...);
 }
 
-#elif !SPANGLE_ARGUMENTS_INLINE
+#elif SPANGLE_ARGUMENTS_INLINE
 
-/// Records and plays what stands in `words`, behind room for the player.
-void issue_words(const Gated& command, list::Word* words, std::uint32_t count);
-
-/// What lists play is played at once. Commands of as many words share this, whatever their types.
-template <class... A> [[gnu::noinline]] void issue_arguments(const Gated& command, A... args) {
-    list::Words<A...> words(args...);
-    issue_words(command, words.at(), words.count);
-}
-template <class... A>
-inline void issue_command(const Command<A...>& command, std::type_identity_t<A>... args) {
-    if constexpr ((std::is_reference_v<A> || ...))
-        issue_arguments<A...>(command, args...);
-    else
-        issue_arguments(command, list::word_of<A>(args)...);
-}
-
-/// What is done with arguments next.
-enum class Step : std::uint8_t { none, record, run };
-Step next_step(Context* context, const Gated& command, Step done);
-
-template <class... A>
-[[gnu::noinline]] void issue_command(const EncodedCommand<A...>& command, std::type_identity_t<A>... args) {
-    Context* const context = current_context();
-    for (Step step = Step::none; (step = next_step(context, command, step)) != Step::none;)
-        (step == Step::record ? command.encode : command.run)(*context, args...);
-}
-
-#else
-
-/// Arguments lie where the family's function takes them, too.
-template <template <class...> class Kind, class... A>
-[[gnu::noinline]] void issue_command(const Kind<A...>& command, std::type_identity_t<A>... args) {
+/// Arguments lie where the family's function takes them. Commands of as many share this, whatever their
+/// types.
+template <class... A> [[gnu::noinline]] void issue_command(const Command& command, A... args) {
     Context* context = current_context();
     if (context == nullptr) [[unlikely]]
         return;
-    if ((context->gate & command.stops) != 0 && !admit<A...>(command, *context, args...)) [[unlikely]]
+    if ((context->gate & command.stops) != 0 && !admit_given(command, *context, args...)) [[unlikely]]
         return;
-    command.run(*context, args...);
+    command(*context, args...);
+}
+
+#else
+
+/// Of as many as the command has.
+void issue_args(const Command& command, const Arg* args);
+
+/// Up to three stay in the registers that they came in.
+void issue_few(const Command& command);
+void issue_few(Arg a, const Command& command);
+void issue_few(Arg a, Arg b, const Command& command);
+void issue_few(Arg a, Arg b, Arg c, const Command& command);
+
+template <class... A> inline void issue_command(const Command& command, A... args) {
+    if constexpr (sizeof...(A) <= few_args) {
+        issue_few(args..., command);
+    } else {
+        const Arg given[] = {args...};
+        issue_args(command, given);
+    }
 }
 
 #endif
+
+template <class F, class... A>
+inline void issue_as(void (*)(Context&, A...), const std::type_identity_t<A>&... args) {
+    issue_command(command<F>, Passed<A>::arg(args)...);
+}
 
 template <class F, class... A> inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {
         static_assert(!F::inside);
         if (Context* context = outside_begin_end(F::refusal); context != nullptr)
             F::run(*context, args...);
-    } else if constexpr (F::listing == Listing::attribute) { // of each vertex: nothing is looked up
+    } else if constexpr (converts_in_line &&
+                         F::listing == Listing::attribute) { // of each vertex: nothing is looked up
         Context* context = current_context();
         if (context == nullptr) [[unlikely]]
             return;
-        if ((context->gate & stops<F>) != 0 && !admit<A...>(command<F>, *context, args...)) [[unlikely]]
+        if ((context->gate & stops<F>) != 0 && !admit_given(command<F>, *context, Passed<A>::arg(args)...))
+            [[unlikely]]
             return;
         F::run(*context, args...);
     } else {
-        issue_command(command<F>, args...);
+        issue_as<F>(F::run, args...);
     }
 }
 

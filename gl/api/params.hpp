@@ -8,48 +8,25 @@
 namespace spangle::gl {
 
 /// A command and its pnames.
-template <class C> struct ParamFamily {
-    const C* command;
+struct ParamFamily {
+    const Command* command;
     const ShapeRow* rows;
 };
-template <class F, const auto& rows>
-inline constexpr ParamFamily<std::remove_const_t<decltype(command<F>)>> params_of{&command<F>, rows};
+template <class F, const auto& rows> inline constexpr ParamFamily params_of{&command<F>, rows};
 
-// What families share. What stands before the pname is a target, or nothing; the family comes last, so that
-// the arguments of an entry point stay where they are.
-template <class C>
-[[gnu::noinline]] void issue_value(GLenum pname, std::uint32_t word, convert::Number type,
-                                   const ParamFamily<C>& family) {
-    issue_command(*family.command, pname, convert::scalar(find_shape(family.rows, pname), word, type));
-}
-template <class C>
-[[gnu::noinline]] void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
-                                   const ParamFamily<C>& family) {
-    issue_command(*family.command, target, pname,
-                  convert::scalar(find_shape(family.rows, pname), word, type));
-}
-template <class C>
-[[gnu::noinline]] void issue_values(GLenum pname, const void* values, convert::Number type,
-                                    const ParamFamily<C>& family, const char* null_text) {
-    if (values == nullptr)
-        return refuse_null(null_text);
-    issue_command(*family.command, pname, convert::vector(find_shape(family.rows, pname), values, type));
-}
-template <class C>
-[[gnu::noinline]] void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
-                                    const ParamFamily<C>& family, const char* null_text) {
-    if (values == nullptr)
-        return refuse_null(null_text);
-    issue_command(*family.command, target, pname,
-                  convert::vector(find_shape(family.rows, pname), values, type));
-}
+// What families share: target is that of those that have one. The family comes last, so that the arguments of
+// an entry point stay where they are.
+void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
+                 const ParamFamily& family);
+void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
+                  const ParamFamily& family, const char* null_text);
 
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum pname, std::uint32_t word, convert::Number type) {
     if constexpr (F::listing == Listing::never)
         issue<F>(pname, convert::scalar(find_shape(rows, pname), word, type));
     else
-        issue_value(pname, word, type, params_of<F, rows>);
+        issue_value(0, pname, word, type, params_of<F, rows>);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum target, GLenum pname, std::uint32_t word, convert::Number type) {
@@ -59,7 +36,7 @@ template <class F, const auto& rows>
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum pname, const void* values, convert::Number type,
                                     const char* null_text) {
-    issue_values(pname, values, type, params_of<F, rows>, null_text);
+    issue_values(0, pname, values, type, params_of<F, rows>, null_text);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_params(GLenum target, GLenum pname, const void* values, convert::Number type,

@@ -35,29 +35,47 @@ GLbitfield client_groups(GLbitfield mask) {
 }
 
 bool belongs(const StateRow& row, GLbitfield groups) {
-    return (row.group != Group::none && (groups & bit(row.group)) != 0) ||
-           (row.toggle == Switch::server && (groups & bit(Group::enable)) != 0);
+    return (groups & (bit(row.group) | (row.toggle == Switch::server ? bit(Group::enable) : 0))) != 0;
 }
 
-/// Calls f(offset in the context, bytes) for everything that the groups keep there.
-template <class F> void for_each_kept(GLbitfield groups, F f) {
+enum class Move : std::uint8_t {
+    none, ///< how many bytes there are
+    save,
+    restore,
+};
+
+/// Between the context and an entry, `bytes` bytes from `offset` on, and the same of other units. Returns
+/// where in the entry the next ones lie.
+std::size_t move_bytes(Context& context, std::uint32_t offset, std::uint32_t bytes, std::uint32_t unit_step,
+                       unsigned char* saved, std::size_t at, Move move) {
+    for (std::uint32_t unit = 0; unit < units_of(unit_step); ++unit, at += bytes) {
+        unsigned char* const held = reinterpret_cast<unsigned char*>(&context) + offset + unit * unit_step;
+        if (move == Move::save)
+            std::memcpy(saved + at, held, bytes);
+        else if (move == Move::restore)
+            std::memcpy(held, saved + at, bytes);
+    }
+    return at;
+}
+
+/// Everything that the groups keep in the context. Returns how many bytes that are.
+std::size_t move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
+    std::size_t at = 0;
     for (const std::span<const StateRow> part : all_state())
         for (const StateRow& row : part)
             if (belongs(row, groups))
-                if (const std::uint32_t bytes = kept_by(row); bytes != 0)
-                    for (std::uint32_t u = 0; u < units_of(row.per_unit); ++u)
-                        f(row.where + u * row.unit_step(), bytes);
+                at = move_bytes(context, row.where, row.names * kept_by(row), row.unit_step(), saved, at,
+                                move);
     for (const HeldRow& row : all_held())
         if ((groups & bit(row.group)) != 0)
-            for (std::uint32_t u = 0; u < units_of(row.per_unit); ++u)
-                f(row.offset + u * row.unit_step, std::uint32_t{row.bytes});
+            at = move_bytes(context, row.offset, row.bytes, row.unit_step, saved, at, move);
+    return at;
 }
 
 void push(Context& context, AttribStack& stack, GLbitfield groups) {
     if (stack.depth == attrib_stack_entries)
         return error(context, GL_STACK_OVERFLOW);
-    std::size_t bytes = sizeof(SavedAttributes);
-    for_each_kept(groups, [&bytes](std::uint32_t, std::uint32_t size) { bytes += size; });
+    const std::size_t bytes = sizeof(SavedAttributes) + move_kept(context, groups, nullptr, Move::none);
     const bool textures = (groups & bit(Group::texture)) != 0;
     auto* const entry = static_cast<SavedAttributes*>(
         context.arena->allocate(bytes + (textures ? saved_texture_bytes() : 0)));
@@ -66,14 +84,10 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
     entry->below = stack.top;
     entry->groups = groups;
     entry->vertex_array = bound_vertex_array(context);
-    auto* to = reinterpret_cast<unsigned char*>(entry + 1);
-    const auto* const from = reinterpret_cast<const unsigned char*>(&context);
-    for_each_kept(groups, [&to, from](std::uint32_t offset, std::uint32_t size) {
-        std::memcpy(to, from + offset, size);
-        to += size;
-    });
+    auto* const to = reinterpret_cast<unsigned char*>(entry + 1);
+    move_kept(context, groups, to, Move::save);
     if (textures)
-        save_textures(context, to);
+        save_textures(context, reinterpret_cast<unsigned char*>(entry) + bytes);
     if ((groups & bit(Group::client_vertex_array)) != 0)
         hold_arrays(context);
     stack.top = entry;
@@ -90,14 +104,10 @@ void pop(Context& context, AttribStack& stack) {
         bind_vertex_array(context, entry->vertex_array);
         release_arrays(context);
     }
-    const auto* from = reinterpret_cast<const unsigned char*>(entry + 1);
-    auto* const to = reinterpret_cast<unsigned char*>(&context);
-    for_each_kept(entry->groups, [&from, to](std::uint32_t offset, std::uint32_t size) {
-        std::memcpy(to + offset, from, size);
-        from += size;
-    });
+    auto* const from = reinterpret_cast<unsigned char*>(entry + 1);
+    const std::size_t bytes = move_kept(context, entry->groups, from, Move::restore);
     if ((entry->groups & bit(Group::texture)) != 0)
-        restore_textures(context, from);
+        restore_textures(context, from + bytes);
     context.arena->free(entry);
     context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING

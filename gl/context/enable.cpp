@@ -8,9 +8,9 @@ namespace spangle::gl {
 
 namespace {
 
-/// The row of a capability; else the error is set and null comes back.
-const StateRow* find_switch(Context& context, GLenum cap, bool client_too) {
-    const StateRow* const row = gl::find_switch(cap);
+/// Where a capability is held; else the error is set and null comes back.
+bool* find_flag(Context& context, GLenum cap, bool client_too) {
+    const StateRow* const row = find_switch(cap);
     if (row == nullptr || (row->toggle == Switch::client && !client_too)) {
         error(context, GL_INVALID_ENUM);
         return nullptr;
@@ -19,18 +19,15 @@ const StateRow* find_switch(Context& context, GLenum cap, bool client_too) {
         error(context, GL_INVALID_OPERATION, row->missing);
         return nullptr;
     }
-    return row;
+    return reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) +
+                                   offset_of(context, *row, cap, sizeof(bool)));
 }
 
 void set(Context& context, GLenum cap, bool on) {
-    const StateRow* const row = find_switch(context, cap, false);
-    if (row == nullptr)
+    bool* const flag = find_flag(context, cap, false);
+    if (flag == nullptr || *flag == on)
         return;
-    bool& flag =
-        *reinterpret_cast<bool*>(reinterpret_cast<unsigned char*>(&context) + offset_of(context, *row));
-    if (flag == on)
-        return;
-    flag = on;
+    *flag = on;
     context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
     if (has_color_material && on && cap == GL_COLOR_MATERIAL)
@@ -51,12 +48,8 @@ void Disable(Context& context, GLenum cap) {
 }
 
 GLboolean IsEnabled(Context& context, GLenum cap) {
-    const StateRow* const row = find_switch(context, cap, true);
-    if (row == nullptr)
-        return GL_FALSE;
-    Param value[most_values];
-    load_state(context, *row, value);
-    return value[0].word != 0;
+    const bool* const flag = find_flag(context, cap, true);
+    return flag != nullptr && *flag;
 }
 
 } // namespace cmd

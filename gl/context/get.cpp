@@ -10,10 +10,10 @@ namespace spangle::gl {
 
 namespace {
 
-/// The row called `pname`, with its values; null after an error.
-const StateRow* find_values(Context& context, GLenum pname, const void* out, Param (&values)[most_values]) {
+/// The row that has `pname`, of a pointer or of values; null after an error.
+const StateRow* find_row(Context& context, GLenum pname, const void* out, bool pointer) {
     const StateRow* const row = find_state(pname);
-    if (row == nullptr || row->source == Source::pointer) {
+    if (row == nullptr || (row->source == Source::pointer) != pointer) {
         error(context, GL_INVALID_ENUM);
         return nullptr;
     }
@@ -25,15 +25,17 @@ const StateRow* find_values(Context& context, GLenum pname, const void* out, Par
         error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGet: null pointer"));
         return nullptr;
     }
-    load_state(context, *row, values);
     return row;
 }
 
-template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)(Kind, Param)) {
+void get(Context& context, GLenum pname, void* out, convert::Number type) {
+    const StateRow* const row = find_row(context, pname, out, false);
+    if (row == nullptr)
+        return;
     Param values[most_values];
-    if (const StateRow* const row = find_values(context, pname, out, values); row != nullptr)
-        for (int i = 0; i < row->count; ++i)
-            out[i] = convert(row->kind, values[i]);
+    load_state(context, *row, pname, values);
+    for (unsigned i = 0; i < row->count; ++i)
+        convert::store_value(out, i, type, row->kind, values[i]);
 }
 
 } // namespace
@@ -41,31 +43,27 @@ template <class T> void get(Context& context, GLenum pname, T* out, T (*convert)
 namespace cmd {
 
 void GetBooleanv(Context& context, GLenum pname, GLboolean* params) {
-    get(context, pname, params, convert::to_boolean);
+    get(context, pname, params, convert::Number::b);
 }
 void GetIntegerv(Context& context, GLenum pname, GLint* params) {
-    get(context, pname, params, convert::to_int);
+    get(context, pname, params, convert::Number::i);
 }
 void GetFloatv(Context& context, GLenum pname, GLfloat* params) {
-    get(context, pname, params, convert::to_float);
+    get(context, pname, params, convert::Number::f);
 }
 void GetDoublev(Context& context, GLenum pname, GLdouble* params) {
-    get(context, pname, params, convert::to_double);
+    get(context, pname, params, convert::Number::d);
 }
 void GetFixedvOES(Context& context, GLenum pname, GLfixed* params) {
-    get(context, pname, params, convert::to_fixed);
+    get(context, pname, params, convert::Number::x);
 }
 
 void GetPointerv(Context& context, GLenum pname, void** params) {
-    const StateRow* const row = find_state(pname);
-    if (row == nullptr || row->source != Source::pointer)
-        return error(context, GL_INVALID_ENUM);
-    if (row->left_out)
-        return error(context, GL_INVALID_OPERATION, row->missing);
-    if (params == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetPointerv: null pointer"));
-    std::memcpy(params, reinterpret_cast<const unsigned char*>(&context) + offset_of(context, *row),
-                sizeof *params);
+    if (const StateRow* const row = find_row(context, pname, params, true); row != nullptr)
+        std::memcpy(params,
+                    reinterpret_cast<const unsigned char*>(&context) +
+                        offset_of(context, *row, pname, sizeof *params),
+                    sizeof *params);
 }
 
 GLenum GetError(Context& context) {

@@ -138,13 +138,13 @@ FEATURE(of_point_parameters, POINT_PARAMETERS)
 #undef FEATURE
 
 /// One of each texture unit.
-constexpr WrittenRow of_unit(PerUnit which, std::size_t step, WrittenRow row) {
-    row.per_unit = which;
+constexpr WrittenRow of_unit(std::size_t step, WrittenRow row) {
     row.step = step;
     return row;
 }
 constexpr WrittenRow of_client_unit(WrittenRow row) {
-    return of_unit(PerUnit::client, sizeof(ClientArray), row);
+    row.client = true;
+    return of_unit(sizeof(ClientArray), row);
 }
 
 #define STORED(NAME, MEMBER)                                                                                 \

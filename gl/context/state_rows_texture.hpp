@@ -3,12 +3,10 @@
 
 #include "gl/context/state_row.hpp"
 
-#define TARGET(NAME, I)                                                                                      \
-    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].enabled[I]))
+#define TARGET(NAME, I) of_unit(sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].enabled[I]))
 #if SPANGLE_FEATURE_TEXGEN
-#define TEXGEN(NAME, I)                                                                                      \
-    of_unit(PerUnit::active, sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I]))
-#define TEXGENS of_unit(PerUnit::active, sizeof(TextureUnitState), HELD(texture.unit[0].gen))
+#define TEXGEN(NAME, I) of_unit(sizeof(TextureUnitState), SWITCH(NAME, texture.unit[0].gen_on[I]))
+#define TEXGENS of_unit(sizeof(TextureUnitState), HELD(texture.unit[0].gen))
 #else // no member for it
 #define TEXGEN(NAME, I) of_texgen(absent_switch(NAME))
 #define TEXGENS in(Group::texture)

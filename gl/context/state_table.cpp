@@ -80,13 +80,13 @@ constexpr StateRow packed(const WrittenRow& row) {
         while (computing[where] != row.compute)
             ++where;
     out.where = static_cast<std::uint16_t>(where);
-    out.unit_words = row.step / 4 & 0x7FF;
+    out.unit_words = row.step / 4 & ((1u << unit_bits) - 1);
     return out;
 }
 
 constexpr bool all_fit() {
     for (const WrittenRow& row : written)
-        if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 > 0x7FF ||
+        if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 >> unit_bits != 0 ||
             (row.compute == nullptr && row.source == Source::computed) ||
             (row.group == Group::none && row.source == Source::held))
             return false;
@@ -129,9 +129,36 @@ template <bool switches> constexpr auto sorted_by_name() {
     return rows;
 }
 
+/// One row can stand for what `row` stands for and for `next`, too.
+constexpr bool goes_on(const StateRow& row, const StateRow& next) {
+    return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
+           row.names + 1u < 1u << names_bits && next.count == row.count && next.group == row.group &&
+           next.client == row.client && next.unit_words == row.unit_words && next.kind == row.kind &&
+           next.source == row.source && next.toggle == row.toggle && next.left_out == row.left_out &&
+           next.missing == row.missing;
+}
+template <bool switches> constexpr auto all_joined() {
+    auto rows = sorted_by_name<switches>();
+    std::size_t used = 0;
+    for (const StateRow& row : rows) {
+        if (used > 0 && goes_on(rows[used - 1], row))
+            rows[used - 1].names = (rows[used - 1].names + 1u) & ((1u << names_bits) - 1);
+        else
+            rows[used++] = row;
+    }
+    return std::pair{rows, used};
+}
+template <bool switches> constexpr auto joined_rows() {
+    constexpr auto all = all_joined<switches>();
+    std::array<StateRow, all.second> rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i] = all.first[i];
+    return rows;
+}
+
 // Two arrays: a program that asks for nothing but turns systems on and off links the smaller one only.
-constexpr auto switches = sorted_by_name<true>();
-constexpr auto others = sorted_by_name<false>();
+constexpr auto switches = joined_rows<true>();
+constexpr auto others = joined_rows<false>();
 constexpr auto left_out_switches = left_out_names<true>();
 constexpr auto left_out_others = left_out_names<false>();
 constexpr StateRow left_out_row = packed(of_feature(false, "", absent_switch(0)));
@@ -145,7 +172,7 @@ constexpr auto held_rows = [] {
     for (const WrittenRow& row : written)
         if (is_held(row))
             rows[used++] = {static_cast<std::uint16_t>(row.value), static_cast<std::uint16_t>(row.bytes),
-                            static_cast<std::uint16_t>(row.step), row.per_unit, row.group};
+                            static_cast<std::uint16_t>(row.step), row.group};
     return rows;
 }();
 
@@ -159,12 +186,19 @@ constexpr bool names_differ() {
 static_assert(names_differ());
 
 const StateRow* find(std::span<const StateRow> rows, std::span<const std::uint16_t> left_out, GLenum name) {
-    std::size_t low = 0, high = rows.size();
-    while (low < high) {
-        const std::size_t middle = (low + high) / 2;
-        if (rows[middle].name == name)
-            return &rows[middle];
-        (rows[middle].name < name ? low : high) = rows[middle].name < name ? middle + 1 : middle;
+    if constexpr (raster::has_shortcuts) {
+        std::size_t low = 0, high = rows.size();
+        while (low < high) {
+            const std::size_t middle = (low + high) / 2;
+            const StateRow& row = rows[middle];
+            if (name - row.name < row.names)
+                return &row;
+            (row.name < name ? low : high) = row.name < name ? middle + 1 : middle;
+        }
+    } else {
+        for (const StateRow& row : rows)
+            if (name - row.name < row.names)
+                return &row;
     }
     for (const std::uint16_t other : left_out)
         if (other == name)
@@ -191,48 +225,27 @@ std::span<const HeldRow> all_held() {
     return held_rows;
 }
 
-std::uint32_t kept_by(const StateRow& row) {
-    switch (row.source) {
-    case Source::boolean:
-        return row.count;
-    case Source::integer:
-    case Source::real:
-        return row.count * std::uint32_t{4};
-    case Source::pointer:
-        return sizeof(void*);
-    default:
-        return 0;
-    }
+std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes) {
+    const std::size_t unit =
+        row.client ? context.array_bindings.client_unit() : context.texture.active_unit();
+    return row.where + (name - row.name) * bytes + row.unit_step() * unit;
 }
 
-std::uint32_t units_of(PerUnit per_unit) {
-    return per_unit == PerUnit::no ? 1 : texture_units;
-}
-
-std::size_t offset_of(const Context& context, const StateRow& row) {
-    const std::size_t unit = row.per_unit == PerUnit::active   ? context.texture.active_unit()
-                             : row.per_unit == PerUnit::client ? context.array_bindings.client_unit()
-                                                               : 0;
-    return row.where + row.unit_step() * unit;
-}
-
-void load_state(const Context& context, const StateRow& row, Param* out) {
+void load_state(const Context& context, const StateRow& row, GLenum name, Param* out) {
     if (row.source == Source::computed)
-        return computing[row.where](context, row.name, out);
-    const auto* const from = reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row);
+        return computing[row.where](context, name, out);
+    const auto* const from =
+        reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row, name, kept_by(row));
     switch (row.source) {
     case Source::boolean:
         for (int i = 0; i < row.count; ++i)
             out[i] = Param::from_integer(reinterpret_cast<const bool*>(from)[i]);
         break;
     case Source::integer:
+    case Source::real: // a word each
         for (int i = 0; i < row.count; ++i)
             std::memcpy(&out[i].word, from + static_cast<std::size_t>(i) * sizeof(std::uint32_t),
                         sizeof(std::uint32_t));
-        break;
-    case Source::real:
-        for (int i = 0; i < row.count; ++i)
-            out[i] = Param::from(reinterpret_cast<const Real*>(from)[i]);
         break;
     case Source::constant:
         out[0] = Param::from_integer(row.where);

@@ -57,28 +57,26 @@ enum class Group : std::uint8_t {
     multisample = 29,
     client_pixel_store,
     client_vertex_array,
-    none,
+    none = 28, ///< no mask has this bit
 };
 
-/// Which of several places a row stands for.
-enum class PerUnit : std::uint8_t {
-    no,
-    active, ///< that of ActiveTexture
-    client, ///< that of ClientActiveTexture
-};
+inline constexpr unsigned names_bits = 5, unit_bits = 8;
 
-/// A board's flash holds some 320 of them.
+/// A state, or several whose names are consecutive and whose values lie one behind the other. A board's flash
+/// holds some 200 of them.
 struct StateRow {
-    std::uint16_t name = 0;
-    std::uint16_t where = 0;           ///< offset in Context, or the constant, or which function computes it
-    std::uint16_t count : 5 = 0;       ///< most_values and less
-    std::uint16_t unit_words : 11 = 0; ///< from one unit's value to the next one's, 4 bytes each
-    Kind kind : 2 = Kind::integer;     ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    std::uint16_t name = 0;  ///< of the first
+    std::uint16_t where = 0; ///< offset in Context, or the constant, or which function computes it
+    std::uint16_t names : names_bits = 1; ///< how many there are
+    std::uint16_t count : 5 = 0;          ///< of values that each has, most_values and less
+    Group group : 5 = Group::none;        ///< every Switch::server is in Group::enable, too
+    bool client : 1 = false;              ///< its unit is that of ClientActiveTexture, not of ActiveTexture
+    std::uint16_t unit_words : unit_bits =
+                                   0; ///< from one unit's value to the next one's, 4 bytes each; 0: no units
+    Kind kind : 2 = Kind::integer;    ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
     Source source : 3 = Source::constant;
     Switch toggle : 2 = Switch::none;
     bool left_out : 1 = false; ///< of a system this build has not
-    PerUnit per_unit : 2 = PerUnit::no;
-    Group group : 6 = Group::none; ///< every Switch::server is in Group::enable, too
 #if SPANGLE_MESSAGES
     const char* missing = nullptr; ///< that system
 #else
@@ -92,7 +90,6 @@ struct StateRow {
 /// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
 struct HeldRow {
     std::uint16_t offset = 0, bytes = 0, unit_step = 0;
-    PerUnit per_unit = PerUnit::no;
     Group group = Group::none;
 };
 
@@ -101,7 +98,7 @@ using Compute = void(const Context& context, GLenum name, Param* out);
 
 inline constexpr int most_values = 16;
 
-/// The row called `name`, or null.
+/// The row that has `name`, or null.
 const StateRow* find_state(GLenum name);
 
 /// The same of rows that are switches.
@@ -111,16 +108,22 @@ const StateRow* find_switch(GLenum name);
 std::array<std::span<const StateRow>, 2> all_state();
 std::span<const HeldRow> all_held();
 
-/// The bytes that a row keeps in the context, of the first unit; 0 where it keeps none.
-std::uint32_t kept_by(const StateRow& row);
+/// The bytes that each name of a row keeps in the context, of the first unit; 0 where it keeps none.
+constexpr std::uint32_t kept_by(const StateRow& row) {
+    constexpr std::uint32_t of_each = 0x0441 | sizeof(void*) << 12; // 4 bits for each Source, in its order
+    return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
+}
 
-/// How many of them stand a unit's step apart.
-std::uint32_t units_of(PerUnit per_unit);
+/// How many of them stand so far apart.
+constexpr std::uint32_t units_of(std::uint32_t unit_step) {
+    return unit_step == 0 ? 1 : texture_units;
+}
 
-/// Where the value of a row that is not computed lies in its context, in bytes.
-std::size_t offset_of(const Context& context, const StateRow& row);
+/// Where the value of a name that is not computed lies in its context, in bytes; each name before it keeps
+/// `bytes`.
+std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes);
 
 /// Writes row.count values.
-void load_state(const Context& context, const StateRow& row, Param* out);
+void load_state(const Context& context, const StateRow& row, GLenum name, Param* out);
 
 } // namespace spangle::gl

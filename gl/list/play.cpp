@@ -4,6 +4,7 @@
 
 #if SPANGLE_FEATURE_LISTS
 
+#include "gl/api/command.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
 
@@ -26,7 +27,34 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
     return target;
 }
 
+const Word* play(Context& context, const Player& player, const Word* words) {
+    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
+                                    : play_command(context, static_cast<const Command&>(player), words);
+}
+
 } // namespace
+
+const Word* play_command(Context& context, const Command& command, const Word* words) {
+    Arg args[most_args] = {};
+    Params params;
+    Matrix16 matrix;
+    Arg* arg = args;
+    for (unsigned left = words_of(command); left != 0; --left)
+        *arg++ = *words++;
+    if (command.form == Form::params) {
+        params.count = *words++;
+        __builtin_memcpy(static_cast<void*>(params.v), words, params.count * sizeof(Word));
+        words += params.count;
+        *arg = Passed<const Params&>::arg(params);
+    } else if (command.form == Form::matrix) {
+        __builtin_memcpy(static_cast<void*>(matrix.m), words, sizeof matrix.m);
+        words += sizeof matrix.m / sizeof(Word);
+        *arg = Passed<const Matrix16&>::arg(matrix);
+    }
+    if (allowed(context, command))
+        call(context, command.run, command.args, args);
+    return words;
+}
 
 void execute(Context& context, GLuint name) {
     const Word* at = body(context, name);
@@ -36,7 +64,7 @@ void execute(Context& context, GLuint name) {
         const Player* player;
         __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
         if (player != nullptr) {
-            at = player->play(context, at + player_words);
+            at = play(context, *player, at + player_words);
             continue;
         }
         if (context.list.depth == 0)

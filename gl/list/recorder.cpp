@@ -154,9 +154,29 @@ Word* record(Context& context, const Player* player, std::uint32_t words) {
     return append(context, player, words);
 }
 
-void write(Context& context, const Player& player, const Word* words, std::uint32_t count) {
-    if (Word* to = record(context, &player, count); to != nullptr)
-        std::memcpy(to, words, count * sizeof(Word));
+void write(Context& context, const Command& command, const Arg* args) {
+    const unsigned words = words_of(command);
+    const std::uint32_t* tail = nullptr;
+    std::uint32_t count = words, tail_words = 0;
+    if (command.form == Form::params) {
+        const Params& params = Passed<const Params&>::value(args[words]);
+        tail_words = params.count;
+        tail = &params.v[0].word;
+        ++count;
+    } else if (command.form == Form::matrix) {
+        const Matrix16& matrix = Passed<const Matrix16&>::value(args[words]);
+        tail_words = sizeof matrix.m / sizeof(Word);
+        tail = &matrix.m[0].bits;
+    }
+    Word* to = record(context, &command, count + tail_words);
+    if (to == nullptr)
+        return;
+    for (unsigned i = 0; i < words; ++i)
+        *to++ = static_cast<Word>(args[i]);
+    if (command.form == Form::params)
+        *to++ = tail_words;
+    if (tail_words != 0)
+        std::memcpy(to, tail, tail_words * sizeof(Word));
 }
 
 namespace {

@@ -480,9 +480,10 @@ TEST_F(Attrib, TheTestKnowsAllStateThatIsSaved) {
     const auto server = server_state(), client = client_state();
     for (const auto part : gl::all_state())
         for (const gl::StateRow& row : part)
-            if (!row.left_out && row.group != gl::Group::none) {
-                EXPECT_TRUE(server.contains(row.name) || client.contains(row.name)) << std::hex << row.name;
-            }
+            if (!row.left_out && row.group != gl::Group::none)
+                for (GLenum name = row.name; name < GLenum{row.name} + row.names; ++name) {
+                    EXPECT_TRUE(server.contains(name) || client.contains(name)) << std::hex << name;
+                }
 }
 
 TEST_F(Attrib, EachBitSavesExactlyItsGroup) {
