@@ -378,7 +378,7 @@ template <class Case, int Wide = host_lanes>
             if (!PatchOfRows::are_many(row, end, Case::Few::most + 1))
                 return fused_narrow_plain_rows<typename Case::Few>(span, row, end);
         fused_narrow_plain_rows<Case>(span, row, end);
-    } else if constexpr (Case::apart) {
+    } else if constexpr (Case::apart || (Wide == 1 && !has_shortcuts)) {
         do {
             enter_fused<Case>(span, *row);
             fused_narrow_row<Case>(span, *row);

@@ -231,11 +231,10 @@ struct TextureFixed : StageBase {
         Env == TexEnv::modulate && Base == BaseFormat::rgb && Texels == TexelFormat::rgb565;
     /// Factors by table: what `environment` would make of the texel.
     SPANGLE_INLINE static bool modulate(Px<N>& p, const std::uint8_t* texel) {
-        constexpr const auto& factors = texel_factors<N, Steps>;
         const std::uint32_t word = Lanes<1>::load(texel);
-        p.color.r = N::scaled(p.color.r, factors.of5[word >> 11]);
-        p.color.g = N::scaled(p.color.g, factors.of6[(word >> 5) & 63]);
-        p.color.b = N::scaled(p.color.b, factors.of5[word & 31]);
+        p.color.r = N::scaled(p.color.r, texel_factor<5, N, Steps>(word >> 11));
+        p.color.g = N::scaled(p.color.g, texel_factor<6, N, Steps>((word >> 5) & 63));
+        p.color.b = N::scaled(p.color.b, texel_factor<5, N, Steps>(word & 31));
         return true;
     }
     SPANGLE_INLINE bool environment(Px<N>& p, const Color& s) const {

@@ -12,9 +12,15 @@ template <class N, class Word, int Steps> struct TexelFactors {
     Word of5[32], of6[64];
     constexpr TexelFactors() : of5{}, of6{} {
         for (std::uint32_t k = 0; k < 64; ++k) {
-            of5[k & 31] = static_cast<Word>(factor<5>(N::from5(k & 31)));
-            of6[k] = static_cast<Word>(factor<6>(N::from6(k)));
+            of5[k & 31] = static_cast<Word>(of<5>(k & 31));
+            of6[k] = static_cast<Word>(of<6>(k));
         }
+    }
+    template <unsigned Bits> SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t k) {
+        if constexpr (Bits == 5)
+            return factor<5>(N::from5(k));
+        else
+            return factor<6>(N::from6(k));
     }
 
   private:
@@ -28,6 +34,15 @@ template <class N, class Word, int Steps> struct TexelFactors {
 template <class N, int Steps = 0>
 inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
     texel_factors;
+
+/// One of them: looked up, or, where that is only faster, computed.
+template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_factor(std::uint32_t k) {
+    using Factors = std::remove_const_t<decltype(texel_factors<N, Steps>)>;
+    if constexpr (!has_shortcuts)
+        return Factors::template of<Bits>(k);
+    else
+        return Bits == 5 ? texel_factors<N, Steps>.of5[k] : texel_factors<N, Steps>.of6[k];
+}
 
 /// What MODULATE multiplies by, of a texel: R5 G6 B5, or 8-bit components with R in the lowest byte. Factors
 /// has factor5(), factor6(), factor8().
@@ -53,17 +68,16 @@ struct TexelComponents {
 /// Those of the chain: texels 565 are by table.
 template <class N, bool Is565, int Steps> struct ChainScales {
     SPANGLE_INLINE static std::uint32_t red(std::uint32_t t) {
-        return Is565 ? factors.of5[t >> 11] : of<5>(t & 255);
+        return Is565 ? texel_factor<5, N, Steps>(t >> 11) : of<5>(t & 255);
     }
     SPANGLE_INLINE static std::uint32_t green(std::uint32_t t) {
-        return Is565 ? factors.of6[t >> 5 & 63] : of<6>(t >> 8 & 255);
+        return Is565 ? texel_factor<6, N, Steps>(t >> 5 & 63) : of<6>(t >> 8 & 255);
     }
     SPANGLE_INLINE static std::uint32_t blue(std::uint32_t t) {
-        return Is565 ? factors.of5[t & 31] : of<5>(t >> 16 & 255);
+        return Is565 ? texel_factor<5, N, Steps>(t & 31) : of<5>(t >> 16 & 255);
     }
 
   private:
-    static constexpr const auto& factors = texel_factors<N, Steps>;
     template <unsigned Bits> SPANGLE_INLINE static std::uint32_t of(std::uint32_t k) {
         if constexpr (Steps != 0)
             return Steps * N::fraction(N::template steps15<Bits>(N::from8(k)));
