@@ -193,11 +193,28 @@ void scissor_changed(DrawState& draw, const Surface& target) {
     draw.paths = walks ? area_of_paths(draw.fragment.scissor, target) : DrawState::Area{};
 }
 
+/// Those that some state may ask for.
+constexpr bool is_possible(Kind kind) {
+    switch (kind) {
+    case Kind::flat: // of 16 bits
+        return spans_are_raw;
+    case Kind::affine:
+        return true;
+    case Kind::textured:
+        return has_division;
+    default:
+        return has_full;
+    }
+}
+
 template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
+    constexpr int first = is_possible(Kind::flat) ? 0 : 1;
+    constexpr int end = is_possible(Kind::full) ? 4 : is_possible(Kind::textured) ? 3 : 2;
+    static_assert(kind_count == 4);
     DrawState draw;
     bool lacks_span = false;
     prepare(draw, state, target);
-    for (int i = 0; i < kind_count && !draw.nothing; ++i) {
+    for (int i = first; i < end && !draw.nothing; ++i) {
         const auto kind = static_cast<Kind>(i);
         const Key key = make_key(state, target, kind);
         const bool plain = !draw.needs.any_unit() && !draw.needs.fog;
@@ -208,10 +225,8 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
             continue;
         if (!has_affine_textures && kind == Kind::affine && draw.needs.any_unit())
             continue;
-        if (!has_division && kind == Kind::textured)
+        if (!is_possible(kind) || (kind == Kind::full && !has_chain && drawn(state.tier) == Tier::fast))
             continue;
-        if (kind == Kind::full && (!has_perspective || (!has_chain && drawn(state.tier) == Tier::fast)))
-            continue; // colours and fog of that tier are affine
         draw.guesses = choose_span(draw.variant[i], key, state);
         lacks_span = lacks_span || (!has_chain && draw.variant[i].run == nullptr);
         const Shapes* const shapes = draw.variant[i].shapes;
