@@ -1,5 +1,8 @@
 #include "gl/pixel/fragment_setup.hpp"
 
+#include <new>
+#include <type_traits>
+
 #include "gl/context/features.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
@@ -271,7 +274,11 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.drawn = drawn;
         cache.colors = colors;
         cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context);
-        raster::FragmentState fragment;
+        // What is not said is 0: it is looked at in no state that leaves it out.
+        static_assert(std::is_trivially_copyable_v<raster::FragmentState>);
+        alignas(raster::FragmentState) unsigned char memory[sizeof(raster::FragmentState)] = {};
+        auto& fragment = *std::launder(reinterpret_cast<raster::FragmentState*>(memory));
+        fragment.perspective = true;
         fill(context, fragment);
         fill_modes(context, drawn, fragment);
         fragment.colors = colors;

@@ -40,7 +40,7 @@ void OF_ENGINE construct(void*) {
 
 void OF_ENGINE compile(const raster::FragmentState& fragment, const raster::Surface& target,
                        raster::DrawState& out) {
-    out = raster::compile<raster::FixedVertex>(fragment, target);
+    raster::compile<raster::FixedVertex>(fragment, target, out);
 }
 
 void OF_ENGINE begin(Context& context, GLenum mode) {

@@ -27,7 +27,7 @@ template <class M, class L> constexpr Engine engine_of() {
     return {
         sizeof(P), [](void* memory) { new (memory) P; },
             [](const raster::FragmentState& fragment, const raster::Surface& target, raster::DrawState& out) {
-                out = raster::compile<typename M::Window>(fragment, target);
+                raster::compile<typename M::Window>(fragment, target, out);
             },
             [](Context& context, GLenum mode) { pipeline<P>(context).begin(context, mode); },
             [](Context& context, Real x, Real y, Real z, Real w) {

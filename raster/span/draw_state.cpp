@@ -1,5 +1,8 @@
 #include "raster/span/draw_state.hpp"
 
+#include <cstring>
+#include <type_traits>
+
 #include "raster/numeric/real.hpp"
 #include "raster/span/assemble.hpp"
 #include "raster/span/fused_table.hpp"
@@ -140,6 +143,8 @@ AnyFunction chain_runner(Number number) {
 }
 
 void prepare(DrawState& draw, const FragmentState& state, const Surface& target) {
+    static_assert(std::is_trivially_copyable_v<DrawState>); // bytes make one
+    std::memset(static_cast<void*>(&draw), 0, sizeof draw);
     draw.fragment = state;
     draw.tier = state.tier;
     draw.format = target.format;
@@ -207,11 +212,10 @@ constexpr bool is_possible(Kind kind) {
     }
 }
 
-template <> DrawState compile<FixedVertex>(const FragmentState& state, const Surface& target) {
+template <> void compile<FixedVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     constexpr int first = is_possible(Kind::flat) ? 0 : 1;
     constexpr int end = is_possible(Kind::full) ? 4 : is_possible(Kind::textured) ? 3 : 2;
     static_assert(kind_count == 4);
-    DrawState draw;
     bool lacks_span = false;
     prepare(draw, state, target);
     for (int i = first; i < end && !draw.nothing; ++i) {
@@ -238,7 +242,6 @@ template <> DrawState compile<FixedVertex>(const FragmentState& state, const Sur
 #endif
     draw.nothing = draw.nothing || lacks_span;
     scissor_changed(draw, target);
-    return draw;
 }
 
 } // namespace spangle::raster

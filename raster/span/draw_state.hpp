@@ -168,9 +168,15 @@ struct DrawState {
 };
 
 /// V: the vertex type of the policy. The fixed one is compiled into firmware, the others on hosts only.
-template <class V> DrawState compile(const FragmentState& fragment, const Surface& target);
+template <class V> void compile(const FragmentState& fragment, const Surface& target, DrawState& out);
+template <class V> DrawState compile(const FragmentState& fragment, const Surface& target) {
+    DrawState draw;
+    compile<V>(fragment, target, draw);
+    return draw;
+}
 
-/// All of a DrawState but its variants, the same in every policy.
+/// All of a DrawState but its variants, which begin empty; the same in every policy. What it was before does
+/// not matter.
 void prepare(DrawState& draw, const FragmentState& fragment, const Surface& target);
 
 /// Draws no more than the scissor rectangle of its fragment state, which has become another one.

@@ -6,14 +6,12 @@
 
 namespace spangle::raster {
 
-template <> DrawState compile<DoubleVertex>(const FragmentState& state, const Surface& target) {
-    DrawState draw;
+template <> void compile<DoubleVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     prepare(draw, state, target);
     draw.words = false; // colours are combined, always
     if (!draw.nothing)
         assemble<Reference>(draw.variant[static_cast<unsigned>(Kind::full)],
                             make_key(state, target, Kind::full), state);
-    return draw;
 }
 
 } // namespace spangle::raster

@@ -318,15 +318,14 @@ ShadowReport* shadow_report() {
     return current_report;
 }
 
-template <> DrawState compile<ShadowVertex>(const FragmentState& state, const Surface& target) {
-    DrawState draw = compile<FixedVertex>(state, target);
+template <> void compile<ShadowVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
+    compile<FixedVertex>(state, target, draw);
     draw.guesses = false; // set-up must leave the planes that the chain divides
     for (int i = 0; i < kind_count; ++i)
         if (Variant& variant = draw.variant[i]; variant.run != nullptr) {
             variant.run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);
             variant.gray = false;
         }
-    return draw;
 }
 
 } // namespace spangle::raster
