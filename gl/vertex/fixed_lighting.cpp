@@ -175,17 +175,19 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
     if (has_specular)
         set_intensities(light.specular, out.specular);
     out.directional = !has_local_lights || p.m[3] == 0;
-    out.spot = !(light.spot_cutoff == Real{0x43340000});
     if (out.directional) {
-        out.to_light = numeric::normalize(numeric::xyz(p));
-        out.facing = in_object_space(normal, out.to_light, normal_matrix_.column);
+        const numeric::Unit3 to_light = numeric::normalize(numeric::xyz(p));
+        out.facing = in_object_space(normal, to_light, normal_matrix_.column);
+        if (!always_given)
+            out.to_light = to_light;
         if (has_specular)
-            out.half = half_vector(out.to_light, toward_viewer);
+            out.half = half_vector(to_light, toward_viewer);
     } else {
         out.position = numeric::mul(numeric::xyz(p), numeric::reciprocal(numeric::component(p, 3)));
     }
     if (!has_local_lights)
         return;
+    out.spot = !(light.spot_cutoff == Real{0x43340000});
     const Real(&d)[3] = light.spot_direction;
     out.spot_axis = numeric::normalize(numeric::to_block(d[0], d[1], d[2]));
     out.spot_cosine =

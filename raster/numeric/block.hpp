@@ -325,12 +325,12 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     const int zeros = clz64(square) & ~1; // 2 or 4: square << zeros is in [2^62, 2^64)
     const std::uint32_t r = rsqrt(static_cast<std::uint32_t>((square << zeros) >> 32));
     // v / sqrt(square) = v * (r * 2^-30) * 2^((zeros - 64) / 2); in Q2.30 that is v * r >> (32 - zeros / 2).
-    const int shift = 32 - zeros / 2;
-    const std::int64_t half = std::int64_t{1} << (shift - 1);
+    const int shift = 32 - zeros / 2; // 30 or 31
+    const std::int64_t half = std::int32_t{1} << (shift - 1);
     Unit3 out;
 #pragma GCC unroll runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i)
-        out.m[i] = static_cast<std::int32_t>((mul_s32_u32(v.m[i], r) + half) >> shift);
+        out.m[i] = static_cast<std::int32_t>(low_word_after(mul_s32_u32(v.m[i], r) + half, shift));
     return out;
 }
 
