@@ -241,13 +241,10 @@ SPANGLE_RUN_INLINE constexpr std::int32_t saturate_i32(std::int64_t v) {
 constexpr std::int32_t scale_saturate(std::int64_t v, int n) {
     if (n <= 0)
         return saturate_i32(shift_right_round(v, -n));
-    const std::int32_t limit =
-        v < 0 ? std::numeric_limits<std::int32_t>::min() : std::numeric_limits<std::int32_t>::max();
     if (v == 0)
         return 0;
-    if (n >= 32 || v > std::numeric_limits<std::int32_t>::max() ||
-        v < std::numeric_limits<std::int32_t>::min())
-        return limit;
+    if (n >= 32 || v != static_cast<std::int32_t>(v))
+        return v < 0 ? std::numeric_limits<std::int32_t>::min() : std::numeric_limits<std::int32_t>::max();
     return saturate_i32(static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << n));
 }
 

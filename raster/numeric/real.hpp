@@ -87,7 +87,7 @@ constexpr Real from_u32(std::uint32_t v) {
 }
 constexpr Real from_i32(std::int32_t v) {
     const std::uint32_t magnitude = abs_u32(v);
-    if (magnitude - 1 >= (1u << 24) - 1)
+    if (!runs_inline || magnitude - 1 >= (1u << 24) - 1) // the rest is only faster
         return pack_real(v < 0, magnitude, 0);
     const int zeros = clz32(magnitude); // 8 .. 31: its bits are all of the mantissa, nothing is rounded
     const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23; // the top bit adds one
