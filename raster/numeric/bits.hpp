@@ -204,7 +204,8 @@ SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
         return v;
     if (n > 63)
         return 0;
-    return (v >> n) + ((v >> (n - 1)) & 1);
+    const std::int64_t twice = v >> (n - 1);
+    return (twice >> 1) + (twice & 1);
 }
 
 /// Nearest to v / 2^n, ties to even; n >= 0.
