@@ -175,7 +175,7 @@ constexpr Block mul(Block a, Block b) {
 namespace detail {
 
 /// a * 2^e_a + b * 2^e_b of magnitudes below 2^62: the one of the larger exponent keeps its bits.
-SPANGLE_RUN_CALL constexpr Block sum(std::int64_t a, std::int32_t e_a, std::int64_t b, std::int32_t e_b) {
+SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::int64_t b, std::int32_t e_b) {
     if (b == 0 || (a != 0 && e_a >= e_b))
         return make_block(a + (b == 0 ? 0 : shift_right_round(b, e_a - e_b)), e_a);
     return make_block(b + (a == 0 ? 0 : shift_right_round(a, e_b - e_a)), e_b);

@@ -143,10 +143,14 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
 }
 
 /// n of a matrix's elements, as it holds them, `step` apart.
-SPANGLE_RUN_CALL constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
+SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
 #pragma GCC unroll runs_inline ? 4 : 1
-    for (int k = 0; k < n; ++k)
-        out[k] = {a.m[first + k * step], a.e[first + k * step]};
+    for (int k = 0; k < n; ++k, first += step) {
+        // Of one word: GCC 12 makes addresses of two strides of it, and then takes this function for one that
+        // stores nothing.
+        first = factor32(first);
+        out[k] = {a.m[first], a.e[first]};
+    }
 }
 constexpr void row_of(const Matrix& a, int i, Element (&out)[4]) {
     gather(a, i, 4, 4, out);
