@@ -131,7 +131,7 @@ namespace list {
 
 /// How many of a command's arguments are a word.
 constexpr unsigned words_of(const Command& command) {
-    return command.args - (command.form == Form::params || command.form == Form::matrix ? 1u : 0u);
+    return command.args - (command.form > Form::encoded ? 1u : 0u);
 }
 
 /// A record of these arguments, word by word.

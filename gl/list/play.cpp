@@ -27,14 +27,8 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
     return target;
 }
 
-const Word* play(Context& context, const Player& player, const Word* words) {
-    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
-                                    : play_command(context, static_cast<const Command&>(player), words);
-}
-
-} // namespace
-
-const Word* play_command(Context& context, const Command& command, const Word* words) {
+/// The record's words as arguments.
+const Word* play_any(Context& context, const Command& command, const Word* words) {
     Arg args[most_args] = {};
     Params params;
     Matrix16 matrix;
@@ -54,6 +48,35 @@ const Word* play_command(Context& context, const Command& command, const Word* w
     if (allowed(context, command))
         call(context, command.run, command.args, args);
     return words;
+}
+
+const Word* play(Context& context, const Player& player, const Word* words) {
+    if (converts_in_line && &player == &list::player<&play_run>) // most of them
+        return play_run(context, words);
+    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
+                                    : play_command(context, static_cast<const Command&>(player), words);
+}
+
+} // namespace
+
+const Word* play_command(Context& context, const Command& command, const Word* words) {
+    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most others
+        Arg a = 0, b = 0, c = 0;
+        switch (command.args) {
+        case 3:
+            c = words[2];
+            [[fallthrough]];
+        case 2:
+            b = words[1];
+            [[fallthrough]];
+        case 1:
+            a = words[0];
+        }
+        if (allowed(context, command))
+            command.run.few(context, a, b, c);
+        return words + command.args;
+    }
+    return play_any(context, command, words);
 }
 
 void execute(Context& context, GLuint name) {
