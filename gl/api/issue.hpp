@@ -110,7 +110,7 @@ template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&
 }
 
 /// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
-template <class F, class... A> inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
+template <class F, class... A> [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
     Context* context = outside_begin_end(F::refusal);
     if (context == nullptr)
@@ -119,7 +119,7 @@ template <class F, class... A> inline auto ask(A... args) -> decltype(F::run(*cu
 }
 
 /// The same for queries of parameters; `out` stays empty when they may not run.
-template <class F, class... A> inline void fetch(Params& out, A... args) {
+template <class F, class... A> [[gnu::always_inline]] inline void fetch(Params& out, A... args) {
     static_assert(F::listing == Listing::never && !F::inside);
     if (Context* context = outside_begin_end(F::refusal); context != nullptr)
         F::run(*context, args..., out);
