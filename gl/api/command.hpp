@@ -36,6 +36,8 @@ template <class Places> struct Taking;
 template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
     using Function = void(Context&, AnyArg<I>...);
 
+    static void call(Function* function, Context& context, const Arg* args) { function(context, args[I]...); }
+
     template <auto function, class... A, std::size_t... J>
     static constexpr Function* of(void (*)(Context&, A...), std::index_sequence<J...>) {
         return [](Context& context, AnyArg<I>... args) {
@@ -75,11 +77,11 @@ struct Command : list::Player {
     template <class... A> void operator()(Context& context, A... args) const {
         const Arg given[most_args] = {args...};
         if constexpr (sizeof...(A) <= few_args)
-            run.few(context, given[0], given[1], given[2]);
+            Few::call(run.few, context, given);
         else if constexpr (sizeof...(A) <= some_args)
-            run.some(context, given[0], given[1], given[2], given[3], given[4], given[5]);
+            Some::call(run.some, context, given);
         else
-            call(context, run, sizeof...(A), given);
+            Many::call(run.many, context, given);
     }
 };
 

@@ -172,8 +172,9 @@ class Family:
         names = [a.name for a in self.args]
         sizes = [n for n in ("width", "height", "depth") if n in names]
         beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
+        beside += ["0"] * (5 - len(beside)) # each member has a value: no memory is cleared
         size = ", ".join(sizes + ["1"] * (3 - len(sizes)))
-        volume = ", true" if len(sizes) == 3 else ""
+        volume = ", true" if len(sizes) == 3 else ", false"
         return f"ImageCommand{{{{{', '.join(beside)}}}, {{{size}}}, format, type, pixels{volume}}}"
 
     def entries_components(self):

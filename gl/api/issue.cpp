@@ -28,12 +28,11 @@ bool allowed(Context& context, const list::Player& command) {
 
 void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]) {
     if (count <= few_args)
-        run.few(context, args[0], args[1], args[2]);
+        Few::call(run.few, context, args);
     else if (count <= some_args)
-        run.some(context, args[0], args[1], args[2], args[3], args[4], args[5]);
+        Some::call(run.some, context, args);
     else
-        run.many(context, args[0], args[1], args[2], args[3], args[4], args[5], args[6], args[7], args[8],
-                 args[9]);
+        Many::call(run.many, context, args);
 }
 
 bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
