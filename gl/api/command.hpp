@@ -17,6 +17,10 @@ template <class T> struct Passed {
     static constexpr Arg arg(T value) { return static_cast<Arg>(value); }
     static constexpr T value(Arg arg) { return static_cast<T>(arg); }
 };
+template <> struct Passed<bool> {
+    static constexpr Arg arg(bool value) { return value ? 1 : 0; }
+    static constexpr bool value(Arg arg) { return (arg & 1) != 0; }
+};
 template <> struct Passed<Real> {
     static constexpr Arg arg(Real value) { return value.bits; }
     static constexpr Real value(Arg arg) { return {static_cast<std::uint32_t>(arg)}; }
