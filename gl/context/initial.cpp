@@ -17,7 +17,7 @@ namespace {
 
 inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint32_t);
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
-inline constexpr std::size_t most_back = 127;         ///< words; what repeats lies nearer
+inline constexpr std::size_t most_back = 255;         ///< words; what repeats lies nearer
 static_assert(std::is_trivially_copyable_v<Context>); // bytes make one
 
 struct Image {
