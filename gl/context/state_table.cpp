@@ -129,13 +129,16 @@ template <bool switches> constexpr auto sorted_by_name() {
     return rows;
 }
 
+constexpr bool same_text(const char* a, const char* b) {
+    return a == b;
+}
 /// One row can stand for what `row` stands for and for `next`, too.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
     return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
            row.names + 1u < 1u << names_bits && next.count == row.count && next.group == row.group &&
            next.client == row.client && next.unit_words == row.unit_words && next.kind == row.kind &&
            next.source == row.source && next.toggle == row.toggle && next.left_out == row.left_out &&
-           next.missing == row.missing;
+           same_text(next.missing, row.missing);
 }
 template <bool switches> constexpr auto all_joined() {
     auto rows = sorted_by_name<switches>();
