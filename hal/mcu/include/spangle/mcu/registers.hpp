@@ -13,6 +13,9 @@ inline volatile std::uint32_t& reg(std::uintptr_t address) {
 inline void set_bits(std::uintptr_t address, std::uint32_t bits) {
     reg(address) = reg(address) | bits;
 }
+inline void clear_bits(std::uintptr_t address, std::uint32_t bits) {
+    reg(address) = reg(address) & ~bits;
+}
 
 /// A line that is one bit of an output register.
 struct RegisterPin {
