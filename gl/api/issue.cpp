@@ -1,7 +1,6 @@
 #include "gl/api/components.hpp"
 #include "gl/api/params.hpp"
 
-#include <cstring>
 
 namespace spangle::gl {
 
@@ -62,7 +61,8 @@ void issue_args(const Command& command, const Arg* args) {
     if (context == nullptr)
         return;
     Arg given[most_args] = {};
-    std::memcpy(given, args, command.args * sizeof(Arg));
+    for (unsigned i = 0; i < command.args; ++i)
+        given[i] = args[i];
     if (admit(*context, command, given))
         call(*context, command.run, command.args, given);
 }

@@ -110,11 +110,12 @@ template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&
 }
 
 /// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
-template <class F, class... A> [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
+template <class F, class... A>
+[[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
     Context* context = outside_begin_end(F::refusal);
     if (context == nullptr)
-        return 0;
+        return {};
     return F::run(*context, args...);
 }
 

