@@ -178,6 +178,8 @@ std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t r
     return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
 }
 
+#if SPANGLE_FEATURE_MULTISAMPLE
+
 /// The samples of the rows that are there; top row first, so that they have the stride of the surface's own
 /// planes where these have one.
 const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
@@ -189,6 +191,8 @@ const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
     surface.samples.unresolved = surface.unresolved - rows.y;
     return surface.samples;
 }
+
+#endif
 
 } // namespace
 
