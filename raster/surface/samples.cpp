@@ -105,9 +105,7 @@ Surface sample_of(const Surface& s, unsigned sample) {
     out.touched = samples.unresolved;
     out.touched_step = 1;
 #endif
-#if SPANGLE_FEATURE_MULTISAMPLE
     out.samples = nullptr;
-#endif
     return out;
 }
 
