@@ -1,7 +1,6 @@
 #include "gl/api/components.hpp"
 #include "gl/api/params.hpp"
 
-
 namespace spangle::gl {
 
 namespace {

@@ -28,7 +28,7 @@ bool depth_format_of(GLint internal_format, TexelFormat& out) {
 void take_base_format(GLint& internal_format) {
     if (internal_format >= GL_COMPRESSED_ALPHA && internal_format <= GL_COMPRESSED_RGBA) {
         static constexpr std::uint16_t base[] = {GL_ALPHA,     GL_LUMINANCE, GL_LUMINANCE_ALPHA,
-                                          GL_INTENSITY, GL_RGB,       GL_RGBA};
+                                                 GL_INTENSITY, GL_RGB,       GL_RGBA};
         internal_format = base[internal_format - GL_COMPRESSED_ALPHA];
     }
 }
