@@ -66,17 +66,17 @@ void issue_args(const Command& command, const Arg* args) {
         call(*context, command.run, command.args, given);
 }
 
-void issue_few(const Command& command) {
+[[gnu::noinline]] void issue_few(const Command& command) {
     issue_args(command, nullptr);
 }
-void issue_few(Arg a, const Command& command) {
+[[gnu::noinline]] void issue_few(Arg a, const Command& command) {
     issue_args(command, &a);
 }
-void issue_few(Arg a, Arg b, const Command& command) {
+[[gnu::noinline]] void issue_few(Arg a, Arg b, const Command& command) {
     const Arg args[] = {a, b};
     issue_args(command, args);
 }
-void issue_few(Arg a, Arg b, Arg c, const Command& command) {
+[[gnu::noinline]] void issue_few(Arg a, Arg b, Arg c, const Command& command) {
     const Arg args[] = {a, b, c};
     issue_args(command, args);
 }
