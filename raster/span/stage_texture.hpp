@@ -99,7 +99,7 @@ template <class N> struct TextureFunction {
                            j0 = wrap_texel(texture.wrap_t, j.i, image.height),
                            j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
         const TexelWords words = words_of(texture);
-        if constexpr (is_balanced<N>) {
+        if constexpr (is_balanced<N> && has_shortcuts) {
             if (words == TexelWords::rgb565 && stored(image, i0, j0) && stored(image, i1, j1)) {
                 const auto word = [&](std::int32_t x, std::int32_t y) {
                     return Lanes<1>::load(is_indirect(texture.format) ? palette_entry(texture, image, x, y)
@@ -109,8 +109,19 @@ template <class N> struct TextureFunction {
                                               i.weight);
             }
         }
-        const Color c00 = texel(image, i0, j0), c10 = texel(image, i1, j0), c01 = texel(image, i0, j1),
-                    c11 = texel(image, i1, j1);
+        Color c[4];
+#pragma GCC unroll has_shortcuts ? 4 : 1
+        for (int k = 0; k < 4; ++k)
+            c[k] = texel(image, (k & 1) != 0 ? i1 : i0, (k & 2) != 0 ? j1 : j0);
+        const Color &c00 = c[0], &c10 = c[1], &c01 = c[2], &c11 = c[3];
+        if constexpr (is_balanced<N> && !has_shortcuts) {
+            // The colour of a word has its bits at the top.
+            const auto word = [](const Color& of) -> std::uint32_t {
+                return of.r >> 11 << 11 | of.g >> 10 << 5 | of.b >> 11;
+            };
+            if (words == TexelWords::rgb565 && stored(image, i0, j0) && stored(image, i1, j1))
+                return Filter565<1>(j.weight)(word(c00), word(c10), word(c01), word(c11), i.weight);
+        }
         if constexpr (is_balanced<N>) {
             if (words == TexelWords::bytes) {
                 const Filter8<1> filter(j.weight);
