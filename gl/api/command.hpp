@@ -17,6 +17,10 @@ template <class T> struct Passed {
     static constexpr Arg arg(T value) { return static_cast<Arg>(value); }
     static constexpr T value(Arg arg) { return static_cast<T>(arg); }
 };
+template <> struct Passed<bool> {
+    static constexpr Arg arg(bool value) { return value ? 1 : 0; }
+    static constexpr bool value(Arg arg) { return (arg & 1) != 0; }
+};
 template <> struct Passed<Real> {
     static constexpr Arg arg(Real value) { return value.bits; }
     static constexpr Real value(Arg arg) { return {static_cast<std::uint32_t>(arg)}; }
@@ -35,6 +39,11 @@ template <std::size_t> using AnyArg = Arg;
 template <class Places> struct Taking;
 template <std::size_t... I> struct Taking<std::index_sequence<I...>> {
     using Function = void(Context&, AnyArg<I>...);
+
+    /// In line, so that arguments that are known stay in registers.
+    [[gnu::always_inline]] static void call(Function* function, Context& context, const Arg* args) {
+        function(context, args[I]...);
+    }
 
     template <auto function, class... A, std::size_t... J>
     static constexpr Function* of(void (*)(Context&, A...), std::index_sequence<J...>) {
@@ -75,11 +84,11 @@ struct Command : list::Player {
     template <class... A> void operator()(Context& context, A... args) const {
         const Arg given[most_args] = {args...};
         if constexpr (sizeof...(A) <= few_args)
-            run.few(context, given[0], given[1], given[2]);
+            Few::call(run.few, context, given);
         else if constexpr (sizeof...(A) <= some_args)
-            run.some(context, given[0], given[1], given[2], given[3], given[4], given[5]);
+            Some::call(run.some, context, given);
         else
-            call(context, run, sizeof...(A), given);
+            Many::call(run.many, context, given);
     }
 };
 
@@ -131,7 +140,7 @@ namespace list {
 
 /// How many of a command's arguments are a word.
 constexpr unsigned words_of(const Command& command) {
-    return command.args - (command.form == Form::params || command.form == Form::matrix ? 1u : 0u);
+    return command.args - (command.form > Form::encoded ? 1u : 0u);
 }
 
 /// A record of these arguments, word by word.

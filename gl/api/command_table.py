@@ -157,8 +157,10 @@ class Family:
             if self.image:
                 call = [self.image_command()]
             reals = len(params) > 1 and all(arg.type == "real" for arg in self.args)
-            yield self.entry("gl" + self.name + suffix, params, call, tries,
-                             body=self.array(C_TYPES[code], [n for _, n in params]) + self.reals_at(code, len(params), "nullptr") if reals else None)
+            body = self.array(C_TYPES[code], [n for _, n in params]) + self.reals_at(code, len(params), "nullptr") if reals else None
+            if self.args and self.args[-1].array and len(params) <= 3:
+                body = f"    issue_array<family::{self.name}>({', '.join(n for _, n in params)}, {ARRAY_TYPES[code]});\n"
+            yield self.entry("gl" + self.name + suffix, params, call, tries, body=body)
             if self.data.get("vector"):
                 vector, value = suffix.replace("x", "xv", 1) if code == "x" else suffix + "v", Arg("real value", {})
                 yield self.entry("gl" + self.name + vector, [(f"const {C_TYPES[code]}*", "v")],
@@ -170,8 +172,9 @@ class Family:
         names = [a.name for a in self.args]
         sizes = [n for n in ("width", "height", "depth") if n in names]
         beside = ["static_cast<GLint>(target)"] + [n for n in names[1:] if n not in (*sizes, "format", "type", "pixels")]
+        beside += ["0"] * (5 - len(beside)) # each member has a value: no memory is cleared
         size = ", ".join(sizes + ["1"] * (3 - len(sizes)))
-        volume = ", true" if len(sizes) == 3 else ""
+        volume = ", true" if len(sizes) == 3 else ", false"
         return f"ImageCommand{{{{{', '.join(beside)}}}, {{{size}}}, format, type, pixels{volume}}}"
 
     def entries_components(self):
@@ -233,10 +236,9 @@ class Family:
             names = ["x1", "y1", "x2", "y2"]
             yield self.entry("glRect" + suffix, [(c, n) for n in names], [], [("real", value)] * 4,
                              body=self.array(C_TYPES[widened(code)], names) + self.reals_at(widened(code), 4, "nullptr"))
-            wide = widened(code)
-            corners = self.array(C_TYPES[wide], ("v1[0]", "v1[1]", "v2[0]", "v2[1]")) + self.reals_at(wide, 4, "nullptr")
+            corners = f"v1, v2, convert::components({element(code)}, 2), {self.null_text('glRect' + vector)}"
             yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", value)] * 2,
-                             body=self.null_guard("glRect" + vector, "v1 == nullptr || v2") + corners)
+                             body=f"    issue_corners<family::{self.name}>({corners});\n")
 
     def entries_matrix(self):
         for code, suffix in self.types:
@@ -248,9 +250,11 @@ class Family:
         leading = [(a.c_type, a.name) for a in self.args]
         call = [n for _, n in leading]
         for code, suffix in self.types:
-            yield self.entry(f"gl{self.name}{suffix}", leading + [(f"const {C_TYPES[code]}*", "equation")],
-                             call + [cast(code, f"equation[{i}]") for i in range(4)],
-                             [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))], "equation")
+            name = f"gl{self.name}{suffix}"
+            yield self.entry(name, leading + [(f"const {C_TYPES[code]}*", "equation")], [],
+                             [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))],
+                             body=f"    issue_components<family::{self.name}>({', '.join(call)}, equation, "
+                                  f"convert::components({element(code)}, 4), {self.null_text(name)});\n")
 
     def entries_params(self):
         leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]

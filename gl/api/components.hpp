@@ -43,6 +43,18 @@ template <class F>
         issue_first<F>(loaded.at, std::make_index_sequence<count_reals(F::run)>{}, target);
 }
 
+/// Two corners of two components each.
+template <class F>
+[[gnu::noinline]] void issue_corners(const void* v1, const void* v2, convert::Components kind,
+                                     const char* null_text) {
+    const convert::Loaded first = convert::load(v1, kind, null_text);
+    if (first.null)
+        return;
+    const convert::Loaded second = convert::load(v2, kind, null_text);
+    if (!second.null)
+        issue<F>(first.at[0], first.at[1], second.at[0], second.at[1]);
+}
+
 /// Up to three words, as they came in registers.
 template <class F>
 [[gnu::noinline]] void issue_given(std::uint32_t x, std::uint32_t y, std::uint32_t z,
@@ -109,6 +121,15 @@ inline void issue_reals(const T (&given)[count], std::nullptr_t) {
         issue_components<F>(given, convert::components(kind, count), nullptr);
     else
         issue_reals<F, kind, count>(static_cast<const T*>(given), static_cast<const char*>(nullptr));
+}
+
+/// An array of the client's comes last, then its type.
+template <class F, class A> [[gnu::noinline]] void issue_array(A a, const void* at, GLenum type) {
+    issue<F>(a, Values{at, type});
+}
+template <class F, class A, class B>
+[[gnu::noinline]] void issue_array(A a, B b, const void* at, GLenum type) {
+    issue<F>(a, b, Values{at, type});
 }
 
 void issue_loaded_matrix(const void* m, convert::Element kind, const Command& command, const char* null_text);

@@ -51,7 +51,7 @@ Param param_i(Kind kind, GLint v) {
         return Param::from_integer(static_cast<std::uint32_t>(v));
     return Param::from(kind == Kind::color ? unit_i(v) : cast_i(v));
 }
-Param param_x(Kind kind, GLfixed v) {
+[[maybe_unused]] Param param_x(Kind kind, GLfixed v) {
     return kind == Kind::integer ? Param::from_integer(static_cast<std::uint32_t>(v))
                                  : Param::from(cast_x(v));
 }
@@ -72,8 +72,10 @@ Real component(Element type, const void* v, std::size_t i) {
         return cast_i(element<GLint>(v, i));
     case Element::cast_d:
         return cast_d(element<GLdouble>(v, i));
+#if SPANGLE_FEATURE_FIXED_POINT
     case Element::cast_x:
         return cast_x(element<GLfixed>(v, i));
+#endif
     case Element::unit_b:
         return unit_b(element<GLbyte>(v, i));
     case Element::unit_s:
@@ -118,12 +120,14 @@ Param param(Kind kind, const void* values, std::size_t i, Number type) {
     switch (type) {
     case Number::f:
         return param_real(kind, cast_f(element<GLfloat>(values, i)));
-    case Number::i:
-        return param_i(kind, element<GLint>(values, i));
     case Number::d:
         return param_real(kind, cast_d(element<GLdouble>(values, i)));
-    default:
+#if SPANGLE_FEATURE_FIXED_POINT
+    case Number::x:
         return param_x(kind, element<GLfixed>(values, i));
+#endif
+    default:
+        return param_i(kind, element<GLint>(values, i));
     }
 }
 
@@ -137,14 +141,16 @@ void store_value(void* array, std::size_t index, Number type, Kind kind, Param v
     switch (type) {
     case Number::f:
         return store_element(array, index, to_float(kind, value));
-    case Number::i:
-        return store_element(array, index, to_int(kind, value));
     case Number::d:
         return store_element(array, index, to_double(kind, value));
     case Number::b:
         return store_element(array, index, to_boolean(kind, value));
-    default:
+#if SPANGLE_FEATURE_FIXED_POINT
+    case Number::x:
         return store_element(array, index, to_fixed(kind, value));
+#endif
+    default:
+        return store_element(array, index, to_int(kind, value));
     }
 }
 
@@ -161,13 +167,6 @@ Shape find_shape(const ShapeRow* rows, GLenum pname) {
 } // namespace spangle::gl
 
 namespace spangle::gl::convert {
-
-/// count 0 for the scalar form of a vector pname: the command then says INVALID_ENUM.
-Params scalar(Shape shape, std::uint32_t word, Number type) {
-    if (shape.count == 1)
-        return vector(shape, &word, type);
-    return {};
-}
 
 Params vector(Shape shape, const void* values, Number type) {
     Params out;
@@ -220,8 +219,10 @@ Real array_value(const Values& array, std::size_t index) {
         return numeric::from_float_bits(element<std::uint32_t>(array.at, index));
     case GL_DOUBLE:
         return numeric::from_double_bits(element<std::uint64_t>(array.at, index));
+#if SPANGLE_FEATURE_FIXED_POINT
     case GL_FIXED:
         return cast_x(element<GLfixed>(array.at, index));
+#endif
     default:
         return cast_i(element<GLint>(array.at, index));
     }

@@ -96,7 +96,6 @@ inline std::uint32_t word(GLdouble v) {
 inline std::uint32_t word(GLint v) {
     return static_cast<std::uint32_t>(v);
 }
-Params scalar(Shape shape, std::uint32_t word, Number type);
 Params vector(Shape shape, const void* values, Number type);
 /// And back, for queries (GL 1.3, 6.1.2).
 void store_value(void* array, std::size_t index, Number type, Kind kind, Param value);

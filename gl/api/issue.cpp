@@ -28,12 +28,11 @@ bool allowed(Context& context, const list::Player& command) {
 
 void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]) {
     if (count <= few_args)
-        run.few(context, args[0], args[1], args[2]);
+        Few::call(run.few, context, args);
     else if (count <= some_args)
-        run.some(context, args[0], args[1], args[2], args[3], args[4], args[5]);
+        Some::call(run.some, context, args);
     else
-        run.many(context, args[0], args[1], args[2], args[3], args[4], args[5], args[6], args[7], args[8],
-                 args[9]);
+        Many::call(run.many, context, args);
 }
 
 bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
@@ -86,11 +85,16 @@ void issue_few(Arg a, Arg b, Arg c, const Command& command) {
 
 namespace {
 
-/// Of a command whose last arguments are those; what it does not take comes behind.
-[[gnu::noinline]] void issue_shaped(const ParamFamily& family, GLenum target, GLenum pname,
-                                    const Params& params) {
+/// As many values as the pname has: none where a pname of several is given a single one, and the command then
+/// says INVALID_ENUM.
+[[gnu::noinline]] void issue_shaped(GLenum target, GLenum pname, const void* values, convert::Number type,
+                                    const ParamFamily& family, bool single) {
+    Shape shape = find_shape(family.rows, pname);
+    if (single && shape.count != 1)
+        shape.count = 0;
+    const Params params = convert::vector(shape, values, type);
     const Arg last = Passed<const Params&>::arg(params);
-    const bool targets = family.command->args == few_args;
+    const bool targets = family.command->args == few_args; // else what comes last is not taken
     issue_command(*family.command, Arg{targets ? target : pname}, targets ? Arg{pname} : last, last);
 }
 
@@ -98,14 +102,14 @@ namespace {
 
 [[gnu::noinline]] void issue_value(GLenum target, GLenum pname, std::uint32_t word, convert::Number type,
                                    const ParamFamily& family) {
-    issue_shaped(family, target, pname, convert::scalar(find_shape(family.rows, pname), word, type));
+    issue_shaped(target, pname, &word, type, family, true);
 }
 
 [[gnu::noinline]] void issue_values(GLenum target, GLenum pname, const void* values, convert::Number type,
                                     const ParamFamily& family, const char* null_text) {
     if (values == nullptr)
         return refuse_null(null_text);
-    issue_shaped(family, target, pname, convert::vector(find_shape(family.rows, pname), values, type));
+    issue_shaped(target, pname, values, type, family, false);
 }
 
 #if !SPANGLE_ARGUMENTS_INLINE

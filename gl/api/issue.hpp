@@ -31,6 +31,17 @@ template <class... A>
     return admit(context, command, given);
 }
 
+/// Of each vertex: nothing is looked up.
+template <class F, class... A> inline void issue_attribute(const A&... args) {
+    Context* context = current_context();
+    if (context == nullptr) [[unlikely]]
+        return;
+    if ((context->gate & stops<F>) != 0 && !admit_given(command<F>, *context, Passed<A>::arg(args)...))
+        [[unlikely]]
+        return;
+    F::run(*context, args...);
+}
+
 #endif
 
 #if SPANGLE_ARGUMENTS_INLINE && !SPANGLE_FEATURE_LISTS
@@ -85,27 +96,21 @@ inline void issue_as(void (*)(Context&, A...), const std::type_identity_t<A>&...
     issue_command(command<F>, Passed<A>::arg(args)...);
 }
 
-template <class F, class... A> inline void issue(const A&... args) {
+/// In line: arguments passed on by reference would have to lie in memory.
+template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {
         static_assert(!F::inside);
         if (Context* context = outside_begin_end(F::refusal); context != nullptr)
             F::run(*context, args...);
-    } else if constexpr (converts_in_line &&
-                         F::listing == Listing::attribute) { // of each vertex: nothing is looked up
-        Context* context = current_context();
-        if (context == nullptr) [[unlikely]]
-            return;
-        if ((context->gate & stops<F>) != 0 && !admit_given(command<F>, *context, Passed<A>::arg(args)...))
-            [[unlikely]]
-            return;
-        F::run(*context, args...);
+    } else if constexpr (converts_in_line && F::listing == Listing::attribute) {
+        issue_attribute<F>(args...);
     } else {
         issue_as<F>(F::run, args...);
     }
 }
 
 /// The same for commands that return a value: 0 when they may not run (GL 1.3, 2.5).
-template <class F, class... A> inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
+template <class F, class... A> [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
     Context* context = outside_begin_end(F::refusal);
     if (context == nullptr)
@@ -114,7 +119,7 @@ template <class F, class... A> inline auto ask(A... args) -> decltype(F::run(*cu
 }
 
 /// The same for queries of parameters; `out` stays empty when they may not run.
-template <class F, class... A> inline void fetch(Params& out, A... args) {
+template <class F, class... A> [[gnu::always_inline]] inline void fetch(Params& out, A... args) {
     static_assert(F::listing == Listing::never && !F::inside);
     if (Context* context = outside_begin_end(F::refusal); context != nullptr)
         F::run(*context, args..., out);

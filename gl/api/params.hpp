@@ -24,7 +24,7 @@ void issue_values(GLenum target, GLenum pname, const void* values, convert::Numb
 template <class F, const auto& rows>
 [[gnu::noinline]] void issue_param(GLenum pname, std::uint32_t word, convert::Number type) {
     if constexpr (F::listing == Listing::never)
-        issue<F>(pname, convert::scalar(find_shape(rows, pname), word, type));
+        issue<F>(pname, convert::vector(find_shape(rows, pname), &word, type)); // PixelStore: one value each
     else
         issue_value(0, pname, word, type, params_of<F, rows>);
 }

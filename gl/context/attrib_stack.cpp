@@ -68,7 +68,7 @@ std::size_t move_kept(Context& context, GLbitfield groups, unsigned char* saved,
                                 move);
     for (const HeldRow& row : all_held())
         if ((groups & bit(row.group)) != 0)
-            at = move_bytes(context, row.offset, row.bytes, row.unit_step, saved, at, move);
+            at = move_bytes(context, row.offset, row.bytes, row.unit_step(), saved, at, move);
     return at;
 }
 

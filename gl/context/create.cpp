@@ -47,19 +47,29 @@ void destroy_group(ShareGroup* group) {
 
 } // namespace
 
+GLuint take_names(Context& context, NameTable& table, GLuint count) {
+    const GLuint first = table.unused(count);
+    if (first == 0)
+        return 0;
+    if (!table.reserve(context.share->arena, count)) {
+        error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no memory for so many names"));
+        return 0;
+    }
+    for (GLuint i = 0; i < count; ++i)
+        table.insert(context.share->arena, first + i, nullptr);
+    return first;
+}
+
 void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names) {
     if (n < 0 || (n > 0 && names == nullptr))
         return error(context, GL_INVALID_VALUE);
     if (n == 0)
         return;
-    const auto count = static_cast<std::uint32_t>(n);
-    const GLuint first = table.unused(count);
-    if (first == 0 || !table.reserve(context.share->arena, count))
+    const GLuint first = take_names(context, table, static_cast<GLuint>(n));
+    if (first == 0)
         return error(context, GL_OUT_OF_MEMORY);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        table.insert(context.share->arena, first + i, nullptr);
+    for (GLuint i = 0; i < static_cast<GLuint>(n); ++i)
         names[i] = first + i;
-    }
 }
 
 Context* create_context(Arena& arena, const ContextConfig& config, Context* share) {

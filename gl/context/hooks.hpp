@@ -19,6 +19,9 @@ struct ShareGroup;
 enum class TextureKind : std::uint8_t;
 
 // gl/context
+/// So many unused names that follow each other become used: the first, or 0 when there are none; an error
+/// without memory.
+GLuint take_names(Context& context, NameTable& table, GLuint count);
 /// glGen...: n unused names become used, or an error is set.
 void gen_names(Context& context, NameTable& table, GLsizei n, GLuint* names);
 

@@ -18,7 +18,7 @@ namespace {
 
 inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint32_t);
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
-inline constexpr std::size_t most_back = 127;         ///< words; what repeats lies nearer
+inline constexpr std::size_t most_back = 255;         ///< words; what repeats lies nearer
 static_assert(std::is_trivially_copyable_v<Context>); // bytes make one
 
 struct Image {
@@ -95,9 +95,9 @@ struct Image {
                 PUT(unit) PUT(default_2d) PUT(default_1d) PUT(default_3d) PUT(default_cube) PUT(proxies))
         MEMBERS(PixelStore, PUT(alignment))
         MEMBERS(PixelStoreState, PUT(unpack) PUT(pack))
-        MEMBERS(PixelModeState, PUT(scale) PUT(depth_scale) PUT(zoom))
-        MEMBERS(HintState, PUT(perspective_correction) PUT(point_smooth) PUT(line_smooth) PUT(polygon_smooth)
-                               PUT(fog) PUT(texture_compression))
+        MEMBERS(Linear, PUT(scale))
+        MEMBERS(PixelModeState, PUT(linear) PUT(zoom))
+        MEMBERS(HintState, PUT(mode))
         MEMBERS(SelectState, PUT(nearest))
         MEMBERS(FeedbackState, PUT(type))
         MEMBERS(RenderState, PUT(mode) PUT(select) PUT(feedback))

@@ -24,16 +24,16 @@ void NameTable::place(std::uint32_t name, void* object) {
 }
 
 bool NameTable::reserve(Arena& arena, std::uint32_t more) {
-    const std::uint64_t wanted = std::uint64_t{count_} + more;
-    if (wanted * 4 <= std::uint64_t{capacity_} * 3)
+    constexpr std::uint32_t most_names = 3u << 26; // more than 2 GiB: no arena has room for them
+    if (more > most_names - count_)
+        return false;
+    const std::uint32_t wanted = count_ + more;
+    if (wanted * 4 <= capacity_ * 3)
         return true;
     unsigned log = 3;
-    while (wanted * 4 > (std::uint64_t{3} << log))
+    while (wanted * 4 > 3u << log)
         ++log;
-    const std::uint64_t bytes = std::uint64_t{sizeof(Entry)} << log;
-    if (log > 31 || bytes > SIZE_MAX)
-        return false;
-    auto* larger = static_cast<Entry*>(arena.allocate(static_cast<std::size_t>(bytes)));
+    auto* larger = static_cast<Entry*>(arena.allocate(sizeof(Entry) << log));
     if (larger == nullptr)
         return false;
     Entry* const old = entries_;

@@ -129,13 +129,16 @@ template <bool switches> constexpr auto sorted_by_name() {
     return rows;
 }
 
+constexpr bool same_text(const char* a, const char* b) {
+    return a == b;
+}
 /// One row can stand for what `row` stands for and for `next`, too.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
     return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
            row.names + 1u < 1u << names_bits && next.count == row.count && next.group == row.group &&
            next.client == row.client && next.unit_words == row.unit_words && next.kind == row.kind &&
            next.source == row.source && next.toggle == row.toggle && next.left_out == row.left_out &&
-           next.missing == row.missing;
+           same_text(next.missing, row.missing);
 }
 template <bool switches> constexpr auto all_joined() {
     auto rows = sorted_by_name<switches>();
@@ -170,9 +173,13 @@ constexpr auto held_rows = [] {
     std::array<HeldRow, count_rows(is_held)> rows{};
     std::size_t used = 0;
     for (const WrittenRow& row : written)
-        if (is_held(row))
-            rows[used++] = {static_cast<std::uint16_t>(row.value), static_cast<std::uint16_t>(row.bytes),
-                            static_cast<std::uint16_t>(row.step), row.group};
+        if (is_held(row)) {
+            HeldRow& held = rows[used++];
+            held.offset = static_cast<std::uint16_t>(row.value);
+            held.bytes = static_cast<std::uint16_t>(row.bytes);
+            held.unit_words = row.step / 4 & ((1u << unit_bits) - 1);
+            held.group = row.group;
+        }
     return rows;
 }();
 
@@ -185,7 +192,19 @@ constexpr bool names_differ() {
 }
 static_assert(names_differ());
 
-const StateRow* find(std::span<const StateRow> rows, std::span<const std::uint16_t> left_out, GLenum name) {
+/// Rows, and the names that only say so.
+struct Part {
+    const StateRow* rows;
+    std::size_t count;
+    const std::uint16_t* left_out;
+    std::size_t left_out_count;
+};
+constexpr Part switch_part{switches.data(), switches.size(), left_out_switches.data(),
+                           left_out_switches.size()},
+    other_part{others.data(), others.size(), left_out_others.data(), left_out_others.size()};
+
+const StateRow* find(const Part& part, GLenum name) {
+    const std::span rows{part.rows, part.count};
     if constexpr (raster::has_shortcuts) {
         std::size_t low = 0, high = rows.size();
         while (low < high) {
@@ -200,7 +219,7 @@ const StateRow* find(std::span<const StateRow> rows, std::span<const std::uint16
             if (name - row.name < row.names)
                 return &row;
     }
-    for (const std::uint16_t other : left_out)
+    for (const std::uint16_t other : std::span{part.left_out, part.left_out_count})
         if (other == name)
             return &left_out_row;
     return nullptr;
@@ -209,11 +228,11 @@ const StateRow* find(std::span<const StateRow> rows, std::span<const std::uint16
 } // namespace
 
 const StateRow* find_switch(GLenum name) {
-    return find(switches, left_out_switches, name);
+    return find(switch_part, name);
 }
 
 const StateRow* find_state(GLenum name) {
-    const StateRow* const row = find(others, left_out_others, name);
+    const StateRow* const row = find(other_part, name);
     return row != nullptr ? row : find_switch(name);
 }
 

@@ -89,8 +89,11 @@ struct StateRow {
 
 /// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
 struct HeldRow {
-    std::uint16_t offset = 0, bytes = 0, unit_step = 0;
-    Group group = Group::none;
+    std::uint16_t offset = 0, bytes = 0;
+    std::uint16_t unit_words : unit_bits = 0; ///< as in StateRow
+    Group group : 5 = Group::none;
+
+    constexpr std::uint32_t unit_step() const { return unit_words * std::uint32_t{4}; }
 };
 
 /// Writes the values of a row that no member of the context holds.

@@ -1,26 +1,10 @@
 #include "gl/list/call_offsets.hpp"
 
-#include <cstring>
+#include <bit>
 
 namespace spangle::gl::list {
 
 namespace {
-
-template <class T> T element(const void* array, GLsizei i) {
-    T value; // client arrays need not be aligned
-    std::memcpy(&value, static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * sizeof(T),
-                sizeof value);
-    return value;
-}
-
-GLuint bytes(const void* array, GLsizei i, int count) {
-    const unsigned char* from =
-        static_cast<const unsigned char*>(array) + static_cast<std::size_t>(i) * static_cast<unsigned>(count);
-    GLuint value = 0;
-    for (int k = 0; k < count; ++k)
-        value = value << 8 | from[k];
-    return value;
-}
 
 /// Toward zero; what no GLuint offset can be gives the largest.
 GLuint truncate(Real v) {
@@ -40,25 +24,22 @@ bool is_name_type(GLenum type) {
 }
 
 GLuint name_offset(GLenum type, const void* lists, GLsizei i) {
+    constexpr std::uint8_t bytes_of[] = {1, 1, 2, 2, 4, 4, 4, 2, 3, 4}; // in the order of the types
+    const unsigned count = bytes_of[type - GL_BYTE];
+    const auto* const from = static_cast<const unsigned char*>(lists) + static_cast<std::size_t>(i) * count;
+    const bool high_first = type >= GL_2_BYTES || std::endian::native == std::endian::big;
+    GLuint value = 0;
+    for (unsigned k = 0; k < count; ++k)
+        value = value << 8 | from[high_first ? k : count - 1 - k];
     switch (type) {
     case GL_BYTE:
-        return static_cast<GLuint>(element<GLbyte>(lists, i));
-    case GL_UNSIGNED_BYTE:
-        return element<GLubyte>(lists, i);
+        return static_cast<GLuint>(static_cast<GLbyte>(value));
     case GL_SHORT:
-        return static_cast<GLuint>(element<GLshort>(lists, i));
-    case GL_UNSIGNED_SHORT:
-        return element<GLushort>(lists, i);
+        return static_cast<GLuint>(static_cast<GLshort>(value));
     case GL_FLOAT:
-        return truncate(numeric::from_float_bits(element<std::uint32_t>(lists, i)));
-    case GL_2_BYTES:
-        return bytes(lists, i, 2);
-    case GL_3_BYTES:
-        return bytes(lists, i, 3);
-    case GL_4_BYTES:
-        return bytes(lists, i, 4);
-    default: // GL_INT, GL_UNSIGNED_INT
-        return element<GLuint>(lists, i);
+        return truncate(numeric::from_float_bits(value));
+    default:
+        return value;
     }
 }
 

@@ -10,26 +10,28 @@ namespace spangle::gl::list {
 
 namespace {
 
+/// More than any arena has.
+constexpr std::uint32_t most_bytes = std::uint32_t{1} << 30;
+
+[[gnu::noinline]] std::uint32_t bounded_product(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t product;
+    return __builtin_mul_overflow(a, b, &product) || product > most_bytes ? most_bytes : product;
+}
+
 struct Extent {
-    std::size_t row_bytes, rows, images;
+    std::uint32_t row_bytes, rows, images;
     bool is_empty() const { return row_bytes == 0 || rows == 0 || images == 0; }
-    /// What is more than any arena has is 1 GiB: the record fails as it should.
+    /// With too many bytes the record fails as it should.
     std::uint32_t words() const {
-        constexpr std::uint64_t most = std::uint64_t{1} << 30;
-        std::uint64_t bytes = row_bytes;
-        for (const std::uint64_t factor : {std::uint64_t{rows}, std::uint64_t{images}})
-            bytes = bytes >= most ? most : bytes * factor;
-        return static_cast<std::uint32_t>((bytes < most ? bytes + 3 : most) / 4);
+        return (bounded_product(bounded_product(row_bytes, rows), images) + 3) / 4;
     }
 };
 
 Extent extent_of(const ImageCommand& image, const PixelLayout& layout) {
-    const auto width = static_cast<std::uint64_t>(image.size[0]);
-    const std::uint64_t row =
-        layout.kind == ElementKind::bitmap ? (width + 7) / 8 : width * layout.group_bytes();
-    constexpr std::uint64_t most = SIZE_MAX; // what a client has is less
-    return {static_cast<std::size_t>(row < most ? row : most), static_cast<std::size_t>(image.size[1]),
-            static_cast<std::size_t>(image.size[2])};
+    const auto width = static_cast<std::uint32_t>(image.size[0]);
+    return {layout.kind == ElementKind::bitmap ? (width + 7) / 8
+                                               : bounded_product(width, layout.group_bytes()),
+            static_cast<std::uint32_t>(image.size[1]), static_cast<std::uint32_t>(image.size[2])};
 }
 
 bool sensible(const ImageCommand& image, GLsizei most, PixelLayout& layout) {

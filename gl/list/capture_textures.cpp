@@ -31,15 +31,23 @@ template <class F> const Word* play_texels(Context& context, const Word* words) 
     return list::play_image(context, words, F::refusal, F::run);
 }
 
+void capture_texels(Context& context, const list::Player* player, const ImageCommand& image) {
+    list::capture_image(context, player, image, image.volume ? max_3d_texture_size + 2 : most);
+}
+[[gnu::noinline]] void capture_unless_query(Context& context, const list::Player* player,
+                                            const ImageCommand& image, const char* refusal,
+                                            void (*run)(Context&, const ImageCommand&)) {
+    if (!is_query(image.target()))
+        capture_texels(context, player, image);
+    else if (runs_now(context, refusal))
+        run(context, image);
+}
+
 template <class F> void capture_sub_image(Context& context, const ImageCommand& image) {
-    list::capture_image(context, &list::player<&play_texels<F>>, image,
-                        image.volume ? max_3d_texture_size + 2 : most);
+    capture_texels(context, &list::player<&play_texels<F>>, image);
 }
 template <class F> void capture_whole_image(Context& context, const ImageCommand& image) {
-    if (!is_query(image.target()))
-        capture_sub_image<F>(context, image);
-    else if (runs_now(context, F::refusal))
-        F::run(context, image);
+    capture_unless_query(context, &list::player<&play_texels<F>>, image, F::refusal, F::run);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #if SPANGLE_FEATURE_LISTS
 
 #include "gl/api/generated/commands.hpp"
+#include "gl/context/hooks.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/call_offsets.hpp"
 #include "gl/list/chunk.hpp"
@@ -73,18 +74,7 @@ GLuint GenLists(Context& context, GLsizei range) {
         error(context, GL_INVALID_VALUE);
         return 0;
     }
-    const auto count = static_cast<GLuint>(range);
-    NameTable& names = context.share->lists;
-    const GLuint first = count == 0 ? 0 : names.unused(count);
-    if (first == 0)
-        return 0;
-    if (!names.reserve(*context.arena, count)) {
-        error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glGenLists: no memory for so many names"));
-        return 0;
-    }
-    for (GLuint i = 0; i < count; ++i)
-        names.insert(*context.arena, first + i, nullptr);
-    return first;
+    return range == 0 ? 0 : take_names(context, context.share->lists, static_cast<GLuint>(range));
 }
 
 void DeleteLists(Context& context, GLuint list, GLsizei range) {
@@ -94,13 +84,13 @@ void DeleteLists(Context& context, GLuint list, GLsizei range) {
     auto count = static_cast<GLuint>(range);
     if (list != 0 && count > 0 - list)
         count = 0 - list; // names end at 2^32 - 1
-    if (count <= names.capacity()) {
+    if (raster::has_shortcuts && count <= names.capacity()) {
         for (GLuint i = 0; i < count; ++i)
             list::free_chain(*context.arena, static_cast<list::Chunk*>(names.remove(list + i)));
         return;
     }
-    // A range wider than the table: walk the table. A removal may pull another entry into the slot: look
-    // again.
+    // Of a range wider than the table this is the shorter way: walk the table. A removal may pull another
+    // entry into the slot: look again.
     for (std::uint32_t i = 0; i < names.capacity();) {
         const GLuint name = names.slot(i).name;
         if (name != 0 && name - list < count)

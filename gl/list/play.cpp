@@ -4,6 +4,8 @@
 
 #if SPANGLE_FEATURE_LISTS
 
+#include <new>
+
 #include "gl/api/command.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
@@ -27,26 +29,28 @@ const Word* enter(Context& context, GLuint name, const Word* next) {
     return target;
 }
 
-const Word* play(Context& context, const Player& player, const Word* words) {
-    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
-                                    : play_command(context, static_cast<const Command&>(player), words);
+const Player* player_at(const Word* at) {
+    const Player* player;
+    __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
+    return player;
 }
 
-} // namespace
-
-const Word* play_command(Context& context, const Command& command, const Word* words) {
+/// The record's words as arguments.
+[[gnu::noinline]] const Word* play_any(Context& context, const Command& command, const Word* words) {
     Arg args[most_args] = {};
-    Params params;
-    Matrix16 matrix;
+    alignas(Params) alignas(Matrix16) unsigned char room[sizeof(Matrix16)]; // of the one that there is
+    static_assert(sizeof(Params) <= sizeof(Matrix16));
     Arg* arg = args;
     for (unsigned left = words_of(command); left != 0; --left)
         *arg++ = *words++;
     if (command.form == Form::params) {
+        auto& params = *new (room) Params;
         params.count = *words++;
         __builtin_memcpy(static_cast<void*>(params.v), words, params.count * sizeof(Word));
         words += params.count;
         *arg = Passed<const Params&>::arg(params);
     } else if (command.form == Form::matrix) {
+        auto& matrix = *new (room) Matrix16;
         __builtin_memcpy(static_cast<void*>(matrix.m), words, sizeof matrix.m);
         words += sizeof matrix.m / sizeof(Word);
         *arg = Passed<const Matrix16&>::arg(matrix);
@@ -56,13 +60,42 @@ const Word* play_command(Context& context, const Command& command, const Word* w
     return words;
 }
 
+const Word* play(Context& context, const Player& player, const Word* words) {
+    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
+                                    : play_command(context, static_cast<const Command&>(player), words);
+}
+
+} // namespace
+
+const Word* play_command(Context& context, const Command& command, const Word* words) {
+    if (converts_in_line && command.args <= few_args && command.form <= Form::encoded) { // most others
+        Arg a = 0, b = 0, c = 0;
+        switch (command.args) {
+        case 3:
+            c = words[2];
+            [[fallthrough]];
+        case 2:
+            b = words[1];
+            [[fallthrough]];
+        case 1:
+            a = words[0];
+        }
+        if ((context.gate & command.stops & gate_inside) == 0 || allowed(context, command))
+            command.run.few(context, a, b, c);
+        return words + command.args;
+    }
+    return play_any(context, command, words);
+}
+
 void execute(Context& context, GLuint name) {
     const Word* at = body(context, name);
     if (at == nullptr)
         return;
     for (;;) {
-        const Player* player;
-        __builtin_memcpy(&player, at, sizeof player); // in line, also freestanding
+        const Player* player = player_at(at);
+        if constexpr (converts_in_line)
+            for (; player == &list::player<&play_run>; player = player_at(at)) // most of them
+                at = play_run(context, at + player_words);
         if (player != nullptr) {
             at = play(context, *player, at + player_words);
             continue;

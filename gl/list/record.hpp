@@ -12,9 +12,9 @@ namespace spangle::gl::list {
 /// What the record of a command is made of.
 enum class Form : std::uint8_t {
     words,   ///< one for each argument
+    encoded, ///< a function of its own makes the record of a command; what it does not make is as with words
     params,  ///< the last one is Params: their number and so many words
     matrix,  ///< the last one is a Matrix16
-    encoded, ///< a function of its own makes the record of a command; what it does not make is as with words
     own,     ///< the record has a player of its own
 };
 

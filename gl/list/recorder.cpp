@@ -15,6 +15,7 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/share_group.hpp"
 #include "gl/list/chunk.hpp"
+#include "gl/list/play.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::gl::list {
@@ -63,6 +64,8 @@ const Word* play_attributes(Context& context, std::uint32_t fields, const Word* 
     return words;
 }
 
+} // namespace
+
 const Word* play_run(Context& context, const Word* words) {
     const Word header = *words++;
     const std::uint32_t fields = header >> count_bits, components = fields >> field_position_shift;
@@ -78,6 +81,8 @@ const Word* play_run(Context& context, const Word* words) {
     }
     return words;
 }
+
+namespace {
 
 void store_player(Word* to, const Player* player) {
     std::memcpy(to, &player, sizeof player);

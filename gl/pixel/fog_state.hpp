@@ -8,10 +8,10 @@ namespace spangle::gl {
 struct FogState {
     bool fog = false;
     GLenum mode = GL_EXP;
+    Real index = numeric::zero; ///< as set
     Real density = numeric::one;
     Real start = numeric::zero, end = numeric::one;
     Real color[4] = {};
-    Real index = numeric::zero;        ///< as set
     GLenum source = GL_FRAGMENT_DEPTH; ///< GL 1.4, 3.10
 };
 

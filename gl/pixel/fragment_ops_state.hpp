@@ -6,18 +6,20 @@
 namespace spangle::gl {
 
 /// Of the faces of one side.
+// Members whose tokens are consecutive lie in their order: the table of state has one row for them.
+
 struct StencilSide {
     GLenum func = GL_ALWAYS;
-    GLint ref = 0;
     GLuint value_mask = 0xFFFFFFFF;
     GLenum fail = GL_KEEP, pass_depth_fail = GL_KEEP, pass_depth_pass = GL_KEEP;
+    GLint ref = 0;
     GLuint write_mask = 0xFFFFFFFF;
     friend constexpr bool operator==(const StencilSide&, const StencilSide&) = default;
 };
 
 /// Of red, green and blue, or of alpha.
 struct BlendPart {
-    GLenum src = GL_ONE, dst = GL_ZERO, equation = GL_FUNC_ADD;
+    GLenum dst = GL_ZERO, src = GL_ONE, equation = GL_FUNC_ADD;
 };
 
 struct FragmentOpsState {
@@ -27,8 +29,8 @@ struct FragmentOpsState {
     GLenum alpha_func = GL_ALWAYS;
     Real alpha_ref = numeric::zero;
     bool stencil_test = false;
-    StencilSide stencil[2]; ///< front, back
     GLint stencil_clear = 0;
+    StencilSide stencil[2]; ///< front, back
     bool depth_test = false;
     GLenum depth_func = GL_LESS;
     bool depth_mask = true;

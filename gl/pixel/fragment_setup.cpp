@@ -73,7 +73,7 @@ void fill_fog(const Context& context, raster::FragmentState& out) {
     out.fog_density = numeric::to_float_bits(fog.density);
     out.fog_start = numeric::to_float_bits(fog.start);
     out.fog_end = numeric::to_float_bits(fog.end);
-    out.fog_tier = tier_of(context, context.hint.fog);
+    out.fog_tier = tier_of(context, context.hint.mode[hint_fog]);
 #else
     static_cast<void>(context);
     out.fog = false;
@@ -187,7 +187,7 @@ void fill(const Context& context, raster::FragmentState& out) {
     out.dither = ops.dither;
     out.color_mask = written_channels(context);
     out.scissor = drawing_rect(context);
-    out.tier = tier_of(context, context.hint.perspective_correction);
+    out.tier = tier_of(context, context.hint.mode[hint_perspective_correction]);
     out.count = counts_passed(context);
 }
 

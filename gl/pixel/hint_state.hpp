@@ -5,13 +5,19 @@
 
 namespace spangle::gl {
 
+/// In the order of their tokens; that of texture compression has another place among those.
+enum HintIndex : unsigned {
+    hint_perspective_correction,
+    hint_point_smooth,
+    hint_line_smooth,
+    hint_polygon_smooth,
+    hint_fog,
+    hint_texture_compression,
+    hints,
+};
+
 struct HintState {
-    GLenum perspective_correction = GL_DONT_CARE;
-    GLenum point_smooth = GL_DONT_CARE;
-    GLenum line_smooth = GL_DONT_CARE;
-    GLenum polygon_smooth = GL_DONT_CARE;
-    GLenum fog = GL_DONT_CARE;
-    GLenum texture_compression = GL_DONT_CARE;
+    GLenum mode[hints] = {GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE};
 };
 
 } // namespace spangle::gl

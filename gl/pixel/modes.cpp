@@ -54,28 +54,11 @@ void Fog(Context& context, GLenum pname, const Params& params) {
 void Hint(Context& context, GLenum target, GLenum mode) {
     if (mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE)
         return error(context, GL_INVALID_ENUM);
-    switch (target) {
-    case GL_PERSPECTIVE_CORRECTION_HINT:
-        context.hint.perspective_correction = mode;
-        break;
-    case GL_POINT_SMOOTH_HINT:
-        context.hint.point_smooth = mode;
-        break;
-    case GL_LINE_SMOOTH_HINT:
-        context.hint.line_smooth = mode;
-        break;
-    case GL_POLYGON_SMOOTH_HINT:
-        context.hint.polygon_smooth = mode;
-        break;
-    case GL_FOG_HINT:
-        context.hint.fog = mode;
-        break;
-    case GL_TEXTURE_COMPRESSION_HINT:
-        context.hint.texture_compression = mode;
-        break;
-    default:
+    const unsigned hint = target == GL_TEXTURE_COMPRESSION_HINT ? hint_texture_compression
+                                                                : target - GL_PERSPECTIVE_CORRECTION_HINT;
+    if (hint > hint_fog && target != GL_TEXTURE_COMPRESSION_HINT)
         return error(context, GL_INVALID_ENUM);
-    }
+    context.hint.mode[hint] = mode;
     context.changed(dirty_fragment);
 }
 

@@ -26,12 +26,16 @@ struct PixelMap {
     const std::uint32_t* entries() const { return reinterpret_cast<const std::uint32_t*>(this + 1); }
 };
 
+/// What components are multiplied with, and what is added.
+struct Linear {
+    Real scale = numeric::one, bias = numeric::zero;
+};
+
 struct PixelModeState {
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
     bool map_color = false, map_stencil = false;
     GLint index_shift = 0, index_offset = 0;
-    Real scale[4] = {numeric::one, numeric::one, numeric::one, numeric::one}, bias[4] = {};
-    Real depth_scale = numeric::one, depth_bias = numeric::zero;
+    Linear linear[5];               ///< red, green, blue, alpha, depth
     PixelMap* map[pixel_maps] = {}; ///< null: one entry, 0
 #endif
 #if SPANGLE_FEATURE_DRAW_PIXELS

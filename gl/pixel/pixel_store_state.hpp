@@ -9,7 +9,7 @@ struct PixelStore {
     bool swap_bytes = false;
     bool lsb_first = false;
     GLint row_length = 0, skip_rows = 0, skip_pixels = 0, alignment = 4;
-    GLint image_height = 0, skip_images = 0;
+    GLint skip_images = 0, image_height = 0;
 };
 
 struct PixelStoreState {

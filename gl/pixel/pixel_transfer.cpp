@@ -10,14 +10,13 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// The number that a name of table 3.2 stands for, or null. Red, green, blue and alpha alternate scale and
-/// bias.
+/// The number that a name of table 3.2 stands for, or null. Scale and bias alternate.
 Real* number_of(PixelModeState& mode, GLenum pname) {
-    if (pname >= GL_RED_SCALE && pname < GL_DEPTH_SCALE && pname != GL_ZOOM_X && pname != GL_ZOOM_Y) {
-        const unsigned n = pname < GL_ZOOM_X ? pname - GL_RED_SCALE : pname - GL_GREEN_SCALE + 2;
-        return n % 2 == 0 ? &mode.scale[n / 2] : &mode.bias[n / 2];
-    }
-    return pname == GL_DEPTH_SCALE ? &mode.depth_scale : pname == GL_DEPTH_BIAS ? &mode.depth_bias : nullptr;
+    if (pname < GL_RED_SCALE || pname > GL_DEPTH_BIAS || pname == GL_ZOOM_X || pname == GL_ZOOM_Y)
+        return nullptr;
+    const unsigned n = pname < GL_ZOOM_X ? pname - GL_RED_SCALE : pname - GL_GREEN_SCALE + 2;
+    Linear& linear = mode.linear[n / 2];
+    return n % 2 == 0 ? &linear.scale : &linear.bias;
 }
 
 } // namespace

@@ -35,13 +35,13 @@ std::uint32_t entry_at(const PixelMap* map, Index index) {
 
 Transfer::Transfer(const PixelModeState& state) : state_(state), maps_(state.map_color) {
     for (int c = 0; c < 4; ++c)
-        scales_ = scales_ || !is_identity(state.scale[c], state.bias[c]);
+        scales_ = scales_ || !is_identity(state.linear[c].scale, state.linear[c].bias);
 }
 
 void Transfer::change(Pixel& color) const {
     for (unsigned c = 0; c < 4; ++c) {
         Component& v = color.value[c];
-        v = scaled(v, state_.scale[c], state_.bias[c]);
+        v = scaled(v, state_.linear[c].scale, state_.linear[c].bias);
         if (!maps_)
             continue;
         const PixelMap* const map = state_.map[map_r_to_r + c];
@@ -74,7 +74,7 @@ Index Transfer::stencil(Index index) const {
 }
 
 Component Transfer::depth(Component z) const {
-    return scaled(z, state_.depth_scale, state_.depth_bias);
+    return scaled(z, state_.linear[4].scale, state_.linear[4].bias);
 }
 
 #else

@@ -30,7 +30,7 @@ bool is_scale(Real v) {
 
 /// Where a token of a combiner is kept, or null. Of the tokens of one kind those of alpha follow those of
 /// RGB.
-template <class Env> auto* combiner_token(Env& env, GLenum pname) {
+GLenum* combiner_token(TexEnvState& env, GLenum pname) {
     for (unsigned alpha = 0; alpha < 2; ++alpha) {
         if (pname == GL_COMBINE_RGB + alpha)
             return &env.func[alpha];
@@ -41,10 +41,10 @@ template <class Env> auto* combiner_token(Env& env, GLenum pname) {
         if (operand < 3)
             return &env.operand[alpha][operand];
     }
-    return static_cast<decltype(&env.func[0])>(nullptr);
+    return nullptr;
 }
 
-template <class Env> auto* combiner_scale(Env& env, GLenum pname) {
+Real* combiner_scale(TexEnvState& env, GLenum pname) {
     return pname == GL_RGB_SCALE ? &env.scale[0] : pname == GL_ALPHA_SCALE ? &env.scale[1] : nullptr;
 }
 
@@ -71,7 +71,7 @@ GLenum set_combiner(TexEnvState& env, GLenum pname, Param value) {
     return GL_NO_ERROR;
 }
 
-bool get_combiner(const TexEnvState& env, GLenum pname, Param& value) {
+bool get_combiner(TexEnvState& env, GLenum pname, Param& value) {
     if (const GLenum* const token = combiner_token(env, pname); token != nullptr) {
         value = Param::from_integer(*token);
         return true;
@@ -127,7 +127,7 @@ GLenum set(TexEnvState& env, GLenum pname, const Params& params) {
     }
 }
 
-bool get(const TexEnvState& env, GLenum pname, Params& params) {
+bool get(TexEnvState& env, GLenum pname, Params& params) {
     params.count = 1;
     switch (pname) {
     case GL_TEXTURE_ENV_MODE:
@@ -181,7 +181,7 @@ void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params)
 }
 
 void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
-    const TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
+    TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
     params.count = 0;
     if (!legal_target(target, pname))
         return error(context, GL_INVALID_ENUM);

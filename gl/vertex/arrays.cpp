@@ -68,10 +68,38 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     }
 }
 
+/// Types as bits, that of GL_BYTE first.
+template <class... T> constexpr std::uint16_t types_of(T... types) {
+    return static_cast<std::uint16_t>(((1u << (types - GL_BYTE)) | ...));
+}
+constexpr std::uint16_t wide_types = types_of(GL_SHORT, GL_INT, GL_FLOAT, GL_DOUBLE, GL_FIXED);
+/// Bytes are normals, and by OES_byte_coordinates positions and texture coordinates.
+constexpr std::uint16_t signed_types = wide_types | types_of(GL_BYTE);
+constexpr std::uint16_t color_types = types_of(GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
+                                               GL_UNSIGNED_INT, GL_FLOAT, GL_DOUBLE);
+
+/// What an array may be made of.
+struct Allowed {
+    std::uint16_t types;
+    std::uint8_t least, most; ///< components
+};
+
+/// What its command is given.
+struct Pointed {
+    GLint size;
+    GLenum type;
+    GLsizei stride;
+    const void* pointer;
+};
+
 /// The buffer that is bound now is the array's from now on (GL 1.5, 2.9.6). Arrays of objects with a name lie
 /// in buffers (GL 3.0, 2.8).
-void point(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride,
-           const void* pointer) {
+void point(Context& context, ClientArray& array, Allowed allowed, const Pointed& to) {
+    const auto& [size, type, stride, pointer] = to;
+    if (size < allowed.least || size > allowed.most || stride < 0)
+        return error(context, GL_INVALID_VALUE);
+    if (type - GL_BYTE > GL_FIXED - GL_BYTE || (allowed.types >> (type - GL_BYTE) & 1) == 0)
+        return error(context, GL_INVALID_ENUM);
     if (!has_array_type(type))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("this build has no arrays of this type (SPANGLE_ARRAY_TYPES)"));
@@ -94,18 +122,6 @@ void point(Context& context, ClientArray& array, GLint size, GLenum type, GLsize
     Real v[4];
     numbers.read(index, v);
     out = v[0];
-}
-
-bool is_integer_type(GLenum type) {
-    return type >= GL_BYTE && type <= GL_UNSIGNED_INT;
-}
-
-bool is_wide_type(GLenum type) {
-    return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE || type == GL_FIXED;
-}
-/// Bytes are normals, and by OES_byte_coordinates positions and texture coordinates.
-bool is_signed_type(GLenum type) {
-    return type == GL_BYTE || is_wide_type(type);
 }
 
 } // namespace
@@ -146,36 +162,21 @@ void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const A
 namespace cmd {
 
 void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    if (size < 2 || size > 4 || stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_signed_type(type))
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.vertex, size, type, stride, pointer);
+    point(context, context.arrays.vertex, {signed_types, 2, 4}, {size, type, stride, pointer});
 }
 
 void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
-    if (stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_signed_type(type))
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.normal, 3, type, stride, pointer);
+    point(context, context.arrays.normal, {signed_types, 3, 3}, {3, type, stride, pointer});
 }
 
 void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    if (size < 3 || size > 4 || stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_integer_type(type) && type != GL_FLOAT && type != GL_DOUBLE && type != GL_FIXED)
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.color, size, type, stride, pointer);
+    point(context, context.arrays.color, {color_types | types_of(GL_FIXED), 3, 4},
+          {size, type, stride, pointer});
 }
 
 void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    if (size < 1 || size > 4 || stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_signed_type(type))
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.tex_coord[context.array_bindings.client_unit()], size, type, stride,
-          pointer);
+    point(context, context.arrays.tex_coord[context.array_bindings.client_unit()], {signed_types, 1, 4},
+          {size, type, stride, pointer});
 }
 
 void ClientActiveTexture(Context& context, GLenum texture) {
@@ -192,40 +193,29 @@ void PrimitiveRestartIndex(Context& context, GLuint index) {
 
 #if SPANGLE_FEATURE_COLOR_INDEX
 void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
-    if (stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_wide_type(type) && type != GL_UNSIGNED_BYTE)
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.index, 1, type, stride, pointer);
+    point(context, context.arrays.index, {wide_types | types_of(GL_UNSIGNED_BYTE), 1, 1},
+          {1, type, stride, pointer});
 }
 #endif
 
 #if SPANGLE_FEATURE_FOG
 void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
-    if (stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (type != GL_FLOAT && type != GL_DOUBLE)
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.fog_coord, 1, type, stride, pointer);
+    point(context, context.arrays.fog_coord, {types_of(GL_FLOAT, GL_DOUBLE), 1, 1},
+          {1, type, stride, pointer});
 }
 #endif
 
 #if SPANGLE_FEATURE_SECONDARY_COLOR
 void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-    if (size != 3 || stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    if (!is_integer_type(type) && type != GL_FLOAT && type != GL_DOUBLE)
-        return error(context, GL_INVALID_ENUM);
-    point(context, context.arrays.secondary_color, size, type, stride, pointer);
+    point(context, context.arrays.secondary_color, {color_types, 3, 3}, {size, type, stride, pointer});
 }
 #endif
 
 #if SPANGLE_FEATURE_POLYGON_MODE
 static_assert(has_array_type(GL_UNSIGNED_BYTE), "edge flags are bytes");
 void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
-    if (stride < 0)
-        return error(context, GL_INVALID_VALUE);
-    point(context, context.arrays.edge_flag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+    point(context, context.arrays.edge_flag, {types_of(GL_UNSIGNED_BYTE), 1, 1},
+          {1, GL_UNSIGNED_BYTE, stride, pointer});
 }
 #endif
 

@@ -8,29 +8,29 @@ namespace spangle::gl::cmd {
 
 namespace {
 
-/// One row of the table: sizes (0 = absent) and byte offsets, the default stride last.
+/// One row of the table: texture coordinates, colour, normal, position; sizes (0 = absent) and byte offsets,
+/// and the default stride.
 struct Format {
-    std::uint8_t tex_size, color_size;
-    bool color_bytes, normal;
-    std::uint8_t position_size, color_at, normal_at, position_at, stride;
+    std::uint8_t size[4], at[4], stride;
+    bool color_bytes;
 };
 
 /// In the order of the tokens, V2F first.
 constexpr Format formats[] = {
-    {0, 0, false, false, 2, 0, 0, 0, 8},    // V2F
-    {0, 0, false, false, 3, 0, 0, 0, 12},   // V3F
-    {0, 4, true, false, 2, 0, 0, 4, 12},    // C4UB_V2F
-    {0, 4, true, false, 3, 0, 0, 4, 16},    // C4UB_V3F
-    {0, 3, false, false, 3, 0, 0, 12, 24},  // C3F_V3F
-    {0, 0, false, true, 3, 0, 0, 12, 24},   // N3F_V3F
-    {0, 4, false, true, 3, 0, 16, 28, 40},  // C4F_N3F_V3F
-    {2, 0, false, false, 3, 0, 0, 8, 20},   // T2F_V3F
-    {4, 0, false, false, 4, 0, 0, 16, 32},  // T4F_V4F
-    {2, 4, true, false, 3, 8, 0, 12, 24},   // T2F_C4UB_V3F
-    {2, 3, false, false, 3, 8, 0, 20, 32},  // T2F_C3F_V3F
-    {2, 0, false, true, 3, 0, 8, 20, 32},   // T2F_N3F_V3F
-    {2, 4, false, true, 3, 8, 24, 36, 48},  // T2F_C4F_N3F_V3F
-    {4, 4, false, true, 4, 16, 32, 44, 60}, // T4F_C4F_N3F_V4F
+    {{0, 0, 0, 2}, {0, 0, 0, 0}, 8, false},     // V2F
+    {{0, 0, 0, 3}, {0, 0, 0, 0}, 12, false},    // V3F
+    {{0, 4, 0, 2}, {0, 0, 0, 4}, 12, true},     // C4UB_V2F
+    {{0, 4, 0, 3}, {0, 0, 0, 4}, 16, true},     // C4UB_V3F
+    {{0, 3, 0, 3}, {0, 0, 0, 12}, 24, false},   // C3F_V3F
+    {{0, 0, 3, 3}, {0, 0, 0, 12}, 24, false},   // N3F_V3F
+    {{0, 4, 3, 3}, {0, 0, 16, 28}, 40, false},  // C4F_N3F_V3F
+    {{2, 0, 0, 3}, {0, 0, 0, 8}, 20, false},    // T2F_V3F
+    {{4, 0, 0, 4}, {0, 0, 0, 16}, 32, false},   // T4F_V4F
+    {{2, 4, 0, 3}, {0, 8, 0, 12}, 24, true},    // T2F_C4UB_V3F
+    {{2, 3, 0, 3}, {0, 8, 0, 20}, 32, false},   // T2F_C3F_V3F
+    {{2, 0, 3, 3}, {0, 0, 8, 20}, 32, false},   // T2F_N3F_V3F
+    {{2, 4, 3, 3}, {0, 8, 24, 36}, 48, false},  // T2F_C4F_N3F_V3F
+    {{4, 4, 3, 4}, {0, 16, 32, 44}, 60, false}, // T4F_C4F_N3F_V4F
 };
 
 void set(Context& context, ClientArray& array, GLint size, GLenum type, GLsizei stride, const void* pointer,
@@ -66,12 +66,11 @@ void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const vo
     ArraysState& arrays = context.arrays;
     arrays.index.enabled = arrays.edge_flag.enabled = arrays.fog_coord.enabled = false;
     arrays.secondary_color.enabled = false;
-    set(context, arrays.tex_coord[context.array_bindings.client_unit()], f.tex_size, GL_FLOAT, step, pointer,
-        0);
-    set(context, arrays.color, f.color_size, f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step, pointer,
-        f.color_at);
-    set(context, arrays.normal, f.normal ? 3 : 0, GL_FLOAT, step, pointer, f.normal_at);
-    set(context, arrays.vertex, f.position_size, GL_FLOAT, step, pointer, f.position_at);
+    ClientArray* const array[] = {&arrays.tex_coord[context.array_bindings.client_unit()], &arrays.color,
+                                  &arrays.normal, &arrays.vertex};
+    for (unsigned i = 0; i < 4; ++i)
+        set(context, *array[i], f.size[i], i == 1 && f.color_bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, step,
+            pointer, f.at[i]);
 }
 
 } // namespace spangle::gl::cmd

@@ -66,30 +66,21 @@ bool too_bright(const Real (&v)[4]) {
     return bright;
 }
 
-/// Sets a property of the materials in `sides`; the one list of pnames that both Material and ColorMaterial
-/// name.
-void set_property(Material& m, GLenum pname, const Real (&v)[4]) {
-    const auto put = [&v](Real(&to)[4]) {
-        for (int c = 0; c < 4; ++c)
-            to[c] = v[c];
-    };
-    switch (pname) {
-    case GL_AMBIENT:
-        put(m.ambient);
-        break;
-    case GL_DIFFUSE:
-        put(m.diffuse);
-        break;
-    case GL_SPECULAR:
-        put(m.specular);
-        break;
-    case GL_EMISSION:
-        put(m.emission);
-        break;
-    default: // AMBIENT_AND_DIFFUSE
-        put(m.ambient);
-        put(m.diffuse);
-    }
+/// Where in a material, in Reals, lie what the tokens from AMBIENT and from EMISSION on name; then its end.
+/// AMBIENT_AND_DIFFUSE has no place of its own.
+constexpr std::uint8_t material_place[] = {0, 4, 8, 12, 16, 17, 17, 20};
+static_assert(offsetof(Material, emission) == 12 * sizeof(Real) &&
+              offsetof(Material, indexes) == 17 * sizeof(Real) && sizeof(Material) == 20 * sizeof(Real));
+
+/// 7 and more: none of them.
+constexpr GLenum material_property(GLenum pname) {
+    return pname - GL_AMBIENT < 3 ? pname - GL_AMBIENT : pname - GL_EMISSION + 3;
+}
+
+/// Sets a property; those that Material and ColorMaterial name.
+void set_property(Material& m, GLenum pname, const Real* v, std::uint32_t count) {
+    std::memcpy(reinterpret_cast<Real*>(&m) + material_place[material_property(pname)], v,
+                count * sizeof(Real));
 }
 
 /// A property tracked by ColorMaterial cannot be set by Material (GL 1.3, corollary 11).
@@ -104,9 +95,14 @@ bool tracked(const LightingState& state, unsigned side, GLenum pname) {
 void track(Context& context) {
     LightingState& state = context.lighting;
     const unsigned sides = sides_of(state.color_material_face);
+    const GLenum mode = state.color_material_parameter;
+    const bool both = mode == GL_AMBIENT_AND_DIFFUSE;
     for (unsigned side = 0; side < 2; ++side)
-        if ((sides & (1u << side)) != 0)
-            set_property(state.material[side], state.color_material_parameter, context.current.color);
+        if ((sides & (1u << side)) != 0) {
+            set_property(state.material[side], both ? GL_AMBIENT : mode, context.current.color, 4);
+            if (both)
+                set_property(state.material[side], GL_DIFFUSE, context.current.color, 4);
+        }
 }
 
 /// Position and direction are stored in eye space: multiplied when they are specified (GL 1.3, 2.13.1).
@@ -224,45 +220,23 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
     for (unsigned side = 0; side < 2; ++side) {
         if ((sides & (1u << side)) == 0)
             continue;
-        gl::Material& m = context.lighting.material[side];
-        if (pname == GL_SHININESS) {
-            m.shininess = v[0];
-            continue;
-        }
-        if (pname == GL_COLOR_INDEXES) {
-            for (int i = 0; i < 3; ++i)
-                m.indexes[i] = v[i];
-            continue;
-        }
         const bool both = pname == GL_AMBIENT_AND_DIFFUSE;
         for (const GLenum one :
              {both ? static_cast<GLenum>(GL_AMBIENT) : pname, both ? static_cast<GLenum>(GL_DIFFUSE) : pname})
             if (!tracked(context.lighting, side, one))
-                set_property(m, one, v);
+                set_property(context.lighting.material[side], one, v, params.count);
     }
 }
 
 void GetMaterial(Context& context, GLenum face, GLenum pname, Params& params) {
     params.count = 0;
-    if (face != GL_FRONT && face != GL_BACK)
+    const GLenum property = material_property(pname);
+    if ((face != GL_FRONT && face != GL_BACK) || property > material_property(GL_COLOR_INDEXES) ||
+        pname == GL_AMBIENT_AND_DIFFUSE)
         return error(context, GL_INVALID_ENUM);
     const gl::Material& m = context.lighting.material[face == GL_BACK ? 1 : 0];
-    switch (pname) {
-    case GL_AMBIENT:
-        return give(params, m.ambient, 4);
-    case GL_DIFFUSE:
-        return give(params, m.diffuse, 4);
-    case GL_SPECULAR:
-        return give(params, m.specular, 4);
-    case GL_EMISSION:
-        return give(params, m.emission, 4);
-    case GL_SHININESS:
-        return give(params, &m.shininess, 1);
-    case GL_COLOR_INDEXES:
-        return give(params, m.indexes, 3);
-    default:
-        return error(context, GL_INVALID_ENUM);
-    }
+    const unsigned place = material_place[property];
+    give(params, reinterpret_cast<const Real*>(&m) + place, material_place[property + 1] - place);
 }
 
 void ColorMaterial(Context& context, GLenum face, GLenum mode) {

@@ -18,8 +18,8 @@ struct StipplePattern {
 
 struct PolygonState {
     GLenum shade_model = GL_SMOOTH;
-    GLenum front_face = GL_CCW;
     GLenum cull_face_mode = GL_BACK;
+    GLenum front_face = GL_CCW;
     bool cull_face = false;
     GLenum mode[2] = {GL_FILL, GL_FILL}; ///< of front and back faces
     Real point_size = numeric::one;      ///< as set; clamped and rounded only in use
@@ -35,8 +35,8 @@ struct PolygonState {
 #endif
 #if SPANGLE_FEATURE_STIPPLE
     bool line_stipple = false, polygon_stipple = false;
-    GLint stipple_factor = 1;
     GLuint stipple_pattern = 0xFFFF;
+    GLint stipple_factor = 1;
     StipplePattern stipple;
 #else
     static constexpr bool line_stipple = false, polygon_stipple = false;

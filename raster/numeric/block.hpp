@@ -185,6 +185,8 @@ SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::in
 
 constexpr Block add(Block a, Block b) {
     constexpr std::int64_t up = std::int64_t{1} << 32;
+    if (runs_inline && (a.m == 0 || b.m == 0)) // only faster
+        return a.m == 0 ? b : a;
     return detail::sum(a.m * up, a.e - 32, b.m * up, b.e - 32);
 }
 

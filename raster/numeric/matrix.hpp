@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "raster/numeric/block.hpp"
 
@@ -145,11 +146,12 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
 /// n of a matrix's elements, as it holds them, `step` apart.
 SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
 #pragma GCC unroll runs_inline ? 4 : 1
-    for (int k = 0; k < n; ++k, first += step) {
-        // Of one word: GCC 12 makes addresses of two strides of it, and then takes this function for one that
-        // stores nothing.
-        first = factor32(first);
-        out[k] = {a.m[first], a.e[first]};
+    for (int k = 0; k < n; ++k) {
+        int at = first + k * step;
+        if (!runs_inline && !std::is_constant_evaluated())
+            // A function for whose addresses GCC 12 finds two strides is one that stores nothing, it thinks.
+            asm("" : "+r"(at)); // NOLINT(hicpp-no-assembler): no instruction
+        out[k] = {a.m[at], a.e[at]};
     }
 }
 constexpr void row_of(const Matrix& a, int i, Element (&out)[4]) {

@@ -80,7 +80,10 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
 
 /// Frustum, or, without perspective, Ortho. Where l = r, b = t or n = f GL reports INVALID_VALUE before it
 /// comes here; the result is then some large matrix.
-SPANGLE_RUN_CALL constexpr Matrix projection(const Real (&low)[3], const Real (&high)[3], bool perspective) {
+SPANGLE_RUN_CALL constexpr Matrix projection(Real left, Real right, Real bottom, Real top, Real near,
+                                             Real far, bool perspective) {
+    // Here: GCC 12 drops arrays that callers make for a function which reads two of them by one index.
+    const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
     Block twice = to_block(perspective ? low[2] : one); // 2 n, or 2
     ++twice.e;
     Matrix m = identity();
@@ -99,10 +102,10 @@ SPANGLE_RUN_CALL constexpr Matrix projection(const Real (&low)[3], const Real (&
     return m;
 }
 constexpr Matrix frustum(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    return projection({left, bottom, near}, {right, top, far}, true);
+    return projection(left, right, bottom, top, near, far, true);
 }
 constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, Real far) {
-    return projection({left, bottom, near}, {right, top, far}, false);
+    return projection(left, right, bottom, top, near, far, false);
 }
 
 namespace detail {

@@ -56,15 +56,15 @@ void GLAPIENTRY glMap2xOES(GLenum target, GLfixed u1, GLfixed u2, GLint ustride,
 #if SPANGLE_FEATURE_EVALUATORS
 
 void GLAPIENTRY glGetMapiv(GLenum target, GLenum query, GLint* v) {
-    issue<family::GetMap>(target, query, Values{v, GL_INT});
+    issue_array<family::GetMap>(target, query, v, GL_INT);
 }
 
 void GLAPIENTRY glGetMapfv(GLenum target, GLenum query, GLfloat* v) {
-    issue<family::GetMap>(target, query, Values{v, GL_FLOAT});
+    issue_array<family::GetMap>(target, query, v, GL_FLOAT);
 }
 
 void GLAPIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) {
-    issue<family::GetMap>(target, query, Values{v, GL_DOUBLE});
+    issue_array<family::GetMap>(target, query, v, GL_DOUBLE);
 }
 
 #endif
@@ -72,7 +72,7 @@ void GLAPIENTRY glGetMapdv(GLenum target, GLenum query, GLdouble* v) {
 #if SPANGLE_FEATURE_EVALUATORS && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetMapxvOES(GLenum target, GLenum query, GLfixed* v) {
-    issue<family::GetMap>(target, query, Values{v, GL_FIXED});
+    issue_array<family::GetMap>(target, query, v, GL_FIXED);
 }
 
 #endif

@@ -274,27 +274,27 @@ void GLAPIENTRY glPixelTransferi(GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glPixelMapfv(GLenum map, GLsizei size, const GLfloat* values) {
-    issue<family::PixelMap>(map, size, Values{values, GL_FLOAT});
+    issue_array<family::PixelMap>(map, size, values, GL_FLOAT);
 }
 
 void GLAPIENTRY glPixelMapuiv(GLenum map, GLsizei size, const GLuint* values) {
-    issue<family::PixelMap>(map, size, Values{values, GL_UNSIGNED_INT});
+    issue_array<family::PixelMap>(map, size, values, GL_UNSIGNED_INT);
 }
 
 void GLAPIENTRY glPixelMapusv(GLenum map, GLsizei size, const GLushort* values) {
-    issue<family::PixelMap>(map, size, Values{values, GL_UNSIGNED_SHORT});
+    issue_array<family::PixelMap>(map, size, values, GL_UNSIGNED_SHORT);
 }
 
 void GLAPIENTRY glGetPixelMapfv(GLenum map, GLfloat* values) {
-    issue<family::GetPixelMap>(map, Values{values, GL_FLOAT});
+    issue_array<family::GetPixelMap>(map, values, GL_FLOAT);
 }
 
 void GLAPIENTRY glGetPixelMapuiv(GLenum map, GLuint* values) {
-    issue<family::GetPixelMap>(map, Values{values, GL_UNSIGNED_INT});
+    issue_array<family::GetPixelMap>(map, values, GL_UNSIGNED_INT);
 }
 
 void GLAPIENTRY glGetPixelMapusv(GLenum map, GLushort* values) {
-    issue<family::GetPixelMap>(map, Values{values, GL_UNSIGNED_SHORT});
+    issue_array<family::GetPixelMap>(map, values, GL_UNSIGNED_SHORT);
 }
 
 #endif

@@ -48,7 +48,7 @@ void GLAPIENTRY glLoadName(GLuint name) {
 #if SPANGLE_FEATURE_FEEDBACK
 
 void GLAPIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) {
-    issue<family::FeedbackBuffer>(size, type, Values{buffer, GL_FLOAT});
+    issue_array<family::FeedbackBuffer>(size, type, buffer, GL_FLOAT);
 }
 
 #endif
@@ -56,7 +56,7 @@ void GLAPIENTRY glFeedbackBuffer(GLsizei size, GLenum type, GLfloat* buffer) {
 #if SPANGLE_FEATURE_FEEDBACK && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glFeedbackBufferxOES(GLsizei size, GLenum type, GLfixed* buffer) {
-    issue<family::FeedbackBuffer>(size, type, Values{buffer, GL_FIXED});
+    issue_array<family::FeedbackBuffer>(size, type, buffer, GL_FIXED);
 }
 
 #endif

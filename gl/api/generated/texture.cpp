@@ -16,13 +16,13 @@ extern "C" {
 #if SPANGLE_FEATURE_TEXTURE_1D
 
 void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format, GLenum type, const void* pixels) {
-    issue<family::TexImage1D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border}, {width, 1, 1}, format, type, pixels});
+    issue<family::TexImage1D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border, 0}, {width, 1, 1}, format, type, pixels, false});
 }
 
 #endif
 
 void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void* pixels) {
-    issue<family::TexImage2D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border}, {width, height, 1}, format, type, pixels});
+    issue<family::TexImage2D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border, 0}, {width, height, 1}, format, type, pixels, false});
 }
 
 void GLAPIENTRY glTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
@@ -32,7 +32,7 @@ void GLAPIENTRY glTexConstantImage2DSPANGLE(GLenum target, GLint level, GLenum i
 #if SPANGLE_FEATURE_TEXTURE_3D
 
 void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels) {
-    issue<family::TexImage3D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border}, {width, height, depth}, format, type, pixels, true});
+    issue<family::TexImage3D>(ImageCommand{{static_cast<GLint>(target), level, internalformat, border, 0}, {width, height, depth}, format, type, pixels, true});
 }
 
 #endif
@@ -40,13 +40,13 @@ void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, G
 #if SPANGLE_FEATURE_TEXTURE_1D
 
 void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type, const void* pixels) {
-    issue<family::TexSubImage1D>(ImageCommand{{static_cast<GLint>(target), level, xoffset}, {width, 1, 1}, format, type, pixels});
+    issue<family::TexSubImage1D>(ImageCommand{{static_cast<GLint>(target), level, xoffset, 0, 0}, {width, 1, 1}, format, type, pixels, false});
 }
 
 #endif
 
 void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels) {
-    issue<family::TexSubImage2D>(ImageCommand{{static_cast<GLint>(target), level, xoffset, yoffset}, {width, height, 1}, format, type, pixels});
+    issue<family::TexSubImage2D>(ImageCommand{{static_cast<GLint>(target), level, xoffset, yoffset, 0}, {width, height, 1}, format, type, pixels, false});
 }
 
 #if SPANGLE_FEATURE_TEXTURE_3D

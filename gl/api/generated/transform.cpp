@@ -204,15 +204,11 @@ void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val) {
 #if SPANGLE_FEATURE_CLIP_PLANES
 
 void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation) {
-    if (equation == nullptr)
-        return refuse_null(SPANGLE_TEXT("glClipPlane: null pointer"));
-    issue<family::ClipPlane>(plane, convert::cast_d(equation[0]), convert::cast_d(equation[1]), convert::cast_d(equation[2]), convert::cast_d(equation[3]));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glClipPlane: null pointer"));
 }
 
 void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation) {
-    if (equation == nullptr)
-        return refuse_null(SPANGLE_TEXT("glClipPlanefOES: null pointer"));
-    issue<family::ClipPlane>(plane, convert::cast_f(equation[0]), convert::cast_f(equation[1]), convert::cast_f(equation[2]), convert::cast_f(equation[3]));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glClipPlanefOES: null pointer"));
 }
 
 #endif
@@ -220,9 +216,7 @@ void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation) {
 #if SPANGLE_FEATURE_CLIP_PLANES && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
-    if (equation == nullptr)
-        return refuse_null(SPANGLE_TEXT("glClipPlanexOES: null pointer"));
-    issue<family::ClipPlane>(plane, convert::cast_x(equation[0]), convert::cast_x(equation[1]), convert::cast_x(equation[2]), convert::cast_x(equation[3]));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glClipPlanexOES: null pointer"));
 }
 
 #endif

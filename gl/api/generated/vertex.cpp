@@ -1211,10 +1211,7 @@ void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
 }
 
 void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
-    if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectsv: null pointer"));
-    const GLint given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRectsv: null pointer"));
 }
 
 void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
@@ -1223,10 +1220,7 @@ void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
 }
 
 void GLAPIENTRY glRectiv(const GLint* v1, const GLint* v2) {
-    if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectiv: null pointer"));
-    const GLint given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_i, 4>(given, nullptr);
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRectiv: null pointer"));
 }
 
 void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
@@ -1235,10 +1229,7 @@ void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
 }
 
 void GLAPIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) {
-    if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectfv: null pointer"));
-    const GLfloat given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_f, 4>(given, nullptr);
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRectfv: null pointer"));
 }
 
 void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
@@ -1247,10 +1238,7 @@ void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
 }
 
 void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
-    if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectdv: null pointer"));
-    const GLdouble given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_d, 4>(given, nullptr);
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRectdv: null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -1261,10 +1249,7 @@ void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2) {
 }
 
 void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2) {
-    if (v1 == nullptr || v2 == nullptr)
-        return refuse_null(SPANGLE_TEXT("glRectxvOES: null pointer"));
-    const GLfixed given[] = {v1[0], v1[1], v2[0], v2[1]};
-    issue_reals<family::Rect, convert::Element::cast_x, 4>(given, nullptr);
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRectxvOES: null pointer"));
 }
 
 #endif
