@@ -7,8 +7,9 @@ namespace spangle::gl {
 
 struct Context;
 
-/// A primitive that reached the view volume while the mode is SELECT; depths are window z times 2^32 - 1.
-void record_hit(Context& context, std::uint32_t nearest, std::uint32_t farthest);
+/// A vertex of a primitive that reached the view volume while the mode is SELECT; its depth is window z times
+/// 2^32 - 1.
+void record_hit(Context& context, std::uint32_t depth);
 
 /// A vertex as feedback returns it.
 struct FeedbackVertex {

@@ -86,16 +86,15 @@ class Evaluation {
         EvalSurface p[4];
         for (unsigned c = 0; c < components_of(vertex); ++c)
             p[c] = component(vertex, c);
-        numeric::Block u[3], v[3];
-        for (int c = 0; c < 3; ++c) {
-            u[c] = vertex == eval_vertex_4 ? quotient_slope(p[c], p[c].u, p[3], p[3].u) : p[c].u;
-            v[c] = vertex == eval_vertex_4 ? quotient_slope(p[c], p[c].v, p[3], p[3].v) : p[c].v;
+        for (int c = 0; c < 3 && vertex == eval_vertex_4; ++c) {
+            p[c].u = quotient_slope(p[c], p[c].u, p[3], p[3].u);
+            p[c].v = quotient_slope(p[c], p[c].v, p[3], p[3].v);
         }
         const EvalMap& map = map_of(context_, dimension_, vertex);
         // Slopes are of places from 0 to 1: they turn with a domain that runs backwards.
         const bool turned = (map.side[0].to < map.side[0].from) != (map.side[1].to < map.side[1].from);
-        const numeric::Block3 along_u = numeric::to_block(u[0], u[1], u[2]),
-                              along_v = numeric::to_block(v[0], v[1], v[2]);
+        const numeric::Block3 along_u = numeric::to_block(p[0].u, p[1].u, p[2].u),
+                              along_v = numeric::to_block(p[0].v, p[1].v, p[2].v);
         const numeric::Unit3 n =
             numeric::normalize(numeric::cross(turned ? along_v : along_u, turned ? along_u : along_v));
         for (int c = 0; c < 3; ++c)
@@ -109,7 +108,7 @@ class Evaluation {
 };
 
 /// Point i of n segments over a domain; both ends are exact (GL 1.3, 5.1).
-[[gnu::noinline]] Real grid_point(Real from, Real to, GLint n, std::int64_t i) {
+[[gnu::noinline]] Real grid_point(Real from, Real to, GLint n, GLint i) {
     if (i == 0)
         return from;
     if (i == n)
@@ -120,24 +119,31 @@ class Evaluation {
     return evaluation::store(evaluation::add(start, evaluation::mul(step, numeric::make_block(i, 0))));
 }
 
-void grid_vertex(Context& context, std::int64_t i) {
+void grid_vertex(Context& context, GLint i) {
     const EvalState& e = context.eval;
     Evaluation(context, 0, grid_point(e.domain_1[0], e.domain_1[1], e.segments_1, i), numeric::zero).run();
 }
 
-void grid_vertex(Context& context, std::int64_t i, std::int64_t j) {
+[[gnu::noinline]] void grid_vertex(Context& context, GLint i, GLint j) {
     const EvalState& e = context.eval;
     Evaluation(context, 1, grid_point(e.domain_2[0], e.domain_2[1], e.segments_2[0], i),
                grid_point(e.domain_2[2], e.domain_2[3], e.segments_2[1], j))
         .run();
 }
 
-/// A primitive of the points first to last, f(i) each.
-template <class F> void primitive(Context& context, GLenum mode, GLint first, GLint last, F f) {
-    cmd::Begin(context, mode);
-    for (std::int64_t i = first; i <= last; ++i)
-        f(i);
-    cmd::End(context);
+/// The points first to last of row j, each with the one of the row behind it where quads are made; or of
+/// column j. A primitive each, but all rows of points are one.
+[[gnu::noinline]] void strip(Context& context, GLenum mode, GLint first, GLint last, GLint j, bool column) {
+    if (mode != GL_POINTS)
+        cmd::Begin(context, mode);
+    for (std::int64_t at = first; at <= last; ++at) {
+        const auto i = static_cast<GLint>(at);
+        grid_vertex(context, column ? j : i, column ? i : j);
+        if (mode == GL_QUAD_STRIP)
+            grid_vertex(context, i, j + 1);
+    }
+    if (mode != GL_POINTS)
+        cmd::End(context);
 }
 
 } // namespace
@@ -184,30 +190,26 @@ void MapGrid2(Context& context, GLint un, Real u1, Real u2, GLint vn, Real v1, R
 void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT && mode != GL_LINE)
         return error(context, GL_INVALID_ENUM);
-    primitive(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP, i1, i2,
-              [&](std::int64_t i) { grid_vertex(context, i); });
+    Begin(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
+    for (std::int64_t i = i1; i <= i2; ++i)
+        grid_vertex(context, static_cast<GLint>(i));
+    End(context);
 }
 
 void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL)
         return error(context, GL_INVALID_ENUM);
+    const GLenum rows = mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP;
     if (mode == GL_POINT)
-        return primitive(context, GL_POINTS, j1, j2, [&](std::int64_t j) {
-            for (std::int64_t i = i1; i <= i2; ++i)
-                grid_vertex(context, i, j);
-        });
-    if (mode == GL_FILL) {
-        for (std::int64_t j = j1; j < j2; ++j)
-            primitive(context, GL_QUAD_STRIP, i1, i2, [&](std::int64_t i) {
-                grid_vertex(context, i, j);
-                grid_vertex(context, i, j + 1);
-            });
+        Begin(context, rows);
+    for (std::int64_t j = j1, end = std::int64_t{j2} + (mode != GL_FILL); j < end; ++j)
+        strip(context, rows, i1, i2, static_cast<GLint>(j), false);
+    if (mode == GL_POINT)
+        End(context);
+    if (mode != GL_LINE)
         return;
-    }
-    for (std::int64_t j = j1; j <= j2; ++j)
-        primitive(context, GL_LINE_STRIP, i1, i2, [&](std::int64_t i) { grid_vertex(context, i, j); });
     for (std::int64_t i = i1, last = i2; i <= last; ++i)
-        primitive(context, GL_LINE_STRIP, j1, j2, [&](std::int64_t j) { grid_vertex(context, i, j); });
+        strip(context, rows, j1, j2, static_cast<GLint>(i), true);
 }
 
 } // namespace cmd

@@ -550,10 +550,10 @@ template <class M, class L> class Pipeline {
 
     // pipeline_capture.hpp
     [[gnu::noinline]] void capture_line(const Corner& a, const Corner& b, const Window& provoking);
-    template <class At>
-    void capture([[maybe_unused]] GLenum token, [[maybe_unused]] At corner, [[maybe_unused]] int n);
+    [[gnu::noinline]] void begin_capture(GLenum token, int n);
+    [[gnu::noinline]] void capture(const Corner& corner);
 #if SPANGLE_FEATURE_FEEDBACK
-    [[gnu::noinline]] void feed(const Corner& corner);
+    void feed(const Corner& corner);
 #endif
     [[gnu::noinline]] void captured_line(Vertex& a, Vertex& b);
 

@@ -7,38 +7,31 @@ namespace spangle::gl {
 
 template <class M, class L>
 void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window& provoking) {
-    const GLenum token = stipple_starts_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN;
+    begin_capture(stipple_starts_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
     stipple_starts_ = mode_ == GL_LINES;
-    capture(
-        token,
-        [&](int i) {
-            return Corner{(i == 0 ? a : b).vertex, flat_ ? provoking : (i == 0 ? a : b).window};
-        },
-        2);
+    capture({a.vertex, flat_ ? provoking : a.window});
+    capture({b.vertex, flat_ ? provoking : b.window});
 }
 
-/// corner(i): what is left of the primitive's corners after clipping, with their windows.
+/// Of a primitive of which n corners are left after clipping, and are captured next.
 template <class M, class L>
-template <class At>
-inline void Pipeline<M, L>::capture([[maybe_unused]] GLenum token, [[maybe_unused]] At corner,
-                                    [[maybe_unused]] int n) {
-#if SPANGLE_FEATURE_SELECTION
-    if (context_->render.mode == GL_SELECT) {
-        std::uint32_t nearest = 0xFFFFFFFF, farthest = 0;
-        for (int i = 0; i < n; ++i) {
-            const std::uint32_t depth = M::depth_word(corner(i).vertex.window);
-            nearest = depth < nearest ? depth : nearest;
-            farthest = depth > farthest ? depth : farthest;
-        }
-        return record_hit(*context_, nearest, farthest);
-    }
-#endif
+void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK
+    if (context_->render.mode != GL_FEEDBACK)
+        return;
     feed_token(*context_, token);
     if (token == GL_POLYGON_TOKEN)
         feed_count(*context_, n);
-    for (int i = 0; i < n; ++i)
-        feed(corner(i));
+#endif
+}
+
+template <class M, class L> void Pipeline<M, L>::capture([[maybe_unused]] const Corner& corner) {
+#if SPANGLE_FEATURE_SELECTION
+    if (context_->render.mode == GL_SELECT)
+        return record_hit(*context_, M::depth_word(corner.vertex.window));
+#endif
+#if SPANGLE_FEATURE_FEEDBACK
+    feed(corner);
 #endif
 }
 

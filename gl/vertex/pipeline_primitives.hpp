@@ -16,13 +16,10 @@ template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
 }
 
 template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex& v, const Window& window) {
-    if (captures())
-        return capture(
-            GL_POINT_TOKEN,
-            [&](int) {
-                return Corner{v, window};
-            },
-            1);
+    if (captures()) {
+        begin_capture(GL_POINT_TOKEN, 1);
+        return capture({v, window});
+    }
     if (modal_points())
         return draw_modal_point(v, window);
     raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
@@ -278,13 +275,12 @@ SPANGLE_INLINE void Pipeline<M, L>::draw(const Seen& at, int n, const Window& pr
         set_offset(at, n, face_mode_[side], part);
     if (outlined() && face_mode_[side] != GL_FILL)
         return outline(at, n, provoking, face_mode_[side]);
-    if (captures())
-        return capture(
-            GL_POLYGON_TOKEN,
-            [&](int i) {
-                return Corner{*at.corners[i], flat_ ? provoking : at(i)};
-            },
-            n);
+    if (captures()) {
+        begin_capture(GL_POLYGON_TOKEN, n);
+        for (int i = 0; i < n; ++i)
+            capture({*at.corners[i], flat_ ? provoking : at(i)});
+        return;
+    }
     if (fills_whole())
         return fill_whole(at, n, provoking, part);
     for (int i = 1; i + 1 < n; ++i)

@@ -42,7 +42,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
 #if SPANGLE_FEATURE_SELECTION
     if (context.render.mode == GL_SELECT) {
         M::project(transforms_, clip, v.window);
-        record_hit(context, M::depth_word(v.window), M::depth_word(v.window));
+        record_hit(context, M::depth_word(v.window));
     }
 #endif
 }

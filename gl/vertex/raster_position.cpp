@@ -36,7 +36,7 @@ void WindowPos(Context& context, Real x, Real y, Real z) {
 #if SPANGLE_FEATURE_SELECTION
     if (context.render.mode == GL_SELECT) {
         const std::uint32_t depth = numeric::to_unit(raster.position[2], 32);
-        record_hit(context, depth, depth);
+        record_hit(context, depth);
     }
 #endif
 }

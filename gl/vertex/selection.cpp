@@ -33,11 +33,11 @@ SelectState* names(Context& context) {
 
 } // namespace
 
-void record_hit(Context& context, std::uint32_t nearest, std::uint32_t farthest) {
+void record_hit(Context& context, std::uint32_t depth) {
     SelectState& s = context.render.select;
     s.hit = true;
-    s.nearest = nearest < s.nearest ? nearest : s.nearest;
-    s.farthest = farthest > s.farthest ? farthest : s.farthest;
+    s.nearest = depth < s.nearest ? depth : s.nearest;
+    s.farthest = depth > s.farthest ? depth : s.farthest;
 }
 
 void end_hit_record(SelectState& s) {

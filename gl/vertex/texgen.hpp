@@ -60,10 +60,10 @@ template <class M> class TexGen {
         for (int c = 0; c < 4; ++c)
             switch (gen.mode[c]) {
             case GL_OBJECT_LINEAR:
-                out[c] = dot<4>(gen.plane[c], object);
+                out[c] = dot(gen.plane[c], object, 4);
                 break;
             case GL_EYE_LINEAR:
-                out[c] = dot<4>(gen.plane[c], eye);
+                out[c] = dot(gen.plane[c], eye, 4);
                 break;
             case GL_SPHERE_MAP: // errors keep it, and those below, to coordinates that it has
                 out[c] = sphere(r, c);
@@ -90,15 +90,16 @@ template <class M> class TexGen {
     Unit unit_[texture_units];
     Scalar normal_[9]; ///< column-major
 
-    template <int N> static Scalar dot(const Scalar* a, const Scalar* b) {
+    /// Of n components, those of `a` being `step` apart.
+    static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {
         Scalar sum = a[0] * b[0];
-        for (int k = 1; k < N; ++k)
-            sum = sum + a[k] * b[k];
+        for (int k = 1; k < n; ++k)
+            sum = sum + a[k * step] * b[k];
         return sum;
     }
 
     static void make_unit(Scalar (&v)[3]) {
-        const Scalar by = M::rsqrt(dot<3>(v, v));
+        const Scalar by = M::rsqrt(dot(v, v, 3));
         for (Scalar& c : v)
             c = c * by;
     }
@@ -106,7 +107,7 @@ template <class M> class TexGen {
     void eye_normal(const Real (&given)[3], Scalar (&n)[3]) const {
         const Scalar v[3] = {M::scalar(given[0]), M::scalar(given[1]), M::scalar(given[2])};
         for (int i = 0; i < 3; ++i)
-            n[i] = normal_[i] * v[0] + normal_[3 + i] * v[1] + normal_[6 + i] * v[2];
+            n[i] = dot(normal_ + i, v, 3, 3);
         if (normalize_)
             make_unit(n);
     }
@@ -115,7 +116,7 @@ template <class M> class TexGen {
     static void reflect(const Scalar (&eye)[4], const Scalar (&n)[3], Scalar (&r)[3]) {
         Scalar u[3] = {eye[0] * eye[3], eye[1] * eye[3], eye[2] * eye[3]}; // w may be negative
         make_unit(u);
-        const Scalar along = dot<3>(n, u), twice = along + along;
+        const Scalar along = dot(n, u, 3), twice = along + along;
         for (int i = 0; i < 3; ++i)
             r[i] = u[i] - n[i] * twice;
     }
@@ -124,7 +125,7 @@ template <class M> class TexGen {
     static Scalar sphere(const Scalar (&r)[3], int c) {
         const Scalar half = M::scalar(Real{0x3F000000});
         const Scalar high[3] = {r[0], r[1], r[2] + M::scalar(numeric::one)};
-        return r[c] * (M::rsqrt(dot<3>(high, high)) * half) + half;
+        return r[c] * (M::rsqrt(dot(high, high, 3)) * half) + half;
     }
 };
 

@@ -2,11 +2,20 @@
 
 namespace spangle::raster {
 
+namespace {
+
+/// Small builds with stipples have one loop: a stipple that leaves all fragments. Records would keep it.
+constexpr bool stipples_all = SPANGLE_FEATURE_STIPPLE && !SPANGLE_HAS_RECORDS && !has_shortcuts;
+
+} // namespace
+
 template <>
 void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
                             const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
     if constexpr (has_paths)
         draw_line_by<HostLines>(state, target, a, b, provoking, width);
+    else if constexpr (LineStipple all; stipples_all)
+        draw_stippled_line(state, target, a, b, provoking, width, all);
     else
         draw_line_of<Fixed>(state, target, a, b, provoking, width);
 }
