@@ -40,8 +40,7 @@ struct Repeats {
     std::int32_t base;   ///< no further than matters
     std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
 
-    SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3],
-                               std::int32_t less) {
+    SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] = to_repeats(m[i], exponent[i] - less);

@@ -12,50 +12,10 @@ template <class N> SPANGLE_INLINE typename N::Color env_color(const TextureUnit&
     return {N::from_units(c[0]), N::from_units(c[1]), N::from_units(c[2]), N::from_units(c[3])};
 }
 
-/// apply_env() of small builds: the environments are looked at by component.
-template <class N>
-SPANGLE_INLINE void apply_env_by_component(TexEnv env, BaseFormat base, typename N::Color& f,
-                                           const typename N::Color& s, const typename N::Color& c) {
-    using T = typename N::T;
-    const auto apply = [by = s.a](TexEnv env, T& f, T s, T c) SPANGLE_RUN_LAMBDA {
-        switch (env) {
-        case TexEnv::replace:
-            f = s;
-            break;
-        case TexEnv::modulate:
-            f = N::mul(f, s);
-            break;
-        case TexEnv::decal:
-            f = N::lerp(f, s, by);
-            break;
-        case TexEnv::blend:
-            f = N::lerp(f, c, s);
-            break;
-        case TexEnv::add:
-            f = N::add(f, s);
-            break;
-        case TexEnv::combine:
-            break;
-        }
-    };
-    if (base != BaseFormat::alpha) {
-        const TexEnv of_color = env == TexEnv::decal && base != BaseFormat::rgba ? TexEnv::replace : env;
-        apply(of_color, f.r, s.r, c.r);
-        apply(of_color, f.g, s.g, c.g);
-        apply(of_color, f.b, s.b, c.b);
-    }
-    if (base == BaseFormat::rgb || base == BaseFormat::luminance || env == TexEnv::decal)
-        return;
-    const bool sums = env == TexEnv::blend || env == TexEnv::add;
-    apply(sums && base != BaseFormat::intensity ? TexEnv::modulate : env, f.a, s.a, c.a);
-}
-
 /// f: the colour so far, becomes the result; s: the texture's; c: TEXTURE_ENV_COLOR.
 template <class N>
 SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f, const typename N::Color& s,
                               const typename N::Color& c) {
-    if constexpr (!has_shortcuts)
-        return apply_env_by_component<N>(env, base, f, s, c);
     const bool color = base != BaseFormat::alpha;
     const bool alpha = base != BaseFormat::rgb && base != BaseFormat::luminance;
     switch (env) {
