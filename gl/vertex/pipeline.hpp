@@ -162,6 +162,8 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
+    /// Triangles and quads have no way of their own.
+    static constexpr bool only_polygons = has_polygons && !raster::has_shortcuts;
     /// Vertices of line strips are not kept: few are forgotten before the next strip asks.
     static constexpr bool forgets_strips =
         vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
