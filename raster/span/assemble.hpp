@@ -219,7 +219,7 @@ template <class N> void add_narrow_output(ChainBuilder<N>& chain, const Key& key
 /// The primary colour of vertices or images; an index stands in its red.
 template <class N> void add_primary(ChainBuilder<N>& chain, const Key& key) {
     using One = OneLane<N>;
-    if (key.pixels)
+    if (has_pixel_colors && key.pixels)
         chain.template add<PixelColor<One>>();
     else if (!key.color)
         chain.template add<White<N>>();

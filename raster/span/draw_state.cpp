@@ -54,7 +54,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
     ChainBuilder<Raw> chain(variant);
     add_tests(chain, key);
     const UnitKey& unit = key.unit[0];
-    if (key.pixels) {
+    if (has_pixel_colors && key.pixels) {
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }

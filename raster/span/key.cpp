@@ -92,7 +92,7 @@ bool raw(const Key& key, const FragmentState& state) {
         return false;
     const UnitKey& unit = key.unit[0];
     if (!unit.on && !key.second_unit())
-        return key.pixels
+        return has_pixel_colors && key.pixels
                    ? key.kind <= Kind::affine && (!state.dither || state.colors == Colors::of_pixels_565)
                    : key.kind <= Kind::affine;
     if (key.second_unit() || unit.general || unit.filter != Filter::nearest || unit.env != TexEnv::replace ||
@@ -130,7 +130,7 @@ void common_key(Key& key, const FragmentState& state, const Surface& target) {
 /// One number system serves them.
 void index_key(Key& key, const FragmentState& state) {
     key.number = Number::exact;
-    key.pixels = state.colors != Colors::of_vertices;
+    key.pixels = has_pixel_colors && state.colors != Colors::of_vertices;
     key.color = !key.pixels;
     key.masked = state.color_mask != 0xFF;
     key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage;
@@ -163,7 +163,7 @@ Key make_key(const FragmentState& state, const Surface& target, Kind kind) {
     key.color = color_survives(state, false);
     key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
     key.color = key.color || key.color_alpha;
-    if (key.color && state.colors != Colors::of_vertices) {
+    if (has_pixel_colors && key.color && state.colors != Colors::of_vertices) {
         key.pixels = true;
         key.color = key.color_alpha = false;
     }

@@ -36,6 +36,9 @@
 #ifndef SPANGLE_FEATURE_POLYGON_OFFSET
 #define SPANGLE_FEATURE_POLYGON_OFFSET 1
 #endif
+#ifndef SPANGLE_FEATURE_DRAW_PIXELS
+#define SPANGLE_FEATURE_DRAW_PIXELS 1
+#endif
 #ifndef SPANGLE_FEATURE_MULTISAMPLE
 #define SPANGLE_FEATURE_MULTISAMPLE 1
 #endif
@@ -55,6 +58,8 @@ inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
 #define SPANGLE_SECONDARY_COLORS                                                                             \
     (SPANGLE_CHAIN && (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR))
 inline constexpr bool has_color_sum = SPANGLE_SECONDARY_COLORS;
+/// Fragments may bring colours of their own (Colors::of_pixels): those of images.
+inline constexpr bool has_pixel_colors = SPANGLE_FEATURE_DRAW_PIXELS != 0;
 inline constexpr bool has_combine = SPANGLE_FEATURE_TEXTURE_COMBINE != 0;
 inline constexpr bool has_volumes = SPANGLE_FEATURE_TEXTURE_3D != 0;
 inline constexpr bool has_cube_maps = SPANGLE_FEATURE_TEXTURE_CUBE_MAP != 0;
