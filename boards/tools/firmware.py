@@ -21,6 +21,7 @@ SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", 
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
           "CUBE": "cube"}
 LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns")  # when an image is linked
+SMALL = ("-fno-schedule-insns2", "-fno-move-loop-invariants")  # with -Os, where an image is linked as one: its text is 0.8 % less
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
 ENVIRONMENT = {**os.environ, "QEMU_AUDIO_DRV": "none"}
@@ -88,7 +89,7 @@ class Build:
             self.known.add(out)
             flags = [*FLAGS, *chosen.machine, *chosen.headers, optimize, *defines]
             if lto and not source.is_relative_to(ROOT / "hal/mcu"):
-                flags.append("-flto")
+                flags += ["-flto", *(SMALL if optimize == "-Os" else ())]
             self.lines += [f"build {out}: compile {source}", f"  compiler = {' '.join([*CCACHE, chosen.prefix + 'g++'])}",
                            "  flags = " + " ".join(f"'{flag}'" for flag in flags)]
         return out
