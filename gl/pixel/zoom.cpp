@@ -36,7 +36,7 @@ std::int64_t times(std::int64_t a, std::int32_t n) {
 
 } // namespace
 
-Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high) {
+[[gnu::noinline]] Interval inside(std::int32_t at, std::int32_t size, std::int32_t low, std::int32_t high) {
     std::int32_t end = 0;
     if (__builtin_add_overflow(at, size, &end))
         end = high;

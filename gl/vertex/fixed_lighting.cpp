@@ -68,7 +68,7 @@ std::uint32_t cosine(const std::int32_t (&n)[3], int fraction_bits, const numeri
         numeric::mul_s32(n[0], u.m[0]) + numeric::mul_s32(n[1], u.m[1]) + numeric::mul_s32(n[2], u.m[2]);
     if (sum <= 0)
         return 0;
-    const std::int64_t d = (sum + (std::int64_t{1} << (fraction_bits - 1))) >> fraction_bits;
+    const std::int64_t d = numeric::shift_right_round(sum, fraction_bits);
     return d > 0xFFFFFFFF ? 0xFFFFFFFFu : static_cast<std::uint32_t>(d);
 }
 
@@ -298,8 +298,8 @@ bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedV
     const int zeros = numeric::clz64(square) & ~1; // at least 4
     if (zeros > 16)
         return false;
-    const std::uint32_t r =
-        numeric::rsqrt(static_cast<std::uint32_t>((square << zeros) >> 32)); // 1/|n| = r 2^(zeros / 2 - 62)
+    const std::uint32_t r = numeric::rsqrt(numeric::low_word_after(
+        static_cast<std::int64_t>(square), 32 - zeros)); // 1/|n| = r 2^(zeros / 2 - 62)
     add_plain(
         side, out, [&](const Source& source) __attribute__((always_inline)) {
             const std::int64_t along = numeric::row_sum<3>(source.to_light.m, n, std::int64_t{1} << 29);

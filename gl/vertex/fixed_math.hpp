@@ -720,8 +720,8 @@ struct FixedMath {
     static std::int64_t quotient(std::int32_t m, std::uint32_t r, int zeros, int bits) {
         const int shift = 62 - zeros - bits;
         const std::int64_t product = static_cast<std::int64_t>(m) * r;
-        return shift > 0 ? (product + (std::int64_t{1} << (shift - 1))) >> shift
-                         : static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << -shift);
+        return shift > 0 ? numeric::shift_right_round(product, shift)
+                         : numeric::times_two_to(product, -shift);
     }
 
     /// Into what the rasterizer accepts; only rounding in the clipper ever gets here.

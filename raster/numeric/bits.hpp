@@ -191,6 +191,13 @@ SPANGLE_INLINE constexpr std::int64_t shifted_up(std::int32_t v, int n) {
     const auto high = static_cast<std::uint32_t>((v >> 1) >> (31 - n));
     return static_cast<std::int64_t>(std::uint64_t{high} << 32 | static_cast<std::uint32_t>(v) << n);
 }
+/// floor(v 2^n) for any n, mod 2^64; beyond 63 either way it is 63. Code of 50 bytes where words have 32
+/// bits.
+SPANGLE_RUN_INLINE constexpr std::int64_t times_two_to(std::int64_t v, int n) {
+    if (n < 0)
+        return v >> (n > -63 ? -n : 63);
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (n < 63 ? n : 63));
+}
 /// Nearest to v / 2^n, halves up; n <= 0 leaves v as it is, no n overflows.
 SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
     if (n <= 0)
@@ -204,7 +211,7 @@ SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
         return v;
     if (n > 63)
         return 0;
-    const std::int64_t twice = v >> (n - 1);
+    const std::int64_t twice = runs_inline ? v >> (n - 1) : times_two_to(v, 1 - n);
     return (twice >> 1) + (twice & 1);
 }
 

@@ -53,7 +53,9 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
     std::int32_t drop = 33 - zeros; // to 31 bits
     if (e + drop < element_least)
         drop = element_least - e;
-    std::uint64_t m = drop >= 0 ? shift_right_even(magnitude, drop) : magnitude << -drop;
+    std::uint64_t m =
+        drop >= 0 ? shift_right_even(magnitude, drop)
+                  : static_cast<std::uint64_t>(times_two_to(static_cast<std::int64_t>(magnitude), -drop));
     if (m >> 31 != 0)
         m >>= 1, ++drop; // 2^31 after rounding up
     const std::int32_t least = e + drop;
@@ -82,8 +84,15 @@ constexpr Block to_block(Element v) {
 // --- matrices
 // ------------------------------------------------------------------------------------------------------
 
-SPANGLE_RUN_CALL constexpr Matrix identity() {
+namespace detail {
+/// Not a constant: compilers would write it down wherever a matrix begins.
+[[gnu::noinline]] inline Matrix make_identity() {
     return {};
+}
+} // namespace detail
+
+constexpr Matrix identity() {
+    return runs_inline || std::is_constant_evaluated() ? Matrix{} : detail::make_identity();
 }
 
 /// Element (row, column) for arithmetic.
@@ -137,8 +146,7 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
         if (product[k] == 0)
             continue;
         const int right = top - (a[k].e + b[k].e);
-        sum += right >= 0 ? shift_right_round(product[k], right)
-                          : static_cast<std::int64_t>(static_cast<std::uint64_t>(product[k]) << -right);
+        sum += right >= 0 ? shift_right_round(product[k], right) : times_two_to(product[k], -right);
     }
     return make_element(sum, top + 2 * element_bias);
 }

@@ -277,8 +277,9 @@ constexpr std::int32_t to_fixed(Real v, int fraction_bits) {
     const std::int32_t shift = u.exponent + fraction_bits;
     if (shift > 31)
         return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
-    return detail::with_sign(u.negative, shift >= 0 ? std::uint64_t{u.mantissa} << shift
-                                                    : shift_right_even(u.mantissa, -shift));
+    return detail::with_sign(u.negative, shift >= 0
+                                             ? static_cast<std::uint64_t>(times_two_to(u.mantissa, shift))
+                                             : shift_right_even(u.mantissa, -shift));
 }
 constexpr std::int32_t to_fixed16(Real v) {
     return to_fixed(v, 16);
@@ -289,18 +290,16 @@ constexpr std::int32_t to_i32_round(Real v) {
     const detail::Unpacked u = detail::unpack(v);
     if (u.exponent > 31)
         return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
-    if (u.exponent >= 0)
-        return detail::with_sign(u.negative, std::uint64_t{u.mantissa} << u.exponent);
-    if (u.exponent < -24)
-        return 0;
-    return detail::with_sign(u.negative, ((u.mantissa >> (-u.exponent - 1)) + 1) >> 1);
+    return detail::with_sign(u.negative,
+                             static_cast<std::uint64_t>(times_two_to(u.mantissa, u.exponent + 1) + 1) >> 1);
 }
 
 /// floor(clamp01(v) * most * 2), most < 2^32: one bit more than the integer below.
 constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
     const detail::Unpacked u = detail::unpack(clamp01(v));
     const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
-    return drop > 63 ? 0 : (u.mantissa * std::uint64_t{most}) >> (drop - 1);
+    return static_cast<std::uint64_t>(
+        times_two_to(static_cast<std::int64_t>(u.mantissa * std::uint64_t{most}), 1 - drop));
 }
 
 /// Nearest integer to clamp01(v) * most, halves up.

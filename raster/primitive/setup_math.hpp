@@ -29,14 +29,14 @@ SPANGLE_RUN_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::i
 /// v * 2^-n for any n, rounded to nearest on the way down, mod 2^64 on the way up.
 SPANGLE_INLINE std::int64_t shift(std::int64_t v, int n) {
     if (n > 0)
-        return n > 62 ? 0 : ((v >> (n - 1)) + 1) >> 1;
-    return n < -63 ? 0 : static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << -n);
+        return n > 62 ? 0 : (numeric::times_two_to(v, 1 - n) + 1) >> 1;
+    return n < -63 ? 0 : numeric::times_two_to(v, -n);
 }
 
 /// v 2^-n rounded down (what that loses is below the last bit of an interpolant), mod 2^64 on the way up.
 inline std::int64_t scaled(std::int64_t v, int n) {
     if (n >= 0)
-        return v >> (n < 63 ? n : 63);
+        return numeric::times_two_to(v, -n);
     return shift(v, n);
 }
 

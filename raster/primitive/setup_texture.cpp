@@ -17,7 +17,7 @@ std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
         return 0;
     if (up >= clz64(numeric::abs_u64(m)) - 2)
         return m < 0 ? -limit : limit;
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(m) << up);
+    return numeric::times_two_to(m, up);
 }
 
 /// The same of a word, in line where nothing can saturate: |m| 2^30 is at most 2^61.
@@ -40,7 +40,8 @@ struct Repeats {
     std::int32_t base;   ///< no further than matters
     std::uint32_t range; ///< of the whole ones; its highest bit is that of all of them together
 
-    SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3], std::int32_t less) {
+    SPANGLE_RUN_INLINE Repeats(const std::int32_t (&m)[3], const std::int32_t (&exponent)[3],
+                               std::int32_t less) {
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
         for (int i = 0; i < 3; ++i)
             v[i] = to_repeats(m[i], exponent[i] - less);
@@ -190,7 +191,8 @@ bool Setup<Fixed>::unit_affine(int unit, const UnitValues& u, bool same_w) const
     // A quarter of a texel of the base level.
     const auto within = [&](const std::int32_t v[3], int log2_size) SPANGLE_RUN_LAMBDA {
         const std::uint32_t range = range_of(v[0], v[1], v[2]);
-        return numeric::mul_u32(range + 1, q_range_) <= std::uint64_t{q_least_} << (32 - log2_size - u.shift);
+        return numeric::mul_u32(range + 1, q_range_) <=
+               static_cast<std::uint64_t>(numeric::times_two_to(q_least_, 32 - log2_size - u.shift));
     };
     return within(u.s, state_.log2_width[unit]) && within(u.t, state_.log2_height[unit]);
 }

@@ -44,9 +44,7 @@ SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& invers
     if constexpr (!numeric::wide_words && has_shortcuts)
         if (down > 0 && down < 32) [[likely]]
             return numeric::words_after(product, down);
-    if (down >= 0)
-        return product >> (down < 63 ? down : 63);
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(product) << (-down < 63 ? -down : 63));
+    return numeric::times_two_to(product, -down);
 }
 
 /// What wraps of it.

@@ -27,8 +27,7 @@ FogConstants fog_constants(const FragmentState& state) {
         scale = numeric::div(numeric::one, numeric::sub(numeric::from_float_bits(state.fog_start), end));
         const auto offset = numeric::detail::unpack(numeric::mul(-end, scale));
         const int up = offset.exponent + 24;
-        const auto magnitude = up >= 0 ? std::int64_t{offset.mantissa} << (up < 36 ? up : 36)
-                                       : std::int64_t{offset.mantissa} >> (up > -31 ? -up : 31);
+        const auto magnitude = numeric::times_two_to(offset.mantissa, up < 36 ? up : 36);
         fog.offset = offset.negative ? -magnitude : magnitude;
     } else {
         scale = numeric::mul(scale, state.fog_mode == FogMode::exp ? log2_e : sqrt_log2_e);

@@ -200,7 +200,7 @@ namespace detail {
 inline std::uint32_t projective_fog(std::int32_t over_w, int exponent, const Inverse& inverse) {
     const std::int64_t product = numeric::mul_s32_u32(over_w, inverse.mantissa); // f/q 2^(62 - zeros)
     const int down = 38 - inverse.zeros - exponent;
-    return static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(product >> (down < 63 ? down : 63))
+    return static_cast<std::uint32_t>(down >= 0 ? numeric::saturate_i32(numeric::times_two_to(product, -down))
                                                 : numeric::scale_saturate(product, -down));
 }
 

@@ -152,7 +152,8 @@ SPANGLE_INLINE std::int32_t repeat_nearest(std::uint32_t s, int log2_size) {
 
 /// From a coordinate that does not wrap (s3.28).
 SPANGLE_INLINE std::int32_t clamped_nearest(std::int32_t s, int log2_size) {
-    const std::int64_t u = (std::int64_t{s} << log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
+    const std::int64_t u =
+        numeric::shifted_up(s, log2_size) + (1 << (clamped_coord_bits - nearest_bias_bits));
     const auto i = static_cast<std::int32_t>(u >> clamped_coord_bits);
     // s = 1 is the last texel (GL 1.3, 3.8.8), also with CLAMP_TO_BORDER.
     return i == 1 << log2_size && s <= 1 << clamped_coord_bits ? i - 1 : i;
@@ -161,7 +162,7 @@ SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_siz
     constexpr std::int32_t one = 1 << clamped_coord_bits;
     if (wrap == Wrap::clamp) // to [0, 1] first: at the edge half of the border mixes in
         s = s < 0 ? 0 : s > one ? one : s;
-    const std::int64_t u = (std::int64_t{s} << log2_size) - one / 2;
+    const std::int64_t u = numeric::shifted_up(s, log2_size) - one / 2;
     const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }

@@ -108,6 +108,12 @@ TEST(Kernels, ProductsOfHalvesAreLongOnes) {
         for (int n = 0; n < 64; n += 1 + static_cast<int>(u & 7))
             ASSERT_EQ(detail::high_word_by_words(wide, n), static_cast<std::uint32_t>(wide << n >> 32))
                 << wide << ' ' << n;
+        const auto either = static_cast<std::int64_t>(wide);
+        for (int n = -70; n <= 70; n += 1 + static_cast<int>(u & 3)) {
+            const int by = n < -63 ? -63 : n > 63 ? 63 : n;
+            const std::int64_t times = by < 0 ? either >> -by : static_cast<std::int64_t>(wide << by);
+            ASSERT_EQ(times_two_to(either, n), times) << either << ' ' << n;
+        }
         ASSERT_EQ(joined_aside(u, 26, 6, v, 20), (u >> 26 << 6) + (v >> 20)) << u << ' ' << v;
     };
     std::vector<std::uint32_t> words;
