@@ -185,9 +185,9 @@ constexpr bool is_power_of_two(std::int32_t size) {
     return (size & (size - 1)) == 0;
 }
 
-/// Coordinates of these axes are read with shifts.
+/// Coordinates of these axes are read with shifts, which is only faster.
 constexpr bool is_plain_axis(Wrap wrap, std::int32_t size) {
-    return wrap != Wrap::mirrored_repeat && is_power_of_two(size);
+    return has_shortcuts && wrap != Wrap::mirrored_repeat && is_power_of_two(size);
 }
 
 /// Any size and wrap mode: 2^fraction texels in one, before wrapping, `half` of one taken off. A mirrored

@@ -6,6 +6,7 @@
 
 #include "raster/span/number.hpp"
 #include "raster/span/texel.hpp"
+#include "tests/random.hpp"
 
 namespace spangle::raster::test {
 namespace {
@@ -130,6 +131,35 @@ template <class N> void texels_of_words(double bound) {
 TEST(Components, OfEveryTexel) {
     texels_of_words<Exact>(1);
     texels_of_words<B>(256 / 50.0);
+}
+
+/// Small builds read all axes as those of any size (is_plain_axis()).
+void same_texels(Wrap wrap, std::uint32_t s, int log2_size) {
+    const std::int32_t size = 1 << log2_size;
+    ASSERT_EQ(general_nearest(wrap, s, size), wrapped_nearest(wrap, s, log2_size, size))
+        << static_cast<int>(wrap) << ' ' << s << ' ' << size;
+    const TexelIndex any = general_linear(wrap, s, size), plain = wrapped_linear(wrap, s, log2_size, size);
+    ASSERT_EQ(any.weight, plain.weight) << static_cast<int>(wrap) << ' ' << s << ' ' << size;
+    for (int next = 0; next < 2; ++next)
+        ASSERT_EQ(wrap_texel(wrap, any.i + next, size), wrap_texel(wrap, plain.i + next, size))
+            << static_cast<int>(wrap) << ' ' << s << ' ' << size;
+}
+
+TEST(Axes, OfPowersOfTwoAreThoseOfAnySize) {
+    spangle::test::Random random{7};
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::clamp_to_edge, Wrap::clamp_to_border})
+        for (int log2_size = 0; log2_size <= 12; ++log2_size) {
+            const int texel = (wrap == Wrap::repeat ? 32 : clamped_coord_bits) - log2_size;
+            for (int i = 0; i < 4000; ++i) {
+                const std::uint32_t any = random.below(1u << 16) << 16 | random.below(1u << 16);
+                same_texels(wrap, any, log2_size);
+                for (std::uint32_t near = 0; near < 5; ++near) { // edges and middles of texels
+                    const std::uint32_t half = any & (0u - (1u << (texel - 1)));
+                    same_texels(wrap, half + near - 2, log2_size);
+                    same_texels(wrap, half - (1u << (texel - 13 > 0 ? texel - 13 : 0)) + near - 2, log2_size);
+                }
+            }
+        }
 }
 
 } // namespace
