@@ -69,6 +69,8 @@ template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& 
         return;
     if (captures())
         return captured_line(a, b);
+    if constexpr (!raster::has_shortcuts)
+        return seen_line(a, b);
     Vertex* const ends[2] = {&a, &b};
     lines(ends, 2, 1, false);
 }
