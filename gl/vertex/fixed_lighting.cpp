@@ -27,14 +27,17 @@ std::int32_t times(std::int32_t a, std::int32_t b) {
     return numeric::saturate_i32((numeric::mul_s32(a, b) + (1 << (intensity_bits - 1))) >> intensity_bits);
 }
 
-bool is_zero(const std::int32_t (&v)[3]) {
-    return v[0] == 0 && v[1] == 0 && v[2] == 0;
-}
-
 /// Intensity times a factor of Q2.30 (0 .. 4): 44 fraction bits, |result| <= 2^57, so that all terms of all
 /// lights fit.
 std::int64_t weighted(std::int32_t intensity, std::uint32_t factor) {
     return (static_cast<std::int64_t>(intensity) * factor) >> 6;
+}
+
+/// Sums of a light's colours.
+SPANGLE_RUN_INLINE void add_weighted(const std::int32_t (&light)[3], std::uint32_t factor,
+                                     std::int64_t (&sum)[3]) {
+    for (int c = 0; c < 3; ++c)
+        sum[c] += weighted(light[c], factor);
 }
 
 /// a * b of factors with 30 fraction bits, saturated below 4.
@@ -57,7 +60,7 @@ std::uint32_t to_factor(numeric::Block v) {
 }
 
 /// A sum, clamped to 0..1, in colour units.
-std::uint32_t to_color(std::int64_t sum) {
+SPANGLE_RUN_CALL std::uint32_t to_color(std::int64_t sum) {
     const std::int64_t c = numeric::clamp<std::int64_t>(sum, 0, std::int64_t{1} << sum_bits);
     return FixedMath::color_units(static_cast<std::uint32_t>((c + (1 << 13)) >> (sum_bits - 30)));
 }
@@ -203,6 +206,10 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
 void FixedLighting::fold(const Context& context) {
     for (int side = 0; side < (two_sided() ? 2 : 1); ++side) {
         const Material& material = context.lighting.material[side];
+        if (!raster::has_indices) {
+            fold_side(material, fold_[side]);
+            continue;
+        }
         fold_side(indexed() ? weighing(material) : material, fold_[side]);
         for (int i = 0; i < 3; ++i)
             fold_[side].index[i] = material.indexes[i];
@@ -251,13 +258,26 @@ SPANGLE_RUN_INLINE void FixedLighting::add_factor(const std::int32_t (&diffuse)[
         sum[c] += numeric::mul_s32(diffuse[c], factor);
 }
 
-/// base + sum of (n . l) * diffuse; facing(source): n . l.
-template <class Facing>
-SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const Facing& facing) const {
+/// n . l of plain lighting. With normals as they are given it is (N^T l) . n, with unit normals
+/// (N n) . l / |N n|.
+SPANGLE_INLINE std::int32_t FixedLighting::facing(const Source& source, const PlainNormal& n, bool unit,
+                                                  int side) {
+    const std::int32_t along = unit ? static_cast<std::int32_t>(
+                                          numeric::row_sum<3>(source.to_light.m, n.m, 1 << 29) >> 30)
+                                    : numeric::row_times<3>(source.facing.m, n.m),
+                       seen = side == 0 ? along : -along;
+    if (unit)
+        return plain_factor(numeric::mul_high_s32(seen, n.inverse), n.e);
+    return plain_factor(seen, n.e + source.facing.e + 1);
+}
+
+/// base + sum of (n . l) * diffuse.
+SPANGLE_INLINE void FixedLighting::add_plain(int side, raster::FixedVertex& out, const PlainNormal& n,
+                                             bool unit) const {
     const Fold& fold = fold_[side];
     std::int64_t sum[3] = {fold.plain_base[0], fold.plain_base[1], fold.plain_base[2]};
     for (int i = 0; i < count_; ++i)
-        add_factor(fold.diffuse[i], facing(source_[i]), sum);
+        add_factor(fold.diffuse[i], facing(source_[i], n, unit, side), sum);
     set_plain(fold, sum, out);
 }
 
@@ -273,40 +293,29 @@ SPANGLE_RUN_INLINE void FixedLighting::set_plain(const Fold& fold, const std::in
     out.color[3] = fold.alpha;
 }
 
-/// With normals as they are given, n . l = (N^T l) . n.
 void FixedLighting::light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
     const numeric::Mantissas<3> n = numeric::load(normal_matrix_.column, normal);
-    add_plain(
-        side, out, [&](const Source& source) __attribute__((always_inline)) {
-            const numeric::BlockRow3& l = source.facing;
-            const std::int32_t facing = numeric::row_times<3>(l.m, n.m);
-            return plain_factor(side == 0 ? facing : -facing, n.e + l.e + 1);
-        });
+    add_plain(side, out, {{n.m[0], n.m[1], n.m[2]}, n.e, 0}, false);
 }
 
-/// With unit normals n . l = (N n) . l / |N n|. False: a normal so short beside the matrix that its direction
-/// needs more care.
+/// False: a normal so short beside the matrix that its direction needs more care.
 bool FixedLighting::light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const {
     const numeric::Mantissas<3> loaded = numeric::load(normal_matrix_.column, normal);
-    std::int32_t n[3];
+    PlainNormal n;
     std::uint64_t square = 0;
 #pragma GCC unroll numeric::runs_inline ? 3 : 1
     for (int i = 0; i < 3; ++i) {
-        n[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
-        square += static_cast<std::uint64_t>(numeric::mul_s32(n[i], n[i]));
+        n.m[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
+        square += static_cast<std::uint64_t>(numeric::mul_s32(n.m[i], n.m[i]));
     }
     const int zeros = numeric::clz64(square) & ~1; // at least 4
     if (zeros > 16)
         return false;
     const std::uint32_t r = numeric::rsqrt(numeric::low_word_after(
         static_cast<std::int64_t>(square), 32 - zeros)); // 1/|n| = r 2^(zeros / 2 - 62)
-    add_plain(
-        side, out, [&](const Source& source) __attribute__((always_inline)) {
-            const std::int64_t along = numeric::row_sum<3>(source.to_light.m, n, std::int64_t{1} << 29);
-            std::int32_t facing = static_cast<std::int32_t>(along >> 30);
-            facing = numeric::mul_high_s32(side == 0 ? facing : -facing, static_cast<std::int32_t>(r >> 1));
-            return plain_factor(facing, zeros / 2 - 29);
-        });
+    n.inverse = static_cast<std::int32_t>(r >> 1);
+    n.e = zeros / 2 - 29;
+    add_plain(side, out, n, true);
     return true;
 }
 
@@ -317,9 +326,9 @@ FixedLighting::Direction FixedLighting::direction_of(const Real (&normal)[3], in
         const numeric::Unit3 u = numeric::normalize(n);
         out = {{u.m[0], u.m[1], u.m[2]}, 30};
     } else {
-        out = {{numeric::scale_saturate(n.m[0], n.e + 28), numeric::scale_saturate(n.m[1], n.e + 28),
-                numeric::scale_saturate(n.m[2], n.e + 28)},
-               28};
+        out.fraction_bits = 28;
+        for (int i = 0; i < 3; ++i)
+            out.m[i] = numeric::scale_saturate(n.m[i], n.e + out.fraction_bits);
     }
     if (side != 0)
         for (std::int32_t& m : out.m)
@@ -332,25 +341,21 @@ void FixedLighting::add_directional(const Source& source, const Fold& fold, int 
     const std::uint32_t facing = cosine(n.m, n.fraction_bits, source.to_light);
     if (facing == 0)
         return;
-    for (int c = 0; c < 3; ++c)
-        primary[c] += weighted(fold.diffuse[i][c], facing);
-    if (!has_specular || !fold.has_specular || is_zero(fold.specular[i]))
+    add_weighted(fold.diffuse[i], facing, primary);
+    if (!has_specular || !fold.shines(i))
         return;
-    const std::uint32_t shiny = shine(cosine(n.m, n.fraction_bits, source.half), fold.shininess);
-    for (int c = 0; c < 3; ++c)
-        specular[c] += weighted(fold.specular[i][c], shiny);
+    add_weighted(fold.specular[i], shine(cosine(n.m, n.fraction_bits, source.half), fold.shininess),
+                 specular);
 }
 
-/// Positional lights, spots, and every light under a local viewer.
-void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
-                                const numeric::Block4& position, const Direction& n, Sum (&primary)[3],
-                                Sum (&specular)[3]) const {
-    const numeric::Block3 eye =
-        numeric::mul(numeric::xyz(position), numeric::reciprocal(numeric::component(position, 3)));
+/// Positional lights, spots, and every light under a local viewer. Of the others it makes what
+/// add_directional() does.
+void FixedLighting::add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
+                                const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const {
     numeric::Unit3 to_light = source.to_light;
     std::uint32_t strength = 1u << factor_bits;
     if (!source.directional) {
-        const numeric::Block3 path = numeric::sub(source.position, eye);
+        const numeric::Block3 path = numeric::add(source.position, to_eye);
         to_light = numeric::normalize(path);
         if (source.attenuated) {
             const numeric::Block d = numeric::length(path);
@@ -366,21 +371,18 @@ void FixedLighting::add_general(const Source& source, const Fold& fold, int i,
             return; // outside the cone nothing arrives, ambient light included
         strength = scaled(strength, shine(positive(along), source.spot_exponent));
     }
-    for (int c = 0; c < 3; ++c)
-        primary[c] += weighted(fold.ambient[i][c], strength);
+    add_weighted(fold.ambient[i], strength, primary);
     const std::uint32_t facing = cosine(n.m, n.fraction_bits, to_light);
     if (facing == 0)
         return;
-    const std::uint32_t lit = scaled(facing, strength);
-    for (int c = 0; c < 3; ++c)
-        primary[c] += weighted(fold.diffuse[i][c], lit);
-    if (!has_specular || !fold.has_specular || is_zero(fold.specular[i]))
+    add_weighted(fold.diffuse[i], scaled(facing, strength), primary);
+    if (!has_specular || !fold.shines(i))
         return;
-    const numeric::Unit3 half =
-        half_vector(to_light, local_viewer_ ? numeric::normalize(numeric::negate(eye)) : toward_viewer);
-    const std::uint32_t shiny = scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength);
-    for (int c = 0; c < 3; ++c)
-        specular[c] += weighted(fold.specular[i][c], shiny);
+    numeric::Unit3 half = source.half;
+    if (local_viewer_ || !source.directional)
+        half = half_vector(to_light, local_viewer_ ? numeric::normalize(to_eye) : toward_viewer);
+    add_weighted(fold.specular[i],
+                 scaled(shine(cosine(n.m, n.fraction_bits, half), fold.shininess), strength), specular);
 }
 
 void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& eye, int side,
@@ -390,11 +392,16 @@ void FixedLighting::light_fully(const Real (&normal)[3], const numeric::Block4& 
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
+    numeric::Block3 to_eye; // from the vertex
+    if (needs_eye())
+        to_eye =
+            numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));
     for (int i = 0; i < count_; ++i) {
-        if (!has_local_lights || (source_[i].simple() && !local_viewer_))
+        const bool simple = raster::has_shortcuts && source_[i].simple() && !local_viewer_;
+        if (!has_local_lights || simple)
             add_directional(source_[i], fold, i, n, primary, specular);
         else
-            add_general(source_[i], fold, i, eye, n, primary, specular);
+            add_general(source_[i], fold, i, to_eye, n, primary, specular);
     }
     if (indexed())
         return set_index(fold, primary, specular, out);

@@ -73,6 +73,11 @@ class FixedLighting {
         std::int32_t base[3]; ///< emission, model ambient and the ambient light that is not attenuated
         std::int32_t ambient[max_lights][3], diffuse[max_lights][3], specular[max_lights][3];
         bool has_specular = false;
+        /// Light i may add to the specular sum.
+        bool shines(int i) const {
+            const std::int32_t(&s)[3] = specular[i];
+            return has_specular && (!raster::has_shortcuts || (s[0] | s[1] | s[2]) != 0);
+        }
         std::uint32_t shininess; ///< as numeric::power_exponent() gives it
         std::uint32_t alpha;     ///< colour units
         Real index[3];           ///< of an index framebuffer: ambient, diffuse, specular
@@ -82,6 +87,11 @@ class FixedLighting {
     struct Direction {
         std::int32_t m[3];
         int fraction_bits; ///< 30 for unit vectors, 28 (range 8) for what GL leaves unnormalised
+    };
+
+    /// A normal of plain lighting, and what its products are multiplied with.
+    struct PlainNormal {
+        std::int32_t m[3], e, inverse; ///< 1 / its length, where normals are unit
     };
 
     bool on_ = false, needs_eye_ = false, two_side_ = false, tracks_color_ = false, folded_ = false;
@@ -109,14 +119,15 @@ class FixedLighting {
                      raster::FixedVertex& out) const;
     static void add_factor(const std::int32_t (&diffuse)[3], std::int32_t factor, std::int64_t (&sum)[3]);
     static void set_plain(const Fold& fold, const std::int64_t (&sum)[3], raster::FixedVertex& out);
-    template <class Facing>
-    SPANGLE_INLINE void add_plain(int side, raster::FixedVertex& out, const Facing& facing) const;
+    SPANGLE_INLINE static std::int32_t facing(const Source& source, const PlainNormal& n, bool unit,
+                                              int side);
+    void add_plain(int side, raster::FixedVertex& out, const PlainNormal& n, bool unit) const;
     void light_given(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
     bool light_unit(const Real (&normal)[3], int side, raster::FixedVertex& out) const;
     Direction direction_of(const Real (&normal)[3], int side) const;
     void add_directional(const Source& source, const Fold& fold, int i, const Direction& n, Sum (&primary)[3],
                          Sum (&specular)[3]) const;
-    void add_general(const Source& source, const Fold& fold, int i, const numeric::Block4& position,
+    void add_general(const Source& source, const Fold& fold, int i, const numeric::Block3& to_eye,
                      const Direction& n, Sum (&primary)[3], Sum (&specular)[3]) const;
 };
 

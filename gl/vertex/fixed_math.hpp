@@ -444,16 +444,10 @@ struct FixedMath {
         out.w_exponent = static_cast<std::int16_t>(zeros - 62 - c.e - (top ? 0 : 1));
         // A vertex that clipping made between extreme neighbours (|x| > 2^30 w) lies on its plane but for the
         // rounding of 30-bit mantissas, which the division would blow up: held to the guard band.
-        constexpr std::int64_t band = std::int64_t{4} << 28, one = std::int64_t{1} << 30;
-        const std::int64_t x = numeric::clamp<std::int64_t>(quotient(c.m[0], r, zeros, 28), -band, band),
-                           y = numeric::clamp<std::int64_t>(quotient(c.m[1], r, zeros, 28), -band, band);
-        constexpr int bits = 28 + half_bits;
-        constexpr std::int64_t half = std::int64_t{1} << (bits - 1);
-        out.x = limit(t.x.middle + ((half - x * t.x.minus_half) >> bits));
-        out.y = limit(t.y.middle + ((half - y * t.y.minus_half) >> bits));
-        const std::int64_t z = numeric::clamp<std::int64_t>(quotient(c.m[2], r, zeros, 30), -one, one);
-        const std::int64_t depth =
-            t.depth.middle + (((std::int64_t{1} << 29) - z * t.depth.minus_half) >> 30);
+        constexpr int bits = 28;
+        out.x = limit(place(t.x, c.m[0], r, zeros, bits, bits + half_bits));
+        out.y = limit(place(t.y, c.m[1], r, zeros, bits, bits + half_bits));
+        const std::int64_t depth = place(t.depth, c.m[2], r, zeros, 30, 30);
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
 
@@ -722,6 +716,15 @@ struct FixedMath {
         const std::int64_t product = static_cast<std::int64_t>(m) * r;
         return shift > 0 ? numeric::shift_right_round(product, shift)
                          : numeric::times_two_to(product, -shift);
+    }
+
+    /// m / w of a range, by a quotient of so many bits, held to 2^30, and of so many with minus_half.
+    SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
+                                               int quotient_has, int bits) {
+        constexpr std::int64_t most = std::int64_t{1} << 30; // the guard band of 28 bits, or 1 of 30
+        const auto q = static_cast<std::int32_t>(
+            numeric::clamp<std::int64_t>(quotient(m, r, zeros, quotient_has), -most, most));
+        return range.middle + (((std::int64_t{1} << (bits - 1)) - product(range.minus_half, q)) >> bits);
     }
 
     /// Into what the rasterizer accepts; only rounding in the clipper ever gets here.

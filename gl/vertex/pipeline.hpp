@@ -66,11 +66,10 @@ template <class M, class L> class Pipeline {
         v.position[2] = z;
         v.position[3] = w;
         set_normal(v, current.normal);
-#if SPANGLE_VERTEX_CACHE != 1
-        place(v);
-#else
-        process(v);
-#endif
+        if constexpr (keeps_places)
+            place(v);
+        else
+            process(v);
         attributes(current, v);
         if (more_is_given())
             given(current, v);
@@ -162,12 +161,14 @@ template <class M, class L> class Pipeline {
         Kept() : vertex{} {}
     };
 #endif
-    /// Triangles and quads have no way of their own.
-    static constexpr bool only_polygons = has_polygons && !raster::has_shortcuts;
+    /// Those given by themselves are.
+    static constexpr bool keeps_places = vertex_cache != 1 && raster::has_shortcuts;
     /// Vertices of line strips are not kept: few are forgotten before the next strip asks.
     static constexpr bool forgets_strips =
         vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
+    /// Triangles and quads that are seen whole go no way of their own.
+    static constexpr bool faces_are_polygons = has_polygons && !raster::has_shortcuts;
     static constexpr int slot_count = 4;
     /// A quad gets a corner more at each plane of the volume and of the user, and room for two is asked for
     /// at every edge. Cuts that a plane took away are those that the next one makes.
@@ -313,7 +314,7 @@ template <class M, class L> class Pipeline {
         if (++now_ != 0)
             return;
 #if SPANGLE_VERTEX_CACHE != 1
-        if (keeps_placed_)
+        if (keeps_places && keeps_placed_)
             keep_placed();
         else
             keep_elements();
@@ -467,6 +468,7 @@ template <class M, class L> class Pipeline {
     bool is_usual(const ElementReader& reader) const;
     bool is_usual_texture(const ElementReader& reader) const;
     Vertex& cached(std::uint32_t index);
+    void next_element(const CurrentState& current, Vertex& kept, const Real (&position)[4]);
     Vertex& element(const ElementReader& reader, std::uint32_t index);
     SPANGLE_INLINE Vertex& unusual_element(Context& context, const ElementReader& reader,
                                            std::uint32_t index);
@@ -512,7 +514,7 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void end_polygon();
     [[gnu::noinline]] void outlined_fan(bool last);
     void flag_edges(Vertex* const* corners, int n);
-    void strip();
+    template <int N> SPANGLE_INLINE void face(int provoking);
 
     // pipeline_primitives.hpp
     void point(Vertex& v);

@@ -16,6 +16,17 @@ template <class M, class L> inline void Pipeline<M, L>::swap(int i, int j) {
     corner_[j] = v;
 }
 
+/// Its N corners are there.
+template <class M, class L> template <int N> SPANGLE_INLINE void Pipeline<M, L>::face(int provoking) {
+    Vertex* const* const c = corner_;
+    if constexpr (faces_are_polygons)
+        polygon(c, N, *c[provoking]);
+    else if constexpr (N == 3)
+        triangle(*c[0], *c[1], *c[2]);
+    else
+        quad(*c[0], *c[1], *c[2], *c[3], *c[provoking]);
+}
+
 /// All corners are there: draws, and leaves those that the next primitive shares in front.
 template <class M, class L> void Pipeline<M, L>::primitive() {
     Vertex* const* const c = corner_;
@@ -40,34 +51,36 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
         return line(*c[2], *c[1]);
     case GL_TRIANGLES:
         held_ = 0;
-        return triangle(*c[0], *c[1], *c[2]);
-    case GL_TRIANGLE_STRIP:
-        return strip();
-    case GL_TRIANGLE_FAN:
+        return face<3>(2);
+    case GL_TRIANGLE_STRIP: // the newest takes the place of the oldest in turn, so all face one way
+        face<3>(2);
+        swap(odd_ ? 1 : 0, 2);
+        odd_ = !odd_;
         held_ = 2;
-        swap(1, 2);
-        return triangle(*c[0], *c[2], *c[1]);
-    case GL_POLYGON: {
+        return;
+    case GL_TRIANGLE_FAN:
+        face<3>(2);
+        break;
+    case GL_POLYGON:
         if constexpr (!has_polygons)
             return;
         if (gathers())
             return gather(*c[0]);
         if (outlined())
             return outlined_fan(false);
-        held_ = 2;
-        swap(1, 2);
-        Vertex* const corners[3] = {c[0], c[2], c[1]};
-        return polygon(corners, 3, *c[0]);
-    }
+        polygon(c, 3, *c[0]);
+        break;
     case GL_QUADS:
         held_ = 0;
-        return quad(*c[0], *c[1], *c[2], *c[3], *c[3]);
-    default: // QUAD_STRIP: v0 v1 v3 v2
-        held_ = 2;
-        swap(0, 2);
-        swap(1, 3);
-        return quad(*c[2], *c[3], *c[1], *c[0], *c[1]);
+        return face<4>(3);
+    default:        // QUAD_STRIP
+        swap(2, 3); // v0 v1 v3 v2
+        face<4>(2);
+        swap(0, 3);
+        break;
     }
+    swap(1, 2);
+    held_ = 2;
 }
 
 /// Polygons that are not filled fans.
@@ -110,17 +123,6 @@ template <class M, class L> inline void Pipeline<M, L>::flag_edges(Vertex* const
         std::uint32_t& flags = corners[i]->flags;
         flags = !by_flag || (flags & edge_flag) != 0 ? flags | boundary : flags & ~boundary;
     }
-}
-
-/// Triangle i of a strip is i, i+1, i+2, with the first two exchanged when i is odd, so all face one way.
-template <class M, class L> inline void Pipeline<M, L>::strip() {
-    Vertex *const oldest = corner_[0], *const middle = corner_[1], *const last = corner_[2];
-    corner_[0] = middle;
-    corner_[1] = last;
-    corner_[2] = oldest;
-    held_ = 2;
-    odd_ = !odd_;
-    triangle(odd_ ? *oldest : *middle, odd_ ? *middle : *oldest, *last);
 }
 
 } // namespace spangle::gl

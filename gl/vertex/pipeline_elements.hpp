@@ -9,13 +9,14 @@ template <class M, class L>
 inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, const Indices& indices) {
     const ElementReader reader(context.arrays);
 #if SPANGLE_VERTEX_CACHE != 1
-    if (!more_is_given() && reader.seldom == nullptr && reader.vertex.on())
-        return kept_elements(context, reader, count, indices);
+    if constexpr (raster::has_shortcuts)
+        if (!more_is_given() && reader.seldom == nullptr && reader.vertex.on())
+            return kept_elements(context, reader, count, indices);
 #endif
     elements_in_turn(context, reader, count, indices);
 }
 
-/// Colours that materials follow, or no vertex array: element by element.
+/// Colours that materials follow, or no vertex array: element by element. Without shortcuts all others, too.
 template <class M, class L>
 void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& reader, std::uint32_t count,
                                       const Indices& indices) {
@@ -26,11 +27,40 @@ void Pipeline<M, L>::elements_in_turn(Context& context, const ElementReader& rea
             continue;
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
         reader.vertex.read(index, v);
+#if SPANGLE_VERTEX_CACHE != 1
+        if (!raster::has_shortcuts && !more_is_given()) {
+            next_element(context.current, cached(index), v);
+            continue;
+        }
+#endif
         vertex(context, v[0], v[1], v[2], v[3]);
     }
 }
 
 #if SPANGLE_VERTEX_CACHE != 1
+
+/// The vertex of an element whose attributes are the current ones, where it falls from `kept`, if that has
+/// the same position and normal. One that is a corner keeps what else it has: another index may have brought
+/// it.
+template <class M, class L>
+inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
+                                         const Real (&position)[4]) {
+    const bool known = kept.time == now_ && same<4>(kept.position, position) &&
+                       (!has_normals || same<3>(kept.normal, current.normal));
+    Vertex& next = place_of(kept);
+    if (!known) {
+        for (int c = 0; c < 4; ++c)
+            next.position[c] = position[c];
+        set_normal(next, current.normal);
+        process(next);
+    } else if (&next != &kept) {
+        next = kept;
+    }
+    attributes(current, next);
+    corner_[held_] = &next;
+    if (++held_ == full_)
+        primitive();
+}
 
 template <class M, class L>
 inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader& reader, std::uint32_t count,

@@ -18,7 +18,7 @@ template <class M, class L> void Pipeline<M, L>::keep_placed() {
 
 /// From now on elements are kept: those in place of the others anew.
 template <class M, class L> void Pipeline<M, L>::keep_elements() {
-    const std::size_t lost = keeps_placed_ ? placed_overlap : vertex_cache;
+    const std::size_t lost = keeps_places && keeps_placed_ ? placed_overlap : vertex_cache;
     for (std::size_t i = 0; i < lost; ++i)
         new (&kept_.vertex[i]) Vertex;
     keeps_placed_ = false;

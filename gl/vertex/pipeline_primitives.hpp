@@ -69,6 +69,8 @@ template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& 
         return;
     if (captures())
         return captured_line(a, b);
+    if constexpr (!raster::has_shortcuts)
+        return seen_line(a, b);
     Vertex* const ends[2] = {&a, &b};
     lines(ends, 2, 1, false);
 }
@@ -140,10 +142,6 @@ template <class M, class L> inline std::int64_t Pipeline<M, L>::area_of(Vertex* 
 /// The usual triangle, whose last corner is the provoking one; what must be clipped, or lit from behind,
 /// goes the way of polygons.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
-    if constexpr (only_polygons) {
-        Vertex* const corners[3] = {&a, &b, &c};
-        return polygon(corners, 3, c);
-    }
     usual_triangle(a, b, c, whole_polygons());
 }
 
@@ -176,10 +174,6 @@ template <class M, class L>
 void Pipeline<M, L>::quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking) {
     if constexpr (!has_polygons)
         return;
-    if constexpr (only_polygons) {
-        Vertex* const corners[4] = {&a, &b, &c, &d};
-        return polygon(corners, 4, provoking);
-    }
     const unsigned any = a.flags | b.flags | c.flags | d.flags;
     if ((a.flags & b.flags & c.flags & d.flags & outside_mask) != 0)
         return;
