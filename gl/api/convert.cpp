@@ -159,7 +159,7 @@ void store_value(void* array, std::size_t index, Number type, Kind kind, Param v
 namespace spangle::gl {
 
 Shape find_shape(const ShapeRow* rows, GLenum pname) {
-    while (rows->name != 0 && rows->name != pname)
+    while (rows->names != 0 && pname - rows->name >= rows->names)
         ++rows;
     return {rows->kind, rows->count};
 }
