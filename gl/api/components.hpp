@@ -70,18 +70,32 @@ template <class F>
 }
 
 template <std::size_t i, class T, std::size_t count> inline std::uint32_t word_at(const T (&given)[count]) {
-    if constexpr (i < count)
+    if constexpr (i < count && sizeof(T) < sizeof(std::uint32_t))
+        return static_cast<std::uint32_t>(given[i]);
+    else if constexpr (i < count)
         return std::bit_cast<std::uint32_t>(given[i]);
     return 0;
 }
 
+/// Where the first bytes of a word are the lowest it serves for the smaller types, too.
+template <class T>
+inline constexpr bool passed_as_words =
+    !converts_in_line && (sizeof(T) == 4 || (sizeof(T) < 4 && std::endian::native == std::endian::little));
+
 /// Components given one by one.
 template <class F, class T, std::size_t count>
 inline void issue_components(const T (&given)[count], convert::Components kind, std::nullptr_t) {
-    if constexpr (!converts_in_line && sizeof(T) == 4 && count <= 3)
+    if constexpr (sizeof(T) < 4)
+        kind |= passed_as_words<T> ? convert::of_words : convert::Components{0};
+    if constexpr (passed_as_words<T> && count <= 3) {
         issue_given<F>(word_at<0>(given), word_at<1>(given), word_at<2>(given), kind);
-    else
+    } else if constexpr (passed_as_words<T> && sizeof(T) < 4) {
+        const std::uint32_t words[] = {word_at<0>(given), word_at<1>(given), word_at<2>(given),
+                                       word_at<3>(given)};
+        issue_components<F>(static_cast<const void*>(words), kind, static_cast<const char*>(nullptr));
+    } else {
         issue_components<F>(static_cast<const void*>(given), kind, static_cast<const char*>(nullptr));
+    }
 }
 template <class F, class T, std::size_t count>
 inline void issue_components(GLenum target, const T (&given)[count], convert::Components kind,

@@ -100,10 +100,10 @@ Loaded load(const void* v, Components kind, const char* null_text) {
         out.null = true;
         return out;
     }
+    const auto type = static_cast<Element>(kind >> 3 & 15);
+    const std::size_t step = (kind & of_words) == 0 ? 1 : type < Element::unit_s ? 4 : 2;
     for (std::size_t i = 0; i < most_components; ++i)
-        out.at[i] = i < (kind & 7u) ? component(static_cast<Element>(kind >> 3), v, i)
-                    : i == 3        ? numeric::one
-                                    : numeric::zero;
+        out.at[i] = i < (kind & 7u) ? component(type, v, i * step) : i == 3 ? numeric::one : numeric::zero;
     return out;
 }
 
@@ -159,7 +159,7 @@ void store_value(void* array, std::size_t index, Number type, Kind kind, Param v
 namespace spangle::gl {
 
 Shape find_shape(const ShapeRow* rows, GLenum pname) {
-    while (rows->name != 0 && rows->name != pname)
+    while (rows->names != 0 && pname - rows->name >= rows->names)
         ++rows;
     return {rows->kind, rows->count};
 }

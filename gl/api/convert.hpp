@@ -42,10 +42,10 @@ enum class Element : std::uint8_t {
     cast_d,
     cast_x,
     unit_b,
-    unit_s,
-    unit_i,
     unit_ub,
+    unit_s,
     unit_us,
+    unit_i,
     unit_ui
 };
 
@@ -68,6 +68,8 @@ inline constexpr unsigned most_components = 6; ///< of Frustum and Ortho
 constexpr Components components(Element element, unsigned count) {
     return static_cast<Components>(static_cast<unsigned>(element) << 3 | count);
 }
+/// With a type of one or two bytes: each lies at the beginning of a word of its own, as arguments come.
+inline constexpr Components of_words = 0x80;
 
 /// Components out of memory, the missing ones of (0, 0, 0, 1). A null pointer is INVALID_VALUE, and null.
 struct Loaded {

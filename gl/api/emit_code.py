@@ -90,20 +90,34 @@ def commands_header(chapters, _tokens):
     return "".join(out)
 
 
-def shapes_header(chapters, _tokens):
+def shape_rows(pnames, tokens):
+    """Rows of names that follow each other and have the same shape."""
+    runs = []
+    for p in sorted(pnames, key=lambda p: value_of(tokens, p)):
+        if runs and value_of(tokens, p) == value_of(tokens, runs[-1][0]) + len(runs[-1]) and (p.kind, p.count) == (runs[-1][0].kind, runs[-1][0].count):
+            runs[-1].append(p)
+        else:
+            runs.append([p])
+    kinds = {"c": "color", "r": "real", "i": "integer"}
+    return "".join(f"    {{GL_{run[0].name}, {len(run)}, Kind::{kinds[run[0].kind]}, {run[0].count}}},\n" for run in runs)
+
+
+def value_of(tokens, pname):
+    return int(str(tokens[pname.name]), 0)
+
+
+def shapes_header(chapters, tokens):
     out = ["// How many values a pname takes, and of what kind.\n", NOTICE,
            "#pragma once\n\n#include \"gl/api/family.hpp\"\n\nnamespace spangle::gl::shape {\n"]
-    kinds = {"c": "color", "r": "real", "i": "integer"}
-    tables = {}  # families with the same parameters have one
-    for _, families in chapters:
-        for f in families:
-            if not f.pnames:
-                continue
-            pnames = (Pname(n, t) for n, t in f.pnames.items())
-            rows = "".join(f"    {{GL_{p.name}, Kind::{kinds[p.kind]}, {p.count}}},\n" for p in pnames)
-            same = tables.setdefault(rows, f.name)
-            out.append(f"\ninline constexpr const auto& {f.name} = {same};\n" if same != f.name else
-                       f"\ninline constexpr ShapeRow {f.name}[] = {{\n{rows}    {{}},\n}};\n")
+    # A command and its query have one table, with what either takes: both look at the name again.
+    families = {f.name: f for _, group in chapters for f in group if f.pnames}
+    for f in families.values():
+        if f.name.removeprefix("Get") != f.name and f.name.removeprefix("Get") in families:
+            out.append(f"\ninline constexpr const auto& {f.name} = {f.name.removeprefix('Get')};\n")
+            continue
+        taken = {**f.pnames, **(families[f"Get{f.name}"].pnames if f"Get{f.name}" in families else {})}
+        rows = shape_rows([Pname(n, t) for n, t in taken.items()], tokens)
+        out.append(f"\ninline constexpr ShapeRow {f.name}[] = {{\n{rows}    {{}},\n}};\n")
     out.append("\n} // namespace spangle::gl::shape\n")
     return "".join(out)
 

@@ -27,11 +27,12 @@ struct Shape {
     std::uint8_t count = 0;
 };
 
-/// Of one pname; a row without a name ends those of a family.
+/// Of pnames that follow each other; a row of none ends those of a family.
 struct ShapeRow {
-    std::uint16_t name = 0;
-    Kind kind = Kind::real;
-    std::uint8_t count = 0;
+    std::uint16_t name = 0; ///< the first
+    std::uint8_t names = 0;
+    Kind kind : 4 = Kind::real;
+    std::uint8_t count : 4 = 0;
 };
 Shape find_shape(const ShapeRow* rows, GLenum pname);
 

@@ -34,8 +34,8 @@ GLbitfield client_groups(GLbitfield mask) {
            ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
 }
 
-bool belongs(const StateRow& row, GLbitfield groups) {
-    return (groups & (bit(row.group) | (row.toggle == Switch::server ? bit(Group::enable) : 0))) != 0;
+bool belongs(const StateRow& row, Group group, GLbitfield groups) {
+    return (groups & (bit(group) | (row.toggle == Switch::server ? bit(Group::enable) : 0))) != 0;
 }
 
 enum class Move : std::uint8_t {
@@ -61,11 +61,13 @@ std::size_t move_bytes(Context& context, std::uint32_t offset, std::uint32_t byt
 /// Everything that the groups keep in the context. Returns how many bytes that are.
 std::size_t move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
     std::size_t at = 0;
-    for (const std::span<const StateRow> part : all_state())
-        for (const StateRow& row : part)
-            if (belongs(row, groups))
-                at = move_bytes(context, row.where, row.names * kept_by(row), row.unit_step(), saved, at,
-                                move);
+    for (const GroupedRows& part : all_state()) {
+        const Group* group = part.groups;
+        for (const StateRow& row : part.rows)
+            if (belongs(row, *group++, groups))
+                at =
+                    move_bytes(context, row.where, row.names * kept_by(row), unit_step(row), saved, at, move);
+    }
     for (const HeldRow& row : all_held())
         if ((groups & bit(row.group)) != 0)
             at = move_bytes(context, row.offset, row.bytes, row.unit_step(), saved, at, move);

@@ -15,7 +15,7 @@ bool* find_flag(Context& context, GLenum cap, bool client_too) {
         error(context, GL_INVALID_ENUM);
         return nullptr;
     }
-    if (row->left_out) {
+    if (row->left_out()) {
         error(context, GL_INVALID_OPERATION, row->missing);
         return nullptr;
     }

@@ -17,7 +17,7 @@ const StateRow* find_row(Context& context, GLenum pname, const void* out, bool p
         error(context, GL_INVALID_ENUM);
         return nullptr;
     }
-    if (row->left_out) {
+    if (row->left_out()) {
         error(context, GL_INVALID_OPERATION, row->missing);
         return nullptr;
     }
@@ -35,7 +35,7 @@ void get(Context& context, GLenum pname, void* out, convert::Number type) {
     Param values[most_values];
     load_state(context, *row, pname, values);
     for (unsigned i = 0; i < row->count; ++i)
-        convert::store_value(out, i, type, row->kind, values[i]);
+        convert::store_value(out, i, type, kind_of(row->source), values[i]);
 }
 
 } // namespace

@@ -27,11 +27,21 @@ constexpr std::uint16_t short_name(GLenum name) {
     return static_cast<std::uint16_t>(name);
 }
 
+/// What a written row becomes.
+enum class Row : std::uint8_t {
+    state,   ///< a StateRow
+    held,    ///< a HeldRow
+    section, ///< none: it says which group those that follow are of
+};
+
 /// A row with what it is made of, before it is put in as few bytes as it needs (state_table.cpp).
 struct WrittenRow : StateRow {
+    Row becomes = Row::state;
+    Group group = Group::none;
+    bool absent = false;   ///< StateRow::left_out()
     std::size_t value = 0; ///< StateRow::where
     std::size_t bytes = 0; ///< that are held
-    std::size_t step = 0;  ///< StateRow::unit_step()
+    std::size_t step = 0;  ///< unit_step()
     Compute* compute = nullptr;
 };
 
@@ -48,7 +58,6 @@ constexpr WrittenRow stored(GLenum name, std::size_t offset, Switch toggle = Swi
     constexpr Source source = source_of_type<T>();
     static_assert(source != Source::integer || sizeof(std::remove_all_extents_t<T>) == 4);
     WrittenRow row = constant(name, static_cast<std::int32_t>(offset));
-    row.kind = source == Source::real ? Kind::real : Kind::integer;
     row.source = source;
     row.toggle = toggle;
     row.count = sizeof(T) / sizeof(std::remove_all_extents_t<T>);
@@ -57,7 +66,7 @@ constexpr WrittenRow stored(GLenum name, std::size_t offset, Switch toggle = Swi
 
 /// Integers convert linearly: colours, normals, depths (GL 1.3, 6.1.2).
 constexpr WrittenRow linear(WrittenRow row) {
-    row.kind = Kind::color;
+    row.source = row.source == Source::real ? Source::color : row.source;
     return row;
 }
 
@@ -69,8 +78,7 @@ constexpr WrittenRow absent_switch(GLenum name) {
 
 constexpr WrittenRow computed(GLenum name, Kind kind, unsigned count, Compute* compute) {
     WrittenRow row = constant(name, 0);
-    row.kind = kind;
-    row.source = Source::computed;
+    row.source = kind == Kind::real ? Source::computed_real : Source::computed;
     row.count = count & 31u;
     row.compute = compute;
     return row;
@@ -78,7 +86,7 @@ constexpr WrittenRow computed(GLenum name, Kind kind, unsigned count, Compute* c
 
 constexpr WrittenRow held(std::size_t offset, std::size_t bytes) {
     WrittenRow row;
-    row.source = Source::held;
+    row.becomes = Row::held;
     row.value = offset;
     row.bytes = bytes;
     return row;
@@ -87,7 +95,7 @@ constexpr WrittenRow held(std::size_t offset, std::size_t bytes) {
 /// The rows up to the next one of these belong to `group`.
 constexpr WrittenRow in(Group group) {
     WrittenRow row;
-    row.source = Source::section;
+    row.becomes = Row::section;
     row.group = group;
     return row;
 }
@@ -96,7 +104,7 @@ constexpr WrittenRow in(Group group) {
 constexpr WrittenRow of_feature(bool present, [[maybe_unused]] const char* text, WrittenRow row) {
     if (present)
         return row; // which may be of another one, too
-    row.left_out = true;
+    row.absent = true;
 #if SPANGLE_MESSAGES
     row.missing = text;
 #endif
@@ -140,11 +148,13 @@ FEATURE(of_point_parameters, POINT_PARAMETERS)
 /// One of each texture unit.
 constexpr WrittenRow of_unit(std::size_t step, WrittenRow row) {
     row.step = step;
+    row.unit = step == sizeof(TextureUnitState) ? Unit::texture : Unit::coords;
     return row;
 }
 constexpr WrittenRow of_client_unit(WrittenRow row) {
-    row.client = true;
-    return of_unit(sizeof(ClientArray), row);
+    row.step = sizeof(ClientArray);
+    row.unit = Unit::client;
+    return row;
 }
 
 #define STORED(NAME, MEMBER)                                                                                 \

@@ -1,8 +1,10 @@
 #include "gl/context/state_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "gl/context/state_rows_arrays.hpp"
@@ -23,7 +25,7 @@ template <std::size_t... N> constexpr auto joined(const std::array<WrittenRow, N
     Group group = Group::none;
     const auto add = [&](const auto& part) {
         for (const WrittenRow& row : part) {
-            if (row.source == Source::section)
+            if (row.becomes == Row::section)
                 group = row.group;
             all[used] = row;
             all[used++].group = group;
@@ -43,8 +45,11 @@ template <class Wanted> constexpr std::size_t count_rows(Wanted wanted) {
     return n;
 }
 
+constexpr bool computes(Source source) {
+    return source == Source::computed || source == Source::computed_real;
+}
 constexpr bool is_computed(const WrittenRow& row) {
-    return row.source == Source::computed && !row.left_out;
+    return computes(row.source) && !row.absent;
 }
 /// Every function that computes, once; the rest is null.
 constexpr auto all_computing = [] {
@@ -73,22 +78,29 @@ constexpr auto computing = [] {
     return kept;
 }();
 
+/// What is left out has no place and no values.
 constexpr StateRow packed(const WrittenRow& row) {
     StateRow out = row;
     std::size_t where = row.value;
     if (is_computed(row))
         while (computing[where] != row.compute)
             ++where;
-    out.where = static_cast<std::uint16_t>(where);
-    out.unit_words = row.step / 4 & ((1u << unit_bits) - 1);
+    out.where = row.absent ? std::uint16_t{0} : static_cast<std::uint16_t>(where);
+    if (row.absent)
+        out.count = 0;
     return out;
 }
+
+constexpr std::array<std::size_t, 4> unit_steps{0, sizeof(TextureUnitState), sizeof(CurrentState::TexCoord),
+                                                sizeof(ClientArray)};
 
 constexpr bool all_fit() {
     for (const WrittenRow& row : written)
         if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 >> unit_bits != 0 ||
-            (row.compute == nullptr && row.source == Source::computed) ||
-            (row.group == Group::none && row.source == Source::held))
+            (row.compute == nullptr && computes(row.source)) ||
+            (row.becomes != Row::held && row.step != unit_steps[static_cast<unsigned>(row.unit)]) ||
+            (row.count == 0 && row.becomes == Row::state) ||
+            (row.group == Group::none && row.becomes == Row::held))
             return false;
     return true;
 }
@@ -96,12 +108,11 @@ static_assert(all_fit());
 
 /// Of a row that only says so: where no message names the system, it is one of a list of names.
 constexpr bool is_left_out(const WrittenRow& row) {
-    return !SPANGLE_MESSAGES && row.left_out && row.source != Source::pointer && row.toggle != Switch::client;
+    return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer && row.toggle != Switch::client;
 }
 /// Switches, or the other rows that have a name.
 template <bool switches> constexpr bool has_name(const WrittenRow& row) {
-    return row.source != Source::section && row.source != Source::held &&
-           (row.toggle != Switch::none) == switches;
+    return row.becomes == Row::state && (row.toggle != Switch::none) == switches;
 }
 template <bool switches> constexpr bool is_named(const WrittenRow& row) {
     return has_name<switches>(row) && !is_left_out(row);
@@ -109,22 +120,48 @@ template <bool switches> constexpr bool is_named(const WrittenRow& row) {
 template <bool switches> constexpr bool is_only_named(const WrittenRow& row) {
     return has_name<switches>(row) && is_left_out(row);
 }
-template <bool switches> constexpr auto left_out_names() {
-    std::array<std::uint16_t, count_rows(is_only_named<switches>)> names{};
-    std::size_t used = 0;
+/// Such names that follow each other, in as few bytes as they need.
+struct LeftOut {
+    std::uint8_t low = 0, high = 0, names = 0;
+
+    constexpr unsigned first() const { return low | unsigned{high} << 8; }
+};
+template <bool switches> constexpr auto all_left_out() {
+    std::array<unsigned, count_rows(is_only_named<switches>)> names{};
+    std::size_t count = 0;
     for (const WrittenRow& row : written)
         if (is_only_named<switches>(row))
-            names[used++] = row.name;
+            names[count++] = row.name;
+    std::ranges::sort(names);
+    std::array<LeftOut, names.size()> out{};
+    std::size_t used = 0;
+    for (const unsigned name : names) {
+        if (used == 0 || name != out[used - 1].first() + out[used - 1].names)
+            out[used++] = {static_cast<std::uint8_t>(name & 0xFF), static_cast<std::uint8_t>(name >> 8), 0};
+        ++out[used - 1].names;
+    }
+    return std::pair{out, used};
+}
+template <bool switches> constexpr auto left_out_names() {
+    constexpr auto all = all_left_out<switches>();
+    std::array<LeftOut, all.second> names{};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = all.first[i];
     return names;
 }
+
+struct GroupedRow {
+    StateRow row;
+    Group group;
+};
 template <bool switches> constexpr auto sorted_by_name() {
-    std::array<StateRow, count_rows(is_named<switches>)> rows{};
+    std::array<GroupedRow, count_rows(is_named<switches>)> rows{};
     std::size_t used = 0;
     for (const WrittenRow& row : written)
         if (is_named<switches>(row))
-            rows[used++] = packed(row);
+            rows[used++] = {packed(row), row.group};
     for (std::size_t i = 1; i < rows.size(); ++i)
-        for (std::size_t k = i; k > 0 && rows[k].name < rows[k - 1].name; --k)
+        for (std::size_t k = i; k > 0 && rows[k].row.name < rows[k - 1].row.name; --k)
             std::swap(rows[k], rows[k - 1]);
     return rows;
 }
@@ -140,19 +177,19 @@ constexpr bool same_text(const char* a, const char* b) {
 /// One row can stand for what `row` stands for and for `next`, too.
 constexpr bool goes_on(const StateRow& row, const StateRow& next) {
     return next.name == row.name + row.names && next.where == row.where + row.names * kept_by(row) &&
-           row.names + 1u < 1u << names_bits && next.count == row.count && next.group == row.group &&
-           next.client == row.client && next.unit_words == row.unit_words && next.kind == row.kind &&
-           next.source == row.source && next.toggle == row.toggle && next.left_out == row.left_out &&
-           same_text(next.missing, row.missing);
+           row.names + 1u < 1u << names_bits && next.count == row.count && next.unit == row.unit &&
+           next.source == row.source && next.toggle == row.toggle && same_text(next.missing, row.missing);
 }
 template <bool switches> constexpr auto all_joined() {
     auto rows = sorted_by_name<switches>();
     std::size_t used = 0;
-    for (const StateRow& row : rows) {
-        if (used > 0 && goes_on(rows[used - 1], row))
-            rows[used - 1].names = (rows[used - 1].names + 1u) & ((1u << names_bits) - 1);
-        else
-            rows[used++] = row;
+    for (const GroupedRow& next : rows) {
+        if (used > 0 && next.group == rows[used - 1].group && goes_on(rows[used - 1].row, next.row)) {
+            StateRow& row = rows[used - 1].row;
+            row.names = (row.names + 1u) & ((1u << names_bits) - 1);
+        } else {
+            rows[used++] = next;
+        }
     }
     return std::pair{rows, used};
 }
@@ -160,19 +197,29 @@ template <bool switches> constexpr auto joined_rows() {
     constexpr auto all = all_joined<switches>();
     std::array<StateRow, all.second> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i] = all.first[i];
+        rows[i] = all.first[i].row;
     return rows;
+}
+template <bool switches> constexpr auto groups_of_rows() {
+    constexpr auto all = all_joined<switches>();
+    std::array<Group, all.second> groups{};
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        groups[i] = all.first[i].group;
+    return groups;
 }
 
 // Two arrays: a program that asks for nothing but turns systems on and off links the smaller one only.
 constexpr auto switches = joined_rows<true>();
 constexpr auto others = joined_rows<false>();
+// Asked for by attribute stacks only.
+constexpr auto groups_of_switches = groups_of_rows<true>();
+constexpr auto groups_of_others = groups_of_rows<false>();
 constexpr auto left_out_switches = left_out_names<true>();
 constexpr auto left_out_others = left_out_names<false>();
 constexpr StateRow left_out_row = packed(of_feature(false, "", absent_switch(0)));
 
 constexpr bool is_held(const WrittenRow& row) {
-    return row.source == Source::held;
+    return row.becomes == Row::held;
 }
 constexpr auto held_rows = [] {
     std::array<HeldRow, count_rows(is_held)> rows{};
@@ -201,7 +248,7 @@ static_assert(names_differ());
 struct Part {
     const StateRow* rows;
     std::size_t count;
-    const std::uint16_t* left_out;
+    const LeftOut* left_out;
     std::size_t left_out_count;
 };
 constexpr Part switch_part{switches.data(), switches.size(), left_out_switches.data(),
@@ -224,8 +271,8 @@ const StateRow* find(const Part& part, GLenum name) {
             if (name - row.name < row.names)
                 return &row;
     }
-    for (const std::uint16_t other : std::span{part.left_out, part.left_out_count})
-        if (other == name)
+    for (const LeftOut& others : std::span{part.left_out, part.left_out_count})
+        if (name - others.first() < others.names)
             return &left_out_row;
     return nullptr;
 }
@@ -241,42 +288,38 @@ const StateRow* find_state(GLenum name) {
     return row != nullptr ? row : find_switch(name);
 }
 
-std::array<std::span<const StateRow>, 2> all_state() {
-    return {others, switches};
+std::array<GroupedRows, 2> all_state() {
+    return {GroupedRows{others, groups_of_others.data()}, GroupedRows{switches, groups_of_switches.data()}};
 }
 
 std::span<const HeldRow> all_held() {
     return held_rows;
 }
 
+std::uint32_t unit_step(const StateRow& row) {
+    return static_cast<std::uint32_t>(unit_steps[static_cast<unsigned>(row.unit)]);
+}
+
+static_assert(sizeof(Param) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<Param>);
+
 std::size_t offset_of(const Context& context, const StateRow& row, GLenum name, std::size_t bytes) {
     const std::size_t unit =
-        row.client ? context.array_bindings.client_unit() : context.texture.active_unit();
-    return row.where + (name - row.name) * bytes + row.unit_step() * unit;
+        row.unit == Unit::client ? context.array_bindings.client_unit() : context.texture.active_unit();
+    return row.where + (name - row.name) * bytes + unit_step(row) * unit;
 }
 
 void load_state(const Context& context, const StateRow& row, GLenum name, Param* out) {
-    if (row.source == Source::computed)
+    if (computes(row.source))
         return computing[row.where](context, name, out);
     const auto* const from =
         reinterpret_cast<const unsigned char*>(&context) + offset_of(context, row, name, kept_by(row));
-    switch (row.source) {
-    case Source::boolean:
+    if (row.source == Source::boolean)
         for (int i = 0; i < row.count; ++i)
             out[i] = Param::from_integer(reinterpret_cast<const bool*>(from)[i]);
-        break;
-    case Source::integer:
-    case Source::real: // a word each
-        for (int i = 0; i < row.count; ++i)
-            std::memcpy(&out[i].word, from + static_cast<std::size_t>(i) * sizeof(std::uint32_t),
-                        sizeof(std::uint32_t));
-        break;
-    case Source::constant:
+    else if (row.source == Source::constant)
         out[0] = Param::from_integer(row.where);
-        break;
-    default: // pointers are no Params
-        break;
-    }
+    else // a word each; pointers are no Params
+        std::memcpy(out, from, row.count * sizeof *out);
 }
 
 } // namespace spangle::gl

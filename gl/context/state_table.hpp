@@ -13,17 +13,26 @@ namespace spangle::gl {
 
 struct Context;
 
-/// How a value is kept.
+/// How a value is kept, and as what it converts.
 enum class Source : std::uint8_t {
-    boolean,  ///< bool in the context
-    integer,  ///< GLint, GLuint or GLenum in the context
-    real,     ///< Real in the context
-    pointer,  ///< of client memory: GetPointerv only
-    constant, ///< `where` itself
-    computed, ///< asked of a function
-    held,     ///< while the table is written: a HeldRow
-    section,  ///< likewise: the group of those that follow
+    boolean,       ///< bool in the context
+    integer,       ///< GLint, GLuint or GLenum in the context
+    real,          ///< Real in the context
+    color,         ///< the same, linear as an integer (GL 1.3, 6.1.2)
+    pointer,       ///< of client memory: GetPointerv only
+    constant,      ///< `where` itself
+    computed,      ///< an integer, asked of a function
+    computed_real, ///< a Real, likewise
 };
+
+constexpr Kind kind_of(Source source) {
+    constexpr unsigned of_each = 0x2A4A; // 2 bits for each, in their order
+    return static_cast<Kind>(of_each >> static_cast<unsigned>(source) * 2 & 3);
+}
+static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integer) == Kind::integer &&
+              kind_of(Source::real) == Kind::real && kind_of(Source::color) == Kind::color &&
+              kind_of(Source::constant) == Kind::integer && kind_of(Source::computed) == Kind::integer &&
+              kind_of(Source::computed_real) == Kind::real);
 
 enum class Switch : std::uint8_t {
     none,
@@ -60,7 +69,15 @@ enum class Group : std::uint8_t {
     none = 28, ///< no mask has this bit
 };
 
-inline constexpr unsigned names_bits = 5, unit_bits = 8;
+/// Which units have values of their own, one behind the other.
+enum class Unit : std::uint8_t {
+    none,
+    texture, ///< a TextureUnitState each
+    coords,  ///< four Reals each
+    client,  ///< a ClientArray each; of ClientActiveTexture, not of ActiveTexture
+};
+
+inline constexpr unsigned names_bits = 4, unit_bits = 8;
 
 /// A state, or several whose names are consecutive and whose values lie one behind the other. A board's flash
 /// holds some 200 of them.
@@ -68,29 +85,24 @@ struct StateRow {
     std::uint16_t name = 0;  ///< of the first
     std::uint16_t where = 0; ///< offset in Context, or the constant, or which function computes it
     std::uint16_t names : names_bits = 1; ///< how many there are
-    std::uint16_t count : 5 = 0;          ///< of values that each has, most_values and less
-    Group group : 5 = Group::none;        ///< every Switch::server is in Group::enable, too
-    bool client : 1 = false;              ///< its unit is that of ClientActiveTexture, not of ActiveTexture
-    std::uint16_t unit_words : unit_bits =
-                                   0; ///< from one unit's value to the next one's, 4 bytes each; 0: no units
-    Kind kind : 2 = Kind::integer;    ///< conversion to integers: Kind::color is linear (GL 1.3, 6.1.2)
+    std::uint16_t count : 5 = 0; ///< of values that each has, most_values and less; 0: it is left out
     Source source : 3 = Source::constant;
     Switch toggle : 2 = Switch::none;
-    bool left_out : 1 = false; ///< of a system this build has not
+    Unit unit : 2 = Unit::none;
 #if SPANGLE_MESSAGES
-    const char* missing = nullptr; ///< that system
+    const char* missing = nullptr; ///< the system that this build has not
 #else
     static constexpr const char* missing = nullptr;
 #endif
-    constexpr std::uint32_t unit_step() const {
-        return unit_words * std::uint32_t{4};
+    constexpr bool left_out() const {
+        return count == 0;
     }
 };
 
 /// Bytes that are saved with their group and asked for by a command of their own (GetLight...).
 struct HeldRow {
     std::uint16_t offset = 0, bytes = 0;
-    std::uint16_t unit_words : unit_bits = 0; ///< as in StateRow
+    std::uint16_t unit_words : unit_bits = 0; ///< from one unit's to the next one's; 0: no units
     Group group : 5 = Group::none;
 
     constexpr std::uint32_t unit_step() const { return unit_words * std::uint32_t{4}; }
@@ -107,15 +119,23 @@ const StateRow* find_state(GLenum name);
 /// The same of rows that are switches.
 const StateRow* find_switch(GLenum name);
 
+/// Rows, and the group that each is of: every Switch::server is in Group::enable, too.
+struct GroupedRows {
+    std::span<const StateRow> rows;
+    const Group* groups;
+};
 /// Every row, in any order, in two parts.
-std::array<std::span<const StateRow>, 2> all_state();
+std::array<GroupedRows, 2> all_state();
 std::span<const HeldRow> all_held();
 
 /// The bytes that each name of a row keeps in the context, of the first unit; 0 where it keeps none.
 constexpr std::uint32_t kept_by(const StateRow& row) {
-    constexpr std::uint32_t of_each = 0x0441 | sizeof(void*) << 12; // 4 bits for each Source, in its order
+    constexpr std::uint32_t of_each = 0x4441 | sizeof(void*) << 16; // 4 bits for each Source, in its order
     return row.count * (of_each >> static_cast<unsigned>(row.source) * 4 & 15);
 }
+
+/// From one unit's value to the next one's, in bytes; 0: there are no units.
+std::uint32_t unit_step(const StateRow& row);
 
 /// How many of them stand so far apart.
 constexpr std::uint32_t units_of(std::uint32_t unit_step) {

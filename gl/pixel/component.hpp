@@ -3,12 +3,14 @@
 // float is its bits.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include "gl/pixel/pixel_layout.hpp"
 #include "raster/numeric/real.hpp"
 #include "raster/numeric/reciprocal.hpp"
+#include <spangle/raster/limits.hpp>
 #include <spangle/raster/units.hpp>
 
 namespace spangle::gl {
@@ -33,7 +35,7 @@ constexpr std::uint32_t rescale(std::uint32_t code, unsigned from, unsigned to) 
     if (from == to)
         return code;
     const std::uint32_t divisor = all_ones(from);
-    if (from <= 16 && to <= 16)
+    if (raster::has_shortcuts && from <= 16 && to <= 16)
         return (code * all_ones(to) + divisor / 2) / divisor;
     return static_cast<std::uint32_t>(
         numeric::divide(std::uint64_t{code} * all_ones(to) + divisor / 2, divisor).quotient);
@@ -74,8 +76,19 @@ constexpr Real to_real(Component c) {
     return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }
 
+/// Where byte i of an element lies, counted from the lowest.
+constexpr unsigned place_of_byte(unsigned i, unsigned bytes, bool swap) {
+    return swap == (std::endian::native == std::endian::little) ? bytes - 1 - i : i;
+}
+
 /// One element as it lies in memory, bytes reversed when SWAP_BYTES says so. Any address.
 inline std::uint32_t load_element(const unsigned char* from, unsigned bytes, bool swap) {
+    if constexpr (!raster::has_shortcuts) {
+        std::uint32_t v = 0;
+        for (unsigned i = 0; i < bytes; ++i)
+            v |= std::uint32_t{from[place_of_byte(i, bytes, swap)]} << 8 * i;
+        return v;
+    }
     if (bytes == 1)
         return *from;
     if (bytes == 2) {
@@ -89,7 +102,10 @@ inline std::uint32_t load_element(const unsigned char* from, unsigned bytes, boo
 }
 
 inline void store_element(unsigned char* to, unsigned bytes, bool swap, std::uint32_t value) {
-    if (bytes == 1) {
+    if constexpr (!raster::has_shortcuts) {
+        for (unsigned i = 0; i < bytes; ++i)
+            to[place_of_byte(i, bytes, swap)] = static_cast<unsigned char>(value >> 8 * i);
+    } else if (bytes == 1) {
         *to = static_cast<unsigned char>(value);
     } else if (bytes == 2) {
         auto v = static_cast<std::uint16_t>(value);

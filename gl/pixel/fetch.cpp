@@ -1,7 +1,5 @@
 #include "gl/pixel/fetch.hpp"
 
-#include <bit>
-
 #include "raster/surface/pixel.hpp"
 
 namespace spangle::gl {
@@ -10,18 +8,19 @@ namespace {
 
 /// k / max, max = 2^bits - 1.
 constexpr Component fraction(std::uint32_t k, std::uint32_t max) {
-    return {k, static_cast<std::uint8_t>(std::bit_width(max))};
+    return {k, static_cast<std::uint8_t>(32 - numeric::clz32(max))};
 }
 
-Pixel color_of(const raster::Surface& surface, const Transfer& transfer, std::int32_t x, std::int32_t y) {
-    if (raster::drawn_indexed(surface.format))
-        return transfer.color_of(whole_index(raster::read_index(surface, x, y)));
+void get_color(const raster::Surface& surface, const Transfer& transfer, std::int32_t x, std::int32_t y,
+               Pixel& out) {
+    if (raster::drawn_indexed(surface.format)) {
+        out = transfer.color_of(whole_index(raster::read_index(surface, x, y)));
+        return;
+    }
     const raster::StoredColor stored = raster::read_color(surface, x, y);
-    Pixel pixel;
     for (int i = 0; i < 4; ++i)
-        pixel.value[i] = fraction(stored.c[i].k, stored.c[i].max);
-    transfer.apply(pixel);
-    return pixel;
+        out.value[i] = fraction(stored.c[i].k, stored.c[i].max);
+    transfer.apply(out);
 }
 
 } // namespace
@@ -30,7 +29,7 @@ Group fetch(const raster::Surface& surface, const Transfer& transfer, Content co
             std::int32_t y) {
     Group group;
     if (content == Content::color) {
-        group.color = color_of(surface, transfer, x, y);
+        get_color(surface, transfer, x, y, group.color);
     } else if (content == Content::depth) {
         const raster::StoredDepth stored = raster::read_depth(surface, x, y);
         group.color.value[0] = transfer.depth(fraction(stored.k, stored.max));

@@ -9,12 +9,11 @@ namespace spangle::gl {
 /// The surface that is read, to be asked for its rows one after the other.
 class ReadRows {
   public:
+#if SPANGLE_HAS_RECORDS
     explicit ReadRows(const Context& context)
         : recording_(context.drawable.recording), rows_(read_surface(context)), all_(rows_.area()) {
-#if SPANGLE_HAS_RECORDS
         if (recording_ != nullptr)
             rows_.first_row = rows_.end_row = 0; // none is there yet
-#endif
     }
 
     /// All pixels, whether or not they are there now.
@@ -35,6 +34,19 @@ class ReadRows {
     const Recording* recording_;
     raster::Surface rows_;
     Rect all_;
+#else // all are there
+    explicit ReadRows(const Context& context) : rows_(read_surface(context)) {}
+
+    Rect area() const {
+        return rows_.area();
+    }
+    const raster::Surface* with_row(std::int32_t) const {
+        return &rows_;
+    }
+
+  private:
+    const raster::Surface& rows_;
+#endif
 };
 
 /// The group of a pixel behind pixel transfer. On a surface of indices a colour is what the maps make of one

@@ -36,7 +36,9 @@ std::uint32_t Groups::element(const unsigned char* row, std::size_t group, unsig
     const unsigned char* const from = row + group * layout_.group_bytes();
     const std::uint32_t offset = layout_.packed ? 0 : component * std::uint32_t{layout_.element_bytes};
     const std::uint32_t element = load_element(from + offset, layout_.element_bytes, swap_bytes_);
-    return layout_.packed ? element >> layout_.shift[component] & all_ones(layout_.bits[component]) : element;
+    if (raster::has_shortcuts && !layout_.packed)
+        return element;
+    return element >> layout_.shift[component] & all_ones(layout_.bits[component]);
 }
 
 Pixel Groups::color(const unsigned char* row, std::size_t group) const {
@@ -87,17 +89,16 @@ Group ColorImage::group(Content content, const unsigned char* row, std::size_t a
 
 void pack_pixel(const PixelLayout& layout, bool swap_bytes, const Pixel& pixel, unsigned char* to) {
     std::uint32_t word = 0;
-    for (unsigned i = 0; i < layout.components; ++i) {
-        const std::uint32_t element =
-            encode_element(layout.kind, layout.bits[i], pick(pixel, layout.channel[i]));
-        if (layout.packed)
-            word |= element << layout.shift[i];
-        else
-            store_element(to + i * std::uint32_t{layout.element_bytes}, layout.element_bytes, swap_bytes,
-                          element);
-    }
-    if (layout.packed)
+    for (unsigned i = 0; i < layout.components;) {
+        word |= encode_element(layout.kind, layout.bits[i], pick(pixel, layout.channel[i]))
+                << layout.shift[i];
+        ++i;
+        if (layout.packed && i < layout.components)
+            continue;
         store_element(to, layout.element_bytes, swap_bytes, word);
+        to += layout.element_bytes;
+        word = 0;
+    }
 }
 
 void pack_index(const PixelLayout& layout, bool swap_bytes, Index index, unsigned char* to) {

@@ -1,114 +1,117 @@
 #include "gl/pixel/pixel_layout.hpp"
 
+#include <cstring>
+
 namespace spangle::gl {
 
 namespace {
 
-struct Format {
-    std::uint16_t token;
-    std::uint8_t components;
-    Channel channel[4];
-};
+/// What the components are: of each one more than its Channel, the first in the lowest four bits.
+constexpr std::uint16_t channels(auto... components) {
+    unsigned all = 0, low = 0;
+    ((all |= (static_cast<unsigned>(components) + 1) << low, low += 4), ...);
+    return static_cast<std::uint16_t>(all);
+}
 
 constexpr Channel R = Channel::red, G = Channel::green, B = Channel::blue, A = Channel::alpha,
                   L = Channel::luminance;
 
-constexpr Format formats[] = {
-    {GL_RGBA, 4, {R, G, B, A}},
-    {GL_RGB, 3, {R, G, B}},
-    {GL_BGRA, 4, {B, G, R, A}},
-    {GL_BGR, 3, {B, G, R}},
-    {GL_RED, 1, {R}},
-    {GL_GREEN, 1, {G}},
-    {GL_BLUE, 1, {B}},
-    {GL_ALPHA, 1, {A}},
-    {GL_LUMINANCE, 1, {L}},
-    {GL_LUMINANCE_ALPHA, 2, {L, A}},
-    {GL_DEPTH_COMPONENT, 1, {Channel::depth}},
-    {GL_COLOR_INDEX, 1, {Channel::color_index}},
-    {GL_STENCIL_INDEX, 1, {Channel::stencil}},
-};
+/// Tokens that follow each other, and others behind them.
+struct Tokens {
+    std::uint16_t first, count, others, all;
 
-struct Type {
-    std::uint16_t token;
-    std::uint8_t bytes;
-    ElementKind kind;
-    std::uint8_t fields; ///< 0: one component per element
-    bool reversed;       ///< first component in the least significant bits
-    std::uint8_t bits[4];
-};
-
-constexpr ElementKind whole = ElementKind::unsigned_integer;
-
-constexpr Type types[] = {
-    {GL_UNSIGNED_BYTE, 1, whole, 0, false, {}},
-    {GL_BYTE, 1, ElementKind::signed_integer, 0, false, {}},
-    {GL_UNSIGNED_SHORT, 2, whole, 0, false, {}},
-    {GL_SHORT, 2, ElementKind::signed_integer, 0, false, {}},
-    {GL_UNSIGNED_INT, 4, whole, 0, false, {}},
-    {GL_INT, 4, ElementKind::signed_integer, 0, false, {}},
-    {GL_FLOAT, 4, ElementKind::real, 0, false, {}},
-    {GL_BITMAP, 1, ElementKind::bitmap, 0, false, {}},
-    {GL_UNSIGNED_BYTE_3_3_2, 1, whole, 3, false, {3, 3, 2}},
-    {GL_UNSIGNED_BYTE_2_3_3_REV, 1, whole, 3, true, {3, 3, 2}},
-    {GL_UNSIGNED_SHORT_5_6_5, 2, whole, 3, false, {5, 6, 5}},
-    {GL_UNSIGNED_SHORT_5_6_5_REV, 2, whole, 3, true, {5, 6, 5}},
-    {GL_UNSIGNED_SHORT_4_4_4_4, 2, whole, 4, false, {4, 4, 4, 4}},
-    {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, whole, 4, true, {4, 4, 4, 4}},
-    {GL_UNSIGNED_SHORT_5_5_5_1, 2, whole, 4, false, {5, 5, 5, 1}},
-    {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, whole, 4, true, {5, 5, 5, 1}},
-    {GL_UNSIGNED_INT_8_8_8_8, 4, whole, 4, false, {8, 8, 8, 8}},
-    {GL_UNSIGNED_INT_8_8_8_8_REV, 4, whole, 4, true, {8, 8, 8, 8}},
-    {GL_UNSIGNED_INT_10_10_10_2, 4, whole, 4, false, {10, 10, 10, 2}},
-    {GL_UNSIGNED_INT_2_10_10_10_REV, 4, whole, 4, true, {10, 10, 10, 2}},
-};
-
-template <class Row, std::size_t count> const Row* find(const Row (&table)[count], GLenum token) {
-    for (const Row& row : table)
-        if (row.token == token)
-            return &row;
-    return nullptr;
-}
-
-void place_fields(const Type& type, PixelLayout& out) {
-    unsigned low = type.reversed ? 0 : 8u * type.bytes;
-    for (unsigned i = 0; i < type.fields; ++i) {
-        if (!type.reversed)
-            low -= type.bits[i];
-        out.bits[i] = type.bits[i];
-        out.shift[i] = static_cast<std::uint8_t>(low);
-        if (type.reversed)
-            low += type.bits[i];
+    /// The place of one; `all`: it is none of them.
+    constexpr unsigned place(GLenum token) const {
+        if (token - first < count)
+            return token - first;
+        const GLenum other = token - others + count;
+        return other - count < GLenum{all} - count ? other : all;
     }
+};
+
+constexpr std::uint16_t formats[] = {
+    channels(Channel::color_index),
+    channels(Channel::stencil),
+    channels(Channel::depth),
+    channels(R),
+    channels(G),
+    channels(B),
+    channels(A),
+    channels(R, G, B),
+    channels(R, G, B, A),
+    channels(L),
+    channels(L, A),
+    channels(B, G, R),
+    channels(B, G, R, A),
+};
+constexpr Tokens format_tokens{GL_COLOR_INDEX, 11, GL_BGR, 13};
+
+/// Bits of the components of packed types, the first in the lowest four; reversed ones have the first
+/// component in the least significant bits.
+constexpr std::uint16_t packed_bits[] = {
+    0x233,  // UNSIGNED_BYTE_3_3_2
+    0x4444, // UNSIGNED_SHORT_4_4_4_4
+    0x1555, // UNSIGNED_SHORT_5_5_5_1
+    0x8888, // UNSIGNED_INT_8_8_8_8
+    0x2AAA, // UNSIGNED_INT_10_10_10_2
+    0x233,  // UNSIGNED_BYTE_2_3_3_REV
+    0x565,  // UNSIGNED_SHORT_5_6_5
+    0x565,  // UNSIGNED_SHORT_5_6_5_REV
+    0x4444, // UNSIGNED_SHORT_4_4_4_4_REV
+    0x1555, // UNSIGNED_SHORT_1_5_5_5_REV
+    0x8888, // UNSIGNED_INT_8_8_8_8_REV
+    0x2AAA, // UNSIGNED_INT_2_10_10_10_REV
+};
+constexpr Tokens packed_tokens{GL_UNSIGNED_BYTE_3_3_2, 5, GL_UNSIGNED_BYTE_2_3_3_REV, 12};
+constexpr unsigned reversed = 0xFA0; ///< a bit of each
+
+/// Of a packed type; returns how many components it has.
+unsigned place_fields(unsigned type, PixelLayout& out) {
+    unsigned count = 0, all = 0;
+    for (unsigned bits = packed_bits[type]; bits != 0; bits >>= 4, ++count) {
+        out.bits[count] = bits & 15;
+        out.shift[count] = static_cast<std::uint8_t>(all);
+        all += bits & 15;
+    }
+    if ((reversed >> type & 1) == 0)
+        for (unsigned i = 0; i < count; ++i)
+            out.shift[i] = static_cast<std::uint8_t>(all - out.shift[i] - out.bits[i]);
+    out.elements = 1;
+    out.element_bytes = static_cast<std::uint8_t>(all / 8);
+    out.packed = true;
+    return count;
 }
 
 } // namespace
 
 GLenum pixel_layout(GLenum format_token, GLenum type_token, PixelLayout& out) {
-    const Format* format = find(formats, format_token);
-    const Type* type = find(types, type_token);
-    if (format == nullptr || type == nullptr)
+    const unsigned format = format_tokens.place(format_token);
+    if (format == format_tokens.all)
         return GL_INVALID_ENUM;
-    if (type->kind == ElementKind::bitmap && format_token != GL_STENCIL_INDEX &&
-        format_token != GL_COLOR_INDEX)
-        return GL_INVALID_ENUM;
-    // Packed types name their components: RGB, or RGBA and BGRA (table 3.8).
-    if (type->fields == 3 && format_token != GL_RGB)
-        return GL_INVALID_OPERATION;
-    if (type->fields == 4 && format->components != 4)
-        return GL_INVALID_OPERATION;
     out = {};
-    out.components = format->components;
-    out.packed = type->fields != 0;
-    out.elements = out.packed ? std::uint8_t{1} : format->components;
-    out.element_bytes = type->bytes;
-    out.kind = type->kind;
-    for (unsigned i = 0; i < format->components; ++i) {
-        out.channel[i] = format->channel[i];
-        out.bits[i] = static_cast<std::uint8_t>(8 * type->bytes);
+    for (unsigned left = formats[format]; left != 0; left >>= 4)
+        out.channel[out.components++] = static_cast<Channel>((left & 15) - 1);
+    if (const unsigned packed = packed_tokens.place(type_token); packed != packed_tokens.all) {
+        // Packed types name their components: RGB, or RGBA and BGRA (table 3.8).
+        const bool goes = place_fields(packed, out) == 3 ? format_token == GL_RGB : out.components == 4;
+        return goes ? GL_NO_ERROR : GL_INVALID_OPERATION;
     }
-    if (out.packed)
-        place_fields(*type, out);
+    out.elements = out.components;
+    unsigned bytes = 1;
+    const GLenum plain = type_token - GL_BYTE; // signed and unsigned of 1, 2 and 4 bytes, FLOAT
+    if (plain < 6) {
+        out.kind = plain % 2 == 0 ? ElementKind::signed_integer : ElementKind::unsigned_integer;
+        bytes <<= plain / 2;
+    } else if (type_token == GL_FLOAT) {
+        out.kind = ElementKind::real;
+        bytes = 4;
+    } else if (type_token == GL_BITMAP && format < 2) { // of indices only
+        out.kind = ElementKind::bitmap;
+    } else {
+        return GL_INVALID_ENUM;
+    }
+    out.element_bytes = static_cast<std::uint8_t>(bytes);
+    std::memset(out.bits, static_cast<int>(8 * bytes), sizeof out.bits);
     return GL_NO_ERROR;
 }
 

@@ -10,7 +10,7 @@ namespace spangle::gl {
 namespace {
 
 /// Groups that are texels already: rows are copied.
-bool same_layout(PixelLayout layout, const PixelLayout& texels) {
+[[maybe_unused]] bool same_layout(PixelLayout layout, const PixelLayout& texels) {
     if (layout.channel[0] == Channel::luminance)
         layout.channel[0] = Channel::red;
     static_assert(std::has_unique_object_representations_v<PixelLayout>);
@@ -27,7 +27,8 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const PixelLayout kept = texel_layout(format);
     const ColorImage groups(context, layout);
     const Content content = is_depth(format) ? Content::depth : Content::color;
-    const bool copy = content == Content::color && groups.is_plain() && same_layout(layout, kept);
+    const bool copy =
+        raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
     const bool volume = image.shape.dimensions == 3;
     const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));

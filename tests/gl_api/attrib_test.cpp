@@ -171,7 +171,7 @@ std::map<GLenum, GLbitfield> server_state() {
             groups[cap] = GL_TRANSFORM_BIT | GL_ENABLE_BIT;
     std::erase_if(groups, [](const auto& name_and_group) {
         const gl::StateRow* const row = gl::find_state(name_and_group.first);
-        return row != nullptr && row->left_out;
+        return row != nullptr && row->left_out();
     });
     return groups;
 }
@@ -478,9 +478,9 @@ class Attrib : public RecordingContext {
 
 TEST_F(Attrib, TheTestKnowsAllStateThatIsSaved) {
     const auto server = server_state(), client = client_state();
-    for (const auto part : gl::all_state())
-        for (const gl::StateRow& row : part)
-            if (!row.left_out && row.group != gl::Group::none)
+    for (const auto& part : gl::all_state())
+        for (const gl::StateRow& row : part.rows)
+            if (!row.left_out() && part.groups[&row - part.rows.data()] != gl::Group::none)
                 for (GLenum name = row.name; name < GLenum{row.name} + row.names; ++name) {
                     EXPECT_TRUE(server.contains(name) || client.contains(name)) << std::hex << name;
                 }
