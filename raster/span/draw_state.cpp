@@ -57,13 +57,19 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }
+    // In one loop, or two that others share.
+    const auto fill = [&]<class Fill> {
+        if constexpr (has_shortcuts)
+            return chain.add<Seq<Raw, Fill, Store>>();
+        chain.add<Fill>();
+        chain.add<Store>();
+    };
     if (!unit.on && key.dither)
-        return chain
-            .choose<Seq<Raw, FlatDithered<host_lanes>, Store>, Seq<Raw, GouraudDithered<host_lanes>, Store>>(
-                key.kind == Kind::flat);
+        return key.kind == Kind::flat ? fill.template operator()<FlatDithered<host_lanes>>()
+                                      : fill.template operator()<GouraudDithered<host_lanes>>();
     if (!unit.on)
-        return chain.choose<Seq<Raw, FlatWord<host_lanes>, Store>, Seq<Raw, Gouraud<Raw, false>, Store>>(
-            key.kind == Kind::flat);
+        return key.kind == Kind::flat ? fill.template operator()<FlatWord<host_lanes>>()
+                                      : fill.template operator()<Gouraud<Raw, false>>();
     if (has_exact && key.cubic)
         chain.add_if<has_exact, CoordAlong<OneRaw, 0, CubicRuns>>();
     else if constexpr (!by_stages<Raw>)
