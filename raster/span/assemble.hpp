@@ -181,10 +181,13 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
             return chain.template add<StoreSteps<Words, Format>>();
-    if (key.masked || key.logic)
+    constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast); // it can do all
+    if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<One, Format>>();
-    else
-        chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither && !key.coarse);
+    if constexpr (!only_merged)
+        if (!key.masked && !key.logic)
+            chain.template choose<StoreDithered<Words, Format>, Store<Words, Format>>(key.dither &&
+                                                                                      !key.coarse);
 }
 
 /// The one of these formats that the key names.
