@@ -30,7 +30,7 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const bool copy =
         raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
-    const bool volume = image.shape.dimensions == 3;
+    const bool volume = image.shape.is_volume();
     const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));
     const unsigned char* slice = static_cast<const unsigned char*>(pixels) + rows.skip +
                                  (volume ? static_cast<std::size_t>(unpack.skip_images) * next_image : 0);
