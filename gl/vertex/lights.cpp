@@ -28,9 +28,10 @@ unsigned sides_of(GLenum face) {
     return face == GL_FRONT ? 1u : face == GL_BACK ? 2u : face == GL_FRONT_AND_BACK ? 3u : 0u;
 }
 
+static_assert(sizeof(Param) == sizeof(Real));
+
 void copy(Real (&to)[4], const Params& from) {
-    for (int c = 0; c < 4; ++c)
-        to[c] = from.v[c].real();
+    std::memcpy(to, from.v, sizeof to);
 }
 
 bool is_black(const Real (&v)[4]) {
@@ -39,8 +40,7 @@ bool is_black(const Real (&v)[4]) {
 
 void give(Params& to, const Real* from, std::uint32_t count) {
     to.count = count;
-    for (std::uint32_t c = 0; c < count; ++c)
-        to.v[c] = Param::from(from[c]);
+    std::memcpy(to.v, from, count * sizeof(Real));
 }
 
 /// Vertices already given keep the colours of the old material (GL 1.3, 2.13.2: Material is legal inside
