@@ -136,7 +136,7 @@ bool get(TexEnvState& env, GLenum pname, Params& params) {
         params.v[0] = Param::from_integer(env.mode);
         return true;
     case GL_TEXTURE_ENV_COLOR:
-        std::memcpy(params.v, env.color, sizeof env.color);
+        std::memcpy(static_cast<void*>(params.v), env.color, sizeof env.color);
         params.count = 4;
         return true;
     default:

@@ -56,9 +56,13 @@ struct LevelShape {
     std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;
 
-    std::uint32_t border_along(unsigned axis) const { return axis < dimensions ? border : 0u; }
+    /// Where no kind has others the compiler knows them.
+    unsigned sides() const {
+        return SPANGLE_FEATURE_TEXTURE_1D || SPANGLE_FEATURE_TEXTURE_3D ? dimensions : 2;
+    }
+    std::uint32_t border_along(unsigned axis) const { return axis < sides() ? border : 0u; }
     std::uint32_t inner(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
-    bool is_volume() const { return SPANGLE_FEATURE_TEXTURE_3D && dimensions == 3; }
+    bool is_volume() const { return sides() == 3; }
     unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< of one not empty
     bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };

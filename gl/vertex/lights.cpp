@@ -40,7 +40,7 @@ bool is_black(const Real (&v)[4]) {
 
 void give(Params& to, const Real* from, std::uint32_t count) {
     to.count = count;
-    std::memcpy(to.v, from, count * sizeof(Real));
+    std::memcpy(static_cast<void*>(to.v), from, count * sizeof(Real));
 }
 
 /// Vertices already given keep the colours of the old material (GL 1.3, 2.13.2: Material is legal inside
