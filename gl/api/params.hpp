@@ -44,6 +44,14 @@ template <class F, const auto& rows>
     issue_values(target, pname, values, type, params_of<F, rows>, null_text);
 }
 
+/// Names of one shape need no look at the table.
+template <std::size_t count> constexpr bool all_alike(const ShapeRow (&rows)[count]) {
+    for (std::size_t i = 0; i + 1 < count; ++i)
+        if (rows[i].kind != rows[0].kind || rows[i].count != rows[0].count)
+            return false;
+    return true;
+}
+
 /// What answers the queries of a family, and their pnames.
 struct AnswerFamily {
     void (*answer)(Context& context, GLenum target, GLenum pname, Params& out);
@@ -75,7 +83,8 @@ template <class F, const auto& rows>
         return refuse_null(null_text);
     Params found;
     fetch<F>(found, target, level, pname);
-    convert::store(find_shape(rows, pname), found, out, type);
+    convert::store(all_alike(rows) ? Shape{rows[0].kind, rows[0].count} : find_shape(rows, pname), found, out,
+                   type);
 }
 
 } // namespace spangle::gl

@@ -1,5 +1,7 @@
 #include "gl/context/name_table.hpp"
 
+#include <cstring>
+
 #include "gl/context/arena.hpp"
 
 namespace spangle::gl {
@@ -41,8 +43,7 @@ bool NameTable::reserve(Arena& arena, std::uint32_t more) {
     entries_ = larger;
     capacity_ = std::uint32_t{1} << log;
     shift_ = 32 - log;
-    for (std::uint32_t i = 0; i < capacity_; ++i)
-        entries_[i] = {0, nullptr};
+    std::memset(static_cast<void*>(entries_), 0, sizeof(Entry) << log);
     for (std::uint32_t i = 0; i < old_capacity; ++i)
         if (old[i].name != 0)
             place(old[i].name, old[i].object);
@@ -59,10 +60,11 @@ bool NameTable::insert(Arena& arena, std::uint32_t name, void* object) {
 }
 
 void* NameTable::remove(std::uint32_t name) {
-    if (find(name) == nullptr)
+    void** const found = find(name);
+    if (found == nullptr)
         return nullptr;
+    void* const object = *found;
     std::uint32_t hole = index_of(name);
-    void* const object = entries_[hole].object;
     // Pull later entries of the same cluster over the hole (D. Knuth, TAOCP 3, 6.4, algorithm R).
     for (std::uint32_t i = (hole + 1) & (capacity_ - 1); entries_[i].name != 0;
          i = (i + 1) & (capacity_ - 1)) {

@@ -11,6 +11,9 @@ namespace spangle::gl {
 
 namespace {
 
+constexpr bool samples_volumes = raster::spans_sample_any && SPANGLE_FEATURE_TEXTURE_3D,
+               samples_palettes = raster::spans_sample_any && SPANGLE_FEATURE_COMPRESSED_TEXTURES;
+
 bool has_mipmaps(GLenum min_filter) {
     return min_filter >= GL_NEAREST_MIPMAP_NEAREST;
 }
@@ -91,13 +94,11 @@ raster::Wrap wrap_of(GLenum mode) {
 void set_filters(const TextureObject& texture, raster::Texture& view) {
     view.mag = texture.parameters.mag_filter == GL_LINEAR ? raster::Filter::linear : raster::Filter::nearest;
     const GLenum min = texture.parameters.min_filter;
-    const bool linear = min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_LINEAR;
-    view.min = linear ? raster::Filter::linear : raster::Filter::nearest;
-    view.mip =
-        !has_mipmaps(min) ? raster::MipFilter::none
-        : !raster::spans_sample_any || min == GL_NEAREST_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_NEAREST
-            ? raster::MipFilter::nearest
-            : raster::MipFilter::linear;
+    // Bit 0 of the tokens says linear, bit 1 linear between levels.
+    view.min = (min & 1) != 0 ? raster::Filter::linear : raster::Filter::nearest;
+    view.mip = !has_mipmaps(min)                             ? raster::MipFilter::none
+               : !raster::spans_sample_any || (min & 2) == 0 ? raster::MipFilter::nearest
+                                                             : raster::MipFilter::linear;
 }
 
 raster::TextureShape shape_of(TextureKind kind) {
@@ -142,9 +143,9 @@ void set_format(const TextureObject& texture, const LevelImage& base, raster::Te
     const LevelShape& shape = base.shape;
     view.format = raster::sampled(shape.format);
     view.base = base_format_of(view.format, shape.internal_format);
-    if (raster::spans_sample_any)
+    if (samples_palettes)
         view.palette = base.palette;
-    if (raster::spans_sample_any && base.palette != nullptr)
+    if (samples_palettes && base.palette != nullptr)
         view.palette_format = palette_format_of(shape.internal_format);
     view.compares = false;
 #if SPANGLE_FEATURE_DEPTH_TEXTURES
@@ -183,14 +184,14 @@ void build(const TextureObject& texture) {
     for (int l = 0; l < count; ++l)
         view.level[l] = view_of(*texture.level[parameters.base_level + l]);
     view.shape = shape_of(texture.kind);
-    if (raster::spans_sample_any)
+    if (samples_volumes)
         view.depth = static_cast<std::uint16_t>(base.shape.inner(2));
     set_faces(texture, view);
     set_format(texture, base, view);
     view.wrap_s = wrap_of(parameters.wrap[0]);
     // An axis that is not there repeats its one texel.
-    view.wrap_t = base.shape.dimensions > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
-    if (raster::spans_sample_any)
+    view.wrap_t = base.shape.sides() > 1 ? wrap_of(parameters.wrap[1]) : raster::Wrap::repeat;
+    if (samples_volumes)
         view.wrap_r = wrap_of(parameters.wrap[2]);
     set_filters(texture, view);
     view.border_texels = base.shape.border;

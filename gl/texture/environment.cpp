@@ -1,5 +1,8 @@
 // TexEnv: how a texel meets the fragment's colour (GL 1.3, 3.8.12, 3.8.13).
+#include <cstring>
+
 #include "gl/api/generated/commands.hpp"
+#include "gl/api/generated/shapes.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/tokens.hpp"
 
@@ -87,9 +90,8 @@ bool get_combiner(TexEnvState& env, GLenum pname, Param& value) {
 /// A name of combiners in a build that has none: says so.
 bool left_out(Context& context, GLenum pname) {
 #if !SPANGLE_FEATURE_TEXTURE_COMBINE
-    if ((pname >= GL_COMBINE_RGB && pname <= GL_RGB_SCALE) || pname == GL_ALPHA_SCALE ||
-        pname - GL_SOURCE0_RGB < 3 || pname - GL_SOURCE0_ALPHA < 3 || pname - GL_OPERAND0_RGB < 3 ||
-        pname - GL_OPERAND0_ALPHA < 3) {
+    if (pname != GL_TEXTURE_ENV_MODE && pname != GL_TEXTURE_ENV_COLOR && pname != GL_TEXTURE_LOD_BIAS &&
+        pname != GL_COORD_REPLACE && find_shape(shape::TexEnv, pname).count != 0) {
         error(context, GL_INVALID_OPERATION,
               SPANGLE_TEXT("glTexEnv: this build has no SPANGLE_FEATURE_TEXTURE_COMBINE"));
         return true;
@@ -134,8 +136,7 @@ bool get(TexEnvState& env, GLenum pname, Params& params) {
         params.v[0] = Param::from_integer(env.mode);
         return true;
     case GL_TEXTURE_ENV_COLOR:
-        for (int c = 0; c < 4; ++c)
-            params.v[c] = Param::from(env.color[c]);
+        std::memcpy(static_cast<void*>(params.v), env.color, sizeof env.color);
         params.count = 4;
         return true;
     default:

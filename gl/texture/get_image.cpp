@@ -31,11 +31,11 @@ void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayo
     const Groups groups(texels);
     const ImageRows rows = image_rows(pack, layout, shape.size[0]);
     const std::size_t next_image = image_stride(pack, rows, shape.size[1]);
-    const bool volume = shape.dimensions == 3;
+    const bool volume = shape.is_volume();
     unsigned char* slice = static_cast<unsigned char*>(pixels) + rows.skip +
                            (volume ? static_cast<std::size_t>(pack.skip_images) * next_image : 0);
     const std::uint8_t* texel = image.texels;
-    for (unsigned z = 0; z < shape.size[2]; ++z, slice += next_image)
+    for (unsigned z = 0; z < shape.images(); ++z, slice += next_image)
         for (unsigned y = 0; y < shape.size[1]; ++y)
             for (unsigned x = 0; x < shape.size[0]; ++x, texel += texels.group_bytes())
                 pack_pixel(layout, pack.swap_bytes, groups.color(texel, 0),

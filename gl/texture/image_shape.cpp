@@ -42,9 +42,8 @@ LevelImage* writable(Context& context, const SubImage& sub) {
 
 } // namespace
 
-bool shape_of(Context& context, const ImageRequest& request, LevelShape& out) {
-    LevelShape shape;
-    const TextureKind kind = request.target.kind;
+bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) {
+    const TextureKind kind = there(request.target.kind);
     GLint internal_format = request.internal_format;
     if (!texel_format_of(internal_format, context.drawable.surface.format, shape.format)) {
         error(context, GL_INVALID_VALUE,
@@ -77,10 +76,10 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& out) {
         error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexImage: too large, or a cube that is not square"));
         return false;
     }
-    out = shape;
     if (!legal) { // an answer, all zero, and not an error (GL 1.3, 3.8.10)
-        out = {};
-        out.format = shape.format;
+        const raster::TexelFormat format = shape.format;
+        shape = {};
+        shape.format = format;
     }
     return true;
 }

@@ -16,7 +16,7 @@ struct ImageRequest {
 };
 
 /// The shape, empty where a proxy cannot have it. False: the error is set.
-bool shape_of(Context& context, const ImageRequest& request, LevelShape& out);
+bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape);
 
 /// A box of an image that is there, counted like the arguments of TexSubImage from inside its border. What
 /// the target does not have is at 0, and 1.

@@ -134,7 +134,7 @@ PixelLayout texel_layout(TexelFormat format) {
 }
 
 unsigned texel_bits(TexelFormat format, Channel channel) {
-    if (format >= TexelFormat::p4) // palettes are asked for themselves
+    if (SPANGLE_FEATURE_COMPRESSED_TEXTURES && format >= TexelFormat::p4) // palettes are asked for themselves
         return 8;
     const PixelLayout layout = texel_layout(format);
     for (unsigned i = 0; i < layout.components; ++i)

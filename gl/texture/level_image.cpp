@@ -96,6 +96,8 @@ void image_written(Context& context, TextureObject& texture, unsigned face, GLin
 }
 
 raster::TexelFormat format_beside(const TextureObject& texture, GLint level, const LevelShape& shape) {
+    if constexpr ((raster::color_formats & (raster::color_formats - 1)) == 0)
+        return shape.format; // of surfaces of one format
     for (unsigned face = 0; face < texture.faces(); ++face)
         for (GLint l = 0; l < texture_levels; ++l) {
             const LevelImage* const other = texture.image(face, l);

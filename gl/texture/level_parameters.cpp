@@ -23,13 +23,14 @@ unsigned size_of(const LevelShape& shape, GLenum pname) {
     const auto set = [](auto... bases) constexpr {
         return static_cast<std::uint8_t>(((1u << static_cast<unsigned>(bases)) | ...));
     };
-    constexpr std::uint8_t color = set(BaseFormat::rgb, BaseFormat::rgba),
-                           having[] = {color,
-                                       color,
-                                       color,
-                                       set(BaseFormat::alpha, BaseFormat::luminance_alpha, BaseFormat::rgba),
-                                       set(BaseFormat::luminance, BaseFormat::luminance_alpha),
-                                       set(BaseFormat::intensity)};
+    constexpr std::uint8_t color = set(BaseFormat::rgb, BaseFormat::rgba);
+    static constexpr std::uint8_t having[] = {
+        color,
+        color,
+        color,
+        set(BaseFormat::alpha, BaseFormat::luminance_alpha, BaseFormat::rgba),
+        set(BaseFormat::luminance, BaseFormat::luminance_alpha),
+        set(BaseFormat::intensity)};
     const unsigned of = pname - GL_TEXTURE_RED_SIZE;
     const BaseFormat base = base_format_of(shape.format, shape.internal_format);
     if ((having[of] >> static_cast<unsigned>(base) & 1) == 0)

@@ -34,14 +34,15 @@ void unbind(ShareGroup& share, TextureObject*& bound) {
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
     static_assert(std::is_trivially_copyable_v<CubeTexture>); // bytes make one
-    const std::size_t bytes = kind == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
+    const std::size_t bytes = there(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
     void* const memory = arena.allocate(bytes);
     if (memory == nullptr)
         return nullptr;
     // The rest begins as 0; what is derived is not looked at before it is.
     auto* const texture = std::launder(static_cast<TextureObject*>(std::memset(memory, 0, bytes)));
     texture->kind = kind;
-    texture->parameters = TextureParameters();
+    static constexpr TextureParameters initial;
+    std::memcpy(&texture->parameters, &initial, sizeof initial);
     return texture;
 }
 
@@ -121,7 +122,7 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
     if (texture != 0 && object == nullptr)
         return error(context, GL_OUT_OF_MEMORY,
                      SPANGLE_TEXT("glBindTexture: no room in the arena for a new object"));
-    if (object != nullptr && object->kind != kind)
+    if (object != nullptr && there(object->kind) != there(kind))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glBindTexture: the texture was bound to another target before"));
     if (object == bound)

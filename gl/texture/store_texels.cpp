@@ -30,13 +30,13 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const bool copy =
         raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
-    const bool volume = image.shape.dimensions == 3;
+    const bool volume = image.shape.is_volume();
     const std::size_t next_image = image_stride(unpack, rows, static_cast<GLsizei>(box.size[1]));
     const unsigned char* slice = static_cast<const unsigned char*>(pixels) + rows.skip +
                                  (volume ? static_cast<std::size_t>(unpack.skip_images) * next_image : 0);
-    for (std::uint32_t z = 0; z < box.size[2]; ++z, slice += next_image) {
+    for (std::uint32_t z = 0; z < box.images(); ++z, slice += next_image) {
         const unsigned char* from = slice;
-        std::uint8_t* to = image.own_texels() + std::size_t{box.at[2] + z} * image.slice() +
+        std::uint8_t* to = image.own_texels() + std::size_t{box.first_image() + z} * image.slice() +
                            std::size_t{box.at[1]} * image.stride + std::size_t{box.at[0]} * bytes;
         for (std::uint32_t y = 0; y < box.size[1]; ++y, from += rows.stride, to += image.stride) {
             if (copy) {

@@ -32,7 +32,7 @@ bool goes_into(Context& context, const PixelLayout& layout, raster::TexelFormat 
     return false;
 }
 
-void make_image(Context& context, const ImageRequest& request, LevelShape shape, const PixelLayout& layout,
+void make_image(Context& context, const ImageRequest& request, LevelShape& shape, const PixelLayout& layout,
                 const void* pixels) {
     TextureObject& texture = bound_texture(context, request.target.kind);
     shape.format = format_beside(texture, request.level, shape);

@@ -1,6 +1,8 @@
 // A texture object: its images, its parameters, and what the rasterizer samples (GL 1.3, 3.8.10, 3.8.11).
 #pragma once
 
+#include <array>
+
 #include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 #include <spangle/raster/fragment_state.hpp>
@@ -35,12 +37,12 @@ inline constexpr unsigned kinds_there = [] {
 [[gnu::always_inline]] constexpr TextureKind there(TextureKind kind) {
     return raster::one_of(kinds_there, kind);
 }
-constexpr std::size_t kinds_before(std::size_t kind) {
-    std::size_t before = 0;
-    for (std::size_t k = 0; k < kind; ++k)
-        before += texture_kind_is_there[k] ? 1u : 0u;
+inline constexpr auto kinds_before = [] {
+    std::array<std::uint8_t, texture_kinds + 1> before{};
+    for (std::size_t k = 0; k < texture_kinds; ++k)
+        before[k + 1] = static_cast<std::uint8_t>(before[k] + (texture_kind_is_there[k] ? 1u : 0u));
     return before;
-}
+}();
 /// How many of width, height and depth an image has; the others are 1, without border.
 constexpr unsigned dimensions_of(TextureKind kind) {
     return kind == TextureKind::one ? 1 : kind == TextureKind::three ? 3 : 2;
@@ -54,8 +56,14 @@ struct LevelShape {
     std::uint8_t dimensions = 2;
     raster::TexelFormat format = raster::TexelFormat::l8;
 
-    std::uint32_t border_along(unsigned axis) const { return axis < dimensions ? border : 0u; }
+    /// Where no kind has others the compiler knows them.
+    unsigned sides() const {
+        return SPANGLE_FEATURE_TEXTURE_1D || SPANGLE_FEATURE_TEXTURE_3D ? dimensions : 2;
+    }
+    std::uint32_t border_along(unsigned axis) const { return axis < sides() ? border : 0u; }
     std::uint32_t inner(unsigned axis) const { return size[axis] - 2 * border_along(axis); }
+    bool is_volume() const { return sides() == 3; }
+    unsigned images() const { return SPANGLE_FEATURE_TEXTURE_3D ? size[2] : 1; } ///< of one not empty
     bool empty() const { return size[0] == 0 || size[1] == 0 || size[2] == 0; }
 };
 

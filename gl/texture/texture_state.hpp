@@ -64,11 +64,11 @@ struct TextureState {
 #if SPANGLE_FEATURE_TEXTURE_CUBE_MAP
     CubeTexture default_cube;
 #endif
-    LevelShape proxies[kinds_before(texture_kinds)][texture_levels]{};
+    LevelShape proxies[kinds_before[texture_kinds]][texture_levels]{};
 
     /// What PROXY_TEXTURE_... of a kind there is was last asked.
     LevelShape& proxy(TextureKind kind, GLint level) {
-        return proxies[kinds_before(index_of(there(kind)))][level];
+        return proxies[kinds_before[index_of(there(kind))]][level];
     }
 
     TextureObject& default_texture(TextureKind kind) {

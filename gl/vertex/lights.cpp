@@ -28,19 +28,20 @@ unsigned sides_of(GLenum face) {
     return face == GL_FRONT ? 1u : face == GL_BACK ? 2u : face == GL_FRONT_AND_BACK ? 3u : 0u;
 }
 
+static_assert(sizeof(Param) == sizeof(Real));
+
 void copy(Real (&to)[4], const Params& from) {
-    for (int c = 0; c < 4; ++c)
-        to[c] = from.v[c].real();
+    std::memcpy(to, from.v, sizeof to);
 }
 
-bool is_black(const Real (&v)[4]) {
-    return numeric::is_zero(v[0]) && numeric::is_zero(v[1]) && numeric::is_zero(v[2]);
+bool is_black(const Params& v) {
+    return numeric::is_zero(v.v[0].real()) && numeric::is_zero(v.v[1].real()) &&
+           numeric::is_zero(v.v[2].real());
 }
 
 void give(Params& to, const Real* from, std::uint32_t count) {
     to.count = count;
-    for (std::uint32_t c = 0; c < count; ++c)
-        to.v[c] = Param::from(from[c]);
+    std::memcpy(static_cast<void*>(to.v), from, count * sizeof(Real));
 }
 
 /// Vertices already given keep the colours of the old material (GL 1.3, 2.13.2: Material is legal inside
@@ -58,11 +59,11 @@ void refuse(Context& context) {
 }
 
 /// Diffuse light, or what reflects it, that this build does not compute with (SPANGLE_FULL_LIGHTING).
-bool too_bright(const Real (&v)[4]) {
+bool too_bright(const Params& v) {
     constexpr std::uint32_t sixteen = 0x41800000;
     bool bright = false;
     for (int c = 0; c < 3 && !has_full_lighting; ++c)
-        bright = bright || (v[c].bits & 0x7FFFFFFF) >= sixteen;
+        bright = bright || (v.v[c].word & 0x7FFFFFFF) >= sixteen;
     return bright;
 }
 
@@ -78,7 +79,7 @@ constexpr GLenum material_property(GLenum pname) {
 }
 
 /// Sets a property; those that Material and ColorMaterial name.
-void set_property(Material& m, GLenum pname, const Real* v, std::uint32_t count) {
+void set_property(Material& m, GLenum pname, const void* v, std::uint32_t count) {
     std::memcpy(reinterpret_cast<Real*>(&m) + material_place[material_property(pname)], v,
                 count * sizeof(Real));
 }
@@ -153,7 +154,7 @@ void Light(Context& context, GLenum light, GLenum pname, const Params& params) {
     if ((pname == GL_SPOT_EXPONENT && !in_range(v[0], hundred_twenty_eight)) ||
         (spot && !in_range(v[0], ninety)) || (pname >= GL_CONSTANT_ATTENUATION && v[0] < numeric::zero))
         return error(context, GL_INVALID_VALUE);
-    if ((pname == GL_DIFFUSE && too_bright(v)) ||
+    if ((pname == GL_DIFFUSE && too_bright(params)) ||
         (!has_local_lights && (spot || (pname == GL_POSITION && !numeric::is_zero(v[3])))))
         return refuse(context);
     Real* const to = property_of(context.lighting.light[light - GL_LIGHT0], pname);
@@ -210,11 +211,9 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
         return error(context, GL_INVALID_ENUM);
     if (pname == GL_SHININESS && !in_range(params.v[0].real(), hundred_twenty_eight))
         return error(context, GL_INVALID_VALUE);
-    Real v[4];
-    copy(v, params);
-    if (!has_specular && pname == GL_SPECULAR && !is_black(v))
+    if (!has_specular && pname == GL_SPECULAR && !is_black(params))
         return refuse(context);
-    if ((pname == GL_DIFFUSE || pname == GL_AMBIENT_AND_DIFFUSE) && too_bright(v))
+    if ((pname == GL_DIFFUSE || pname == GL_AMBIENT_AND_DIFFUSE) && too_bright(params))
         return refuse(context);
     materials_change(context);
     for (unsigned side = 0; side < 2; ++side) {
@@ -224,7 +223,7 @@ void Material(Context& context, GLenum face, GLenum pname, const Params& params)
         for (const GLenum one :
              {both ? static_cast<GLenum>(GL_AMBIENT) : pname, both ? static_cast<GLenum>(GL_DIFFUSE) : pname})
             if (!tracked(context.lighting, side, one))
-                set_property(context.lighting.material[side], one, v, params.count);
+                set_property(context.lighting.material[side], one, params.v, params.count);
     }
 }
 

@@ -315,16 +315,14 @@ constexpr std::uint32_t to_unit(Real v, int bits) {
 /// Colours, normals, depth range as integers: ((2^32 - 1) v - 1) / 2 with v clamped to [-1, 1] (GL 1.3,
 /// table 4.7).
 constexpr std::int32_t to_normalized_int(Real v) {
-    const Real clamped = v < -one ? -one : one < v ? one : v;
-    const detail::Unpacked u = detail::unpack(clamped);
-    const std::int32_t drop = -u.exponent; // >= 23
-    // 32 fraction bits are plenty to round twice the wanted number, an integer plus a fraction of 2^-149 at
-    // the finest.
-    const std::uint64_t product = u.mantissa * std::uint64_t{0xFFFFFFFF}; // 56 bits
-    const std::uint64_t fixed = shift_right_sticky(product << 7, drop);   // Q.7 and sticky
-    const std::int64_t twice =
-        (u.negative ? -static_cast<std::int64_t>(fixed) : static_cast<std::int64_t>(fixed)) - 128;
-    return saturate_i32(shift_right_round(twice, 8));
+    const bool negative = (v.bits >> 31) != 0;
+    const std::uint32_t magnitude = v.bits & 0x7FFFFFFF;
+    const detail::Unpacked u = detail::unpack({magnitude < one.bits ? magnitude : one.bits});
+    const std::int32_t drop = 1 - u.exponent; // >= 24
+    // What is nearest, halves up, is what is below or equal to (2^32 - 1) v / 2.
+    const auto product = static_cast<std::int64_t>(u.mantissa * std::uint64_t{0xFFFFFFFF}); // 56 bits
+    const std::int64_t below = (product - (negative ? 1 : 0)) >> (drop < 63 ? drop : 63);
+    return static_cast<std::int32_t>(negative ? ~below : below);
 }
 
 } // namespace spangle::numeric
