@@ -1,8 +1,4 @@
 // Fog, hints, pixel storage, Flush and Finish (GL 1.3, 3.10, 5.6, 3.6.1, 5.5).
-#include <cstddef>
-#include <cstring>
-#include <memory>
-
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/features.hpp"
@@ -67,13 +63,16 @@ void Hint(Context& context, GLenum target, GLenum mode) {
 }
 
 void PixelStore(Context& context, GLenum pname, const Params& params) {
+    static constexpr GLint gl::PixelStore::*numbers[] = {
+        &gl::PixelStore::row_length, &gl::PixelStore::skip_rows,    &gl::PixelStore::skip_pixels,
+        &gl::PixelStore::alignment,  &gl::PixelStore::image_height, &gl::PixelStore::skip_images};
     const bool later = pname >= GL_PACK_SKIP_IMAGES; // the order of their tokens
     const bool pack = later ? pname <= GL_PACK_IMAGE_HEIGHT : pname >= GL_PACK_SWAP_BYTES;
     const GLenum first = later ? GL_PACK_SKIP_IMAGES : pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
     const GLenum place = pname - first;
     if (params.count == 0 || place > (later ? 3u : 5u))
         return error(context, GL_INVALID_ENUM);
-    const GLenum index = later ? 6 + (place & 1) : place;
+    const GLenum index = later ? 7 - (place & 1) : place;
     gl::PixelStore& store = pack ? context.pixel_store.pack : context.pixel_store.unpack;
     if (index < 2) {
         (index == 0 ? store.swap_bytes : store.lsb_first) = numeric::to_bool(params.v[0].real());
@@ -83,14 +82,7 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     const bool is_alignment = index == GL_PACK_ALIGNMENT - GL_PACK_SWAP_BYTES;
     if (is_alignment ? value != 1 && value != 2 && value != 4 && value != 8 : value < 0)
         return error(context, GL_INVALID_VALUE);
-    // Numbers lie in the order of their tokens.
-    static_assert(
-        offsetof(gl::PixelStore, alignment) == offsetof(gl::PixelStore, row_length) + 3 * sizeof value &&
-        offsetof(gl::PixelStore, image_height) == offsetof(gl::PixelStore, row_length) + 5 * sizeof value);
-    std::memcpy(std::assume_aligned<sizeof value>(reinterpret_cast<unsigned char*>(&store) +
-                                                  offsetof(gl::PixelStore, row_length) +
-                                                  (index - 2) * sizeof value),
-                &value, sizeof value);
+    store.*numbers[index - 2] = value;
 }
 
 // Every command has reached the surface when it returns. A window with a back buffer shows it at SwapBuffers,
