@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "gl/api/issue.hpp"
+#include "gl/pixel/component.hpp"
 
 namespace spangle::gl::convert {
 
@@ -62,7 +63,28 @@ template <class T> T element(const void* array, std::size_t index) {
     return value;
 }
 
+/// The bytes of an Element are 1 << of_each, in their order.
+constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
+
+/// Whatever the type, one way to load and to extend it.
+[[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
+    if (type == Element::cast_d)
+        return cast_d(element<GLdouble>(v, i));
+    const unsigned log = size_logs[static_cast<unsigned>(type)], bytes = 1u << log, bits = 8 * bytes;
+    const std::uint32_t word = load_element(static_cast<const unsigned char*>(v) + (i << log), bytes, false);
+    if (type == Element::cast_f)
+        return cast_f(std::bit_cast<GLfloat>(word));
+    if (type == Element::unit_ub || type == Element::unit_us || type == Element::unit_ui)
+        return numeric::normalized_unsigned(word, static_cast<int>(bits));
+    const std::int32_t value = static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
+    if (type >= Element::unit_b)
+        return numeric::normalized_signed(value, static_cast<int>(bits));
+    return SPANGLE_FEATURE_FIXED_POINT && type == Element::cast_x ? cast_x(value) : cast_i(value);
+}
+
 Real component(Element type, const void* v, std::size_t i) {
+    if constexpr (!raster::has_shortcuts)
+        return short_component(type, v, i);
     switch (type) {
     case Element::cast_f:
         return cast_f(element<GLfloat>(v, i));
