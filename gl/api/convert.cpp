@@ -39,6 +39,15 @@ Real unit_ui(GLuint v) {
     return numeric::normalized_uint(v);
 }
 
+Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool fraction) {
+    const std::uint32_t word = load_element(at, 1u << size_log, false);
+    const int bits = 8 << size_log;
+    if (!is_signed)
+        return fraction ? numeric::normalized_unsigned(word, bits) : numeric::from_u32(word);
+    const std::int32_t value = static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
+    return fraction ? numeric::normalized_signed(value, bits) : numeric::from_i32(value);
+}
+
 namespace {
 
 // A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
@@ -70,16 +79,14 @@ constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
 [[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
     if (type == Element::cast_d)
         return cast_d(element<GLdouble>(v, i));
-    const unsigned log = size_logs[static_cast<unsigned>(type)], bytes = 1u << log, bits = 8 * bytes;
-    const std::uint32_t word = load_element(static_cast<const unsigned char*>(v) + (i << log), bytes, false);
     if (type == Element::cast_f)
-        return cast_f(std::bit_cast<GLfloat>(word));
-    if (type == Element::unit_ub || type == Element::unit_us || type == Element::unit_ui)
-        return numeric::normalized_unsigned(word, static_cast<int>(bits));
-    const std::int32_t value = static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
-    if (type >= Element::unit_b)
-        return numeric::normalized_signed(value, static_cast<int>(bits));
-    return SPANGLE_FEATURE_FIXED_POINT && type == Element::cast_x ? cast_x(value) : cast_i(value);
+        return cast_f(element<GLfloat>(v, i));
+    if (SPANGLE_FEATURE_FIXED_POINT && type == Element::cast_x)
+        return cast_x(element<GLfixed>(v, i));
+    const unsigned log = size_logs[static_cast<unsigned>(type)];
+    const bool is_signed = type != Element::unit_ub && type != Element::unit_us && type != Element::unit_ui;
+    return integer_at(static_cast<const unsigned char*>(v) + (i << log), log, is_signed,
+                      type >= Element::unit_b);
 }
 
 Real component(Element type, const void* v, std::size_t i) {
