@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "gl/api/issue.hpp"
+#include "gl/pixel/component.hpp"
 
 namespace spangle::gl::convert {
 
@@ -38,6 +39,15 @@ Real unit_ui(GLuint v) {
     return numeric::normalized_uint(v);
 }
 
+Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool fraction) {
+    const std::uint32_t word = load_element(at, 1u << size_log, false);
+    const int bits = 8 << size_log;
+    if (!is_signed)
+        return fraction ? numeric::normalized_unsigned(word, bits) : numeric::from_u32(word);
+    const std::int32_t value = static_cast<std::int32_t>(word << (32 - bits)) >> (32 - bits);
+    return fraction ? numeric::normalized_signed(value, bits) : numeric::from_i32(value);
+}
+
 namespace {
 
 // A float given for an integer is rounded (GL 1.3, 3.6.1 for PixelStore, 6.1.2); an enum or a boolean given
@@ -62,7 +72,26 @@ template <class T> T element(const void* array, std::size_t index) {
     return value;
 }
 
+/// The bytes of an Element are 1 << of_each, in their order.
+constexpr std::uint8_t size_logs[] = {2, 1, 2, 3, 2, 0, 0, 1, 1, 2, 2};
+
+/// Whatever the type, one way to load and to extend it.
+[[maybe_unused]] Real short_component(Element type, const void* v, std::size_t i) {
+    if (type == Element::cast_d)
+        return cast_d(element<GLdouble>(v, i));
+    if (type == Element::cast_f)
+        return cast_f(element<GLfloat>(v, i));
+    if (SPANGLE_FEATURE_FIXED_POINT && type == Element::cast_x)
+        return cast_x(element<GLfixed>(v, i));
+    const unsigned log = size_logs[static_cast<unsigned>(type)];
+    const bool is_signed = type != Element::unit_ub && type != Element::unit_us && type != Element::unit_ui;
+    return integer_at(static_cast<const unsigned char*>(v) + (i << log), log, is_signed,
+                      type >= Element::unit_b);
+}
+
 Real component(Element type, const void* v, std::size_t i) {
+    if constexpr (!raster::has_shortcuts)
+        return short_component(type, v, i);
     switch (type) {
     case Element::cast_f:
         return cast_f(element<GLfloat>(v, i));

@@ -34,6 +34,10 @@ Real unit_ub(GLubyte v);
 Real unit_us(GLushort v);
 Real unit_ui(GLuint v);
 
+/// An integer of 1 << size_log bytes as it lies in memory, at face value or as a component: the short way,
+/// whatever its type.
+Real integer_at(const unsigned char* at, unsigned size_log, bool is_signed, bool fraction);
+
 /// The types above, as a number.
 enum class Element : std::uint8_t {
     cast_f,

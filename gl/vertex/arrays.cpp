@@ -1,4 +1,5 @@
 // Vertex arrays: where they are, which are on, and how their elements become canonical values (GL 1.3, 2.8).
+#include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
@@ -66,6 +67,18 @@ Real component(const std::uint8_t* at, GLenum type, bool normalized) {
         return normalized ? numeric::normalized_uint(read<std::uint32_t>(at))
                           : numeric::from_u32(read<std::uint32_t>(at));
     }
+}
+
+/// The same, shorter: types of integers follow each other from GL_BYTE on, signed and unsigned ones in turn.
+Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
+    type = array_type(type);
+    if (type == GL_FLOAT)
+        return numeric::from_float_bits(read<std::uint32_t>(at));
+    if (has_array_type(GL_DOUBLE) && type == GL_DOUBLE)
+        return numeric::from_double(read<GLdouble>(at));
+    if (has_array_type(GL_FIXED) && type == GL_FIXED)
+        return numeric::from_fixed16(read<std::int32_t>(at));
+    return convert::integer_at(at, (type - GL_BYTE) / 2, type % 2 == 0, normalized);
 }
 
 /// Types as bits, that of GL_BYTE first.
@@ -136,9 +149,11 @@ ArrayReader::ArrayReader(const ClientArray& array, bool normalized)
 }
 
 void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
+    constexpr bool in_one_way = !raster::has_shortcuts && (array_types & (array_types - 1)) != 0;
     const unsigned bytes = bytes_of(array_type(type_));
     for (unsigned c = 0; c < components_; ++c)
-        out[c] = component(at + std::size_t{c} * bytes, type_, normalized_);
+        out[c] = in_one_way ? short_component(at + std::size_t{c} * bytes, type_, normalized_)
+                            : component(at + std::size_t{c} * bytes, type_, normalized_);
 }
 
 void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const ArraysState& arrays,

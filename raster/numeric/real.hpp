@@ -140,6 +140,13 @@ constexpr Real normalized_short(std::int16_t c) {
 constexpr Real normalized_int(std::int32_t c) {
     return detail::signed_unit(c, 32);
 }
+/// Of 8, 16 or 32 bits.
+constexpr Real normalized_unsigned(std::uint32_t c, int bits) {
+    return detail::unit_fraction(false, c, bits);
+}
+constexpr Real normalized_signed(std::int32_t c, int bits) {
+    return detail::signed_unit(c, bits);
+}
 
 // --- order
 // ---------------------------------------------------------------------------------------------------------
