@@ -27,7 +27,6 @@ constexpr Index index_of(numeric::Real v) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + index_fraction_bits;
     const std::uint64_t magnitude = up > index_bits - 24 ? (u.mantissa != 0 ? index_mask >> 1 : 0)
-                                    : up >= 0            ? std::uint64_t{u.mantissa} << up
                                                          : numeric::shift_right_even(u.mantissa, -up);
     return {(u.negative ? 0 - magnitude : magnitude) & index_mask};
 }
@@ -37,9 +36,7 @@ constexpr Index index_of(numeric::Real v) {
 constexpr std::uint32_t index_units(numeric::Real v, unsigned bits) {
     const numeric::detail::Unpacked u = numeric::detail::unpack(v);
     const std::int32_t up = u.exponent + raster::color_fraction_bits;
-    const std::uint64_t magnitude = up >= 32  ? 0
-                                    : up >= 0 ? std::uint64_t{u.mantissa} << up
-                                              : numeric::shift_right_even(u.mantissa, -up);
+    const std::uint64_t magnitude = up >= 32 ? 0 : numeric::shift_right_even(u.mantissa, -up);
     return static_cast<std::uint32_t>(u.negative ? 0 - magnitude : magnitude) &
            ((1u << (bits + raster::color_fraction_bits)) - 1);
 }

@@ -18,8 +18,7 @@ std::int64_t fixed(numeric::Real v) {
     const std::int32_t up = u.exponent + fraction_bits;
     const std::uint64_t magnitude = up > number_bits - 24
                                         ? (u.mantissa != 0 ? std::uint64_t{1} << number_bits : 0)
-                                    : up >= 0 ? std::uint64_t{u.mantissa} << up
-                                              : numeric::shift_right_even(u.mantissa, -up);
+                                        : numeric::shift_right_even(u.mantissa, -up);
     const auto bounded = static_cast<std::int64_t>(magnitude);
     return u.negative ? -bounded : bounded;
 }

@@ -41,7 +41,7 @@ template <class T> T read(const std::uint8_t* at) {
 
 /// A component as a number (vertices, texture coordinates) or as a fraction (colours, normals: GL 1.3,
 /// table 2.6).
-Real component(const std::uint8_t* at, GLenum type, bool normalized) {
+SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normalized) {
     switch (array_type(type)) {
     case GL_FLOAT:
         return numeric::from_float_bits(read<std::uint32_t>(at));

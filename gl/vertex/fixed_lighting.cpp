@@ -173,8 +173,7 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
                                   Source& out) const {
     set_intensities(light.ambient, out.ambient);
     set_intensities(light.diffuse, out.diffuse);
-    const numeric::Block4 p =
-        numeric::to_block(light.position[0], light.position[1], light.position[2], light.position[3]);
+    const numeric::Block4 p = numeric::to_block(light.position);
     if (has_specular)
         set_intensities(light.specular, out.specular);
     out.directional = !has_local_lights || p.m[3] == 0;
@@ -191,8 +190,7 @@ void FixedLighting::derive_source(const Light& light, const numeric::NormalMatri
     if (!has_local_lights)
         return;
     out.spot = !(light.spot_cutoff == Real{0x43340000});
-    const Real(&d)[3] = light.spot_direction;
-    out.spot_axis = numeric::normalize(numeric::to_block(d[0], d[1], d[2]));
+    out.spot_axis = numeric::normalize(numeric::to_block(light.spot_direction));
     out.spot_cosine =
         static_cast<std::int32_t>((numeric::sincos_degrees(light.spot_cutoff).cos + (1 << 29)) >> 30);
     out.spot_exponent = numeric::power_exponent(light.spot_exponent);

@@ -36,20 +36,26 @@ struct FixedMath {
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        std::int64_t rounded_middle = 0; ///< with the fraction bits of the product, and half a unit more
+        /// With the fraction bits of the product, and half a unit more: where a word has room for it.
+        Factor rounded_middle = 0;
 
         Range() = default;
         /// `bits`: of -half and of a quotient together.
-        Range(std::int32_t at, std::int32_t minus, int bits)
-            : middle(at), minus_half(minus),
-              rounded_middle(((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (bits - 1))) {}
+        Range(std::int32_t at, std::int32_t minus, [[maybe_unused]] int bits)
+            : middle(at), minus_half(minus) {
+            if constexpr (numeric::wide_words)
+                rounded_middle = ((Factor{at} << 1) + 1) * (Factor{1} << (bits - 1));
+        }
 
-        /// Nearest to middle + half * q, of -q: `bits` are those of rounded_middle.
+        /// Nearest to middle + half * q, of -q, `bits` in all.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
-            if constexpr (!numeric::wide_words)
-                if (bits == 32)
-                    return numeric::add_high_rounded(middle, minus_half, minus_q);
-            return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
+            if constexpr (numeric::wide_words)
+                return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
+            else if (bits == 32)
+                return numeric::add_high_rounded(middle, minus_half, minus_q);
+            const std::int64_t rounded = product(minus_half, minus_q) + (std::int64_t{1} << (bits - 1));
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
+                                             numeric::low_word_after(rounded, bits));
         }
         /// The same; of a quotient that is too large anything.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
@@ -364,10 +370,10 @@ struct FixedMath {
     }
 
     static Clip mix(const Clip& a, const Clip& b, Parameter t) {
-        return numeric::to_block(mix(numeric::component(a, 0), numeric::component(b, 0), t),
-                                 mix(numeric::component(a, 1), numeric::component(b, 1), t),
-                                 mix(numeric::component(a, 2), numeric::component(b, 2), t),
-                                 mix(numeric::component(a, 3), numeric::component(b, 3), t));
+        numeric::Block out[4];
+        for (int i = 0; i < 4; ++i)
+            out[i] = mix(numeric::component(a, i), numeric::component(b, i), t);
+        return numeric::to_block(out[0], out[1], out[2], out[3]);
     }
 
     /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use,
@@ -388,11 +394,9 @@ struct FixedMath {
     }
 
     template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
-        for (int c = 0; c < 4; ++c)
-            out.color[c] = mix_unsigned(a.color[c], b.color[c], t);
+        mix_unsigned(4, a.color, b.color, t, out.color);
 #if SPANGLE_SECONDARY_COLORS
-        for (int c = 0; c < 3; ++c)
-            out.secondary[c] = mix_unsigned(a.secondary[c], b.secondary[c], t);
+        mix_unsigned(3, a.secondary, b.secondary, t, out.secondary);
 #endif
     }
 
@@ -545,7 +549,7 @@ struct FixedMath {
     /// As they are.
     static void set_texture(const Real (&stq)[4], int unit, Window& out) {
         const numeric::Mantissas<3> v = numeric::load<3>({}, {stq[0], stq[1], stq[3]});
-        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, static_cast<std::int16_t>(v.e)});
+        set_texture(out, unit, numeric::Block3{{v.m[0], v.m[1], v.m[2]}, v.e});
         set_q_is_one(out, unit, stq[3] == numeric::one);
     }
     static void set_texture(const Transforms& t, const Real (&stq)[4], int unit, Window& out) {
@@ -586,7 +590,7 @@ struct FixedMath {
     static void set_fog_coordinate([[maybe_unused]] Depth coordinate, [[maybe_unused]] Window& out) {
 #if SPANGLE_FEATURE_FOG
         out.fog_mantissa = coordinate.m;
-        out.fog_exponent = coordinate.e;
+        out.fog_exponent = static_cast<std::int16_t>(coordinate.e);
 #endif
     }
     static Depth fog_coordinate(const Window& v) {
@@ -622,9 +626,7 @@ struct FixedMath {
         set_color(out, from.color);
         for (int u = 0; u < texture_units; ++u) {
             const Real(&v)[4] = from.tex_coord[u].v;
-            set_texture(
-                out, u,
-                numeric::to_block(v[0], v[1], v[2], v[3])); // of all four: who looks at r is not known
+            set_texture(out, u, numeric::to_block(v)); // of all four: who looks at r is not known
             set_q_is_one(out, u, v[3] == numeric::one);
         }
     }
@@ -733,9 +735,14 @@ struct FixedMath {
         return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, -most, most));
     }
 
-    SPANGLE_RUN_INLINE static std::uint32_t mix_unsigned(std::uint32_t a, std::uint32_t b, Parameter t) {
-        const std::int64_t d = static_cast<std::int64_t>(b) - a; // 28 bits, times 30
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(a) + ((d * t + (1 << 29)) >> 30));
+    SPANGLE_RUN_INLINE static void mix_unsigned(int n, const std::uint32_t* a, const std::uint32_t* b,
+                                                Parameter t, std::uint32_t* out) {
+        out = numeric::opaque(out);
+        for (int c = 0; c < n; ++c) {
+            const auto d = static_cast<std::int32_t>(b[c] - a[c]); // 28 bits, times 30
+            out[c] = static_cast<std::uint32_t>(static_cast<std::int64_t>(a[c]) +
+                                                ((numeric::mul_s32(d, t) + (1 << 29)) >> 30));
+        }
     }
 
     // A build without these has no place for them (raster/vertex.hpp).
@@ -754,7 +761,7 @@ struct FixedMath {
         out.tex[unit].s = stq.m[0];
         out.tex[unit].t = stq.m[1];
         out.tex[unit].q = stq.m[2];
-        out.tex[unit].exponent = stq.e;
+        out.tex[unit].exponent = static_cast<std::int16_t>(stq.e);
 #endif
     }
     /// A block number: a matrix that leaves q as it is leaves it 1.

@@ -275,8 +275,8 @@ template <class M, class L> class Pipeline {
         const PolygonState& polygon = context.polygon;
         flat_ = polygon.shade_model == GL_FLAT;
         front_is_ccw_ = polygon.front_face == GL_CCW;
-        culls_[0] = culls(polygon, front_is_ccw_);
-        culls_[1] = culls(polygon, !front_is_ccw_);
+        for (int clockwise = 0; clockwise < 2; ++clockwise)
+            culls_[clockwise] = culls(polygon, front_is_ccw_ == (clockwise == 0));
         captures_ = !context.render.draws();
         if constexpr (SPANGLE_FEATURE_POLYGON_MODE) {
             for (int side = 0; side < 2; ++side)
@@ -310,7 +310,7 @@ template <class M, class L> class Pipeline {
     }
 
     /// No cached vertex is good any more.
-    void forget() {
+    SPANGLE_RUN_CALL void forget() {
         if (++now_ != 0)
             return;
 #if SPANGLE_VERTEX_CACHE != 1
@@ -329,7 +329,7 @@ template <class M, class L> class Pipeline {
     }
 
     /// Aliased sizes are rounded, 0 counts as 1 (GL 1.3, 3.3, 3.4.2); the largest is 64.
-    static std::int32_t whole(Real size) {
+    SPANGLE_RUN_CALL static std::int32_t whole(Real size) {
         return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
     }
 
@@ -539,8 +539,7 @@ template <class M, class L> class Pipeline {
     void quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);
     /// `part` has room for n; `whole` has the sign of the polygon before it was cut, or is 0.
-    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part,
-                 std::int64_t whole = 0);
+    void visible(Vertex* const* corners, int n, Vertex& provoking, std::int64_t* part, std::int64_t whole);
     SPANGLE_INLINE void draw(const Seen& at, int n, const Window& provoking, int side,
                              const std::int64_t* part);
     [[gnu::noinline]] void fill_whole(const Seen& at, int n, const Window& provoking,

@@ -160,8 +160,9 @@ template <class M, class L> inline bool Pipeline<M, L>::clip_line(Vertex* (&ends
         if (first_in && second_in)
             continue;
         Cut& fresh = cut_[made++];
-        cut(plane, first_in ? *end[0] : *end[1], first_in ? *end[1] : *end[0], fresh);
-        end[first_in ? 1 : 0] = &fresh;
+        const int outer = first_in ? 1 : 0;
+        cut(plane, *end[1 - outer], *end[outer], fresh);
+        end[outer] = &fresh;
     }
     ends[0] = end[0];
     ends[1] = end[1];

@@ -88,7 +88,7 @@ inline void Pipeline<M, L>::cut_gathered([[maybe_unused]] Vertex** work, [[maybe
     const unsigned planes = clip_planes(any) | any_user << user_shift;
     const int left = planes != 0 ? clip_polygon(work, work + room, room, n, planes) : n;
     if (left >= 3)
-        visible(work, left, *gathered_, part);
+        visible(work, left, *gathered_, part, 0);
 #endif
 }
 

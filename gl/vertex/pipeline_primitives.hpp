@@ -221,24 +221,26 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             return;
         planes |= any_user << user_shift;
     }
-    std::int64_t part[clip_vertices];
-    if (planes == 0)
-        return visible(corners, n, provoking, part);
+    std::int64_t part[clip_vertices], whole = 0;
 #if SPANGLE_CLIPPING
-    if ((any & back_known) != 0)
-        for (int i = 0; i < n; ++i)
-            color_back(*corners[i]);
     Vertex* work[2][clip_vertices];
-    for (int i = 0; i < n; ++i)
-        work[0][i] = &to_be_cut(*corners[i], cut_[i]);
-    // Slivers that snapping turns over lie where the rest of the polygon, or the plane's complement, is
-    // drawn.
-    const bool slivers = planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0;
-    const std::int64_t whole = slivers ? area_of(corners, n) : 0;
-    const int left = clip_polygon(work[0], work[1], clip_vertices, n, planes);
-    if (left >= 3)
-        visible(work[0], left, provoking, part, whole);
+    if (planes != 0) {
+        if ((any & back_known) != 0)
+            for (int i = 0; i < n; ++i)
+                color_back(*corners[i]);
+        for (int i = 0; i < n; ++i)
+            work[0][i] = &to_be_cut(*corners[i], cut_[i]);
+        // Slivers that snapping turns over lie where the rest of the polygon, or the plane's complement, is
+        // drawn.
+        if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
+            whole = area_of(corners, n);
+        n = clip_polygon(work[0], work[1], clip_vertices, n, planes);
+        if (n < 3)
+            return;
+        corners = work[0];
+    }
 #endif
+    visible(corners, n, provoking, part, whole);
 }
 
 template <class M, class L>
@@ -246,7 +248,7 @@ inline void Pipeline<M, L>::visible(Vertex* const* corners, int n, Vertex& provo
                                     std::int64_t whole) {
     std::int64_t area = 0; // and `part` of triangle 0, i, i + 1
     for (int i = 0; i < n; ++i)
-        if (!project(*corners[i]))
+        if ((corners[i]->flags & unprojected) != 0 && !project(*corners[i]))
             return;
     for (int i = 1; i + 1 < n; ++i) {
         part[i] = area_of(corners[0]->window, corners[i]->window, corners[i + 1]->window);

@@ -206,19 +206,20 @@ SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
         return 0;
     return (v >> n) + ((v >> (n - 1)) & 1);
 }
+/// The same; n below 0, down to -63, shifts to the left.
 SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
     if (n <= 0)
-        return v;
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (-n & 63)); // any n shifts 0
     if (n > 63)
         return 0;
     const std::int64_t twice = runs_inline ? v >> (n - 1) : times_two_to(v, 1 - n);
     return (twice >> 1) + (twice & 1);
 }
 
-/// Nearest to v / 2^n, ties to even; n >= 0.
+/// Nearest to v / 2^n, ties to even; n below 0, down to -63, shifts to the left.
 constexpr std::uint64_t shift_right_even(std::uint64_t v, int n) {
     if (n <= 0)
-        return v;
+        return v << -n;
     if (n > 64)
         return 0;
     constexpr std::uint64_t half = std::uint64_t{1} << 63;

@@ -15,17 +15,17 @@ namespace spangle::numeric {
 /// |m| < 2^30, and >= 2^29 unless the value is 0; 0 is {0, 0}. e stays within +-16384 (clamped).
 struct Block {
     std::int32_t m = 0;
-    std::int16_t e = 0;
+    std::int32_t e = 0;
 };
 
 /// Each |m[i]| < 2^30, the largest >= 2^29 unless all are 0 ({0, 0, 0}, 0).
 struct Block3 {
     std::int32_t m[3] = {0, 0, 0};
-    std::int16_t e = 0;
+    std::int32_t e = 0;
 };
 struct Block4 {
     std::int32_t m[4] = {0, 0, 0, 0};
-    std::int16_t e = 0;
+    std::int32_t e = 0;
 };
 
 inline constexpr int block_bits = 30;
@@ -33,8 +33,8 @@ inline constexpr std::int32_t block_max = (1 << block_bits) - 1;
 
 namespace detail {
 
-SPANGLE_INLINE constexpr std::int16_t block_exponent(std::int32_t e) {
-    return static_cast<std::int16_t>(clamp<std::int32_t>(e, -16384, 16384));
+SPANGLE_INLINE constexpr std::int32_t block_exponent(std::int32_t e) {
+    return clamp<std::int32_t>(e, -16384, 16384);
 }
 
 /// Nearest to v * 2^-n for 1 <= n <= 31; the carry that would need bit 30 is held back (an error of one ulp,
@@ -53,11 +53,11 @@ SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
 
 /// The result, not held back, fits a word.
 constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
-    if (n > 0 && n < 32) [[likely]] {
+    if (runs_inline && n > 0 && n < 32) [[likely]] { // only faster
         const auto r = static_cast<std::int32_t>(low_word_after(v + (std::int32_t{1} << (n - 1)), n));
         return clamp(r, -block_max, block_max);
     }
-    if (n <= 0)
+    if (runs_inline && n <= 0)
         return static_cast<std::int32_t>(static_cast<std::uint64_t>(v) << -n);
     const std::int64_t r = shift_right_round(v, n);
     return static_cast<std::int32_t>(clamp<std::int64_t>(r, -block_max, block_max));
@@ -98,7 +98,7 @@ namespace detail {
 
 /// Brings n values m[i] * 2^e[i] under one exponent, which comes back. The values with m = 0 have no say in
 /// it.
-SPANGLE_RUN_INLINE constexpr std::int16_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
+SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m, const std::int32_t* e,
                                                     std::int32_t* out) {
     constexpr std::int32_t none = -0x10000;
     std::int32_t top = none;
@@ -123,15 +123,41 @@ SPANGLE_INLINE constexpr B common_exponent(const std::int32_t (&m)[N], const std
 
 } // namespace detail
 
-constexpr Block3 to_block(Real x, Real y, Real z) {
-    const detail::Scaled s[3] = {detail::scaled(x), detail::scaled(y), detail::scaled(z)};
-    return detail::common_exponent<3, Block3>({s[0].m, s[1].m, s[2].m}, {s[0].e, s[1].e, s[2].e});
+namespace detail {
+
+inline constexpr std::int32_t no_column[4] = {};
+
+/// The same of floats, each times 2^column[i].
+SPANGLE_RUN_INLINE constexpr std::int32_t reals_under_one(int n, const Real* v, const std::int32_t* column,
+                                                          std::int32_t* out) {
+    std::int32_t m[4], e[4];
+    v = opaque(v);
+    column = opaque(column);
+    for (int i = 0; i < n; ++i) {
+        const Scaled s = scaled(v[i]);
+        m[i] = s.m;
+        e[i] = s.e + column[i];
+    }
+    return under_one(n, m, e, opaque(out));
 }
 
+} // namespace detail
+
+constexpr Block3 to_block(const Real (&v)[3]) {
+    Block3 out;
+    out.e = detail::reals_under_one(3, v, detail::no_column, out.m);
+    return out;
+}
+constexpr Block4 to_block(const Real (&v)[4]) {
+    Block4 out;
+    out.e = detail::reals_under_one(4, v, detail::no_column, out.m);
+    return out;
+}
+constexpr Block3 to_block(Real x, Real y, Real z) {
+    return to_block({x, y, z});
+}
 constexpr Block4 to_block(Real x, Real y, Real z, Real w) {
-    const detail::Scaled s[4] = {detail::scaled(x), detail::scaled(y), detail::scaled(z), detail::scaled(w)};
-    return detail::common_exponent<4, Block4>({s[0].m, s[1].m, s[2].m, s[3].m},
-                                              {s[0].e, s[1].e, s[2].e, s[3].e});
+    return to_block({x, y, z, w});
 }
 
 /// Four (three) blocks under one exponent.
@@ -247,10 +273,6 @@ constexpr Block3 negate(const Block3& v) {
     return {{-v.m[0], -v.m[1], -v.m[2]}, v.e};
 }
 
-constexpr Block3 xyz(const Block4& v) {
-    return detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]}, {v.e, v.e, v.e});
-}
-
 /// Three products of 2^60: |sum| < 2^61.6. Relative to |a| |b| the error is <= 2^-30.
 constexpr Block dot(const Block3& a, const Block3& b) {
     return make_block(mul_s32(a.m[0], b.m[0]) + mul_s32(a.m[1], b.m[1]) + mul_s32(a.m[2], b.m[2]), a.e + b.e);
@@ -278,7 +300,16 @@ template <int N, class B> constexpr B from_sums(const std::int64_t (&sum)[N], st
     return out;
 }
 
+/// Three words that have one.
+SPANGLE_RUN_CALL constexpr Block3 from_words(const std::int32_t* m, std::int32_t e) {
+    return common_exponent<3, Block3>({m[0], m[1], m[2]}, {e, e, e});
+}
+
 } // namespace detail
+
+constexpr Block3 xyz(const Block4& v) {
+    return detail::from_words(v.m, v.e);
+}
 
 constexpr Block3 add(const Block3& a, const Block3& b) {
     const bool a_is_large = b.m[0] == 0 && b.m[1] == 0 && b.m[2] == 0   ? true
@@ -358,7 +389,7 @@ SPANGLE_INLINE constexpr std::int32_t dot(const Unit3& a, const Unit3& b) {
 }
 
 constexpr Block3 to_block(const Unit3& v) {
-    return detail::common_exponent<3, Block3>({v.m[0], v.m[1], v.m[2]}, {-30, -30, -30});
+    return detail::from_words(v.m, -30);
 }
 
 } // namespace spangle::numeric

@@ -112,27 +112,28 @@ constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& c
     return scale_words(N, a, stride, column.e, exponent, out);
 }
 
-/// The rows of normals under one exponent, if that costs none of them more than 4 bits.
-constexpr void common_rows(const Block (&a)[9], BlockMatrixN<3>& r) {
-    std::int32_t most = no_exponent, least = -no_exponent;
-    for (int i = 0; i < 3; ++i) {
-        most = r.row[i] > most ? r.row[i] : most;
-        least = r.row[i] < least ? r.row[i] : least;
+/// All rows: of positions none finer than the last, by which they are divided; those of normals under one
+/// exponent, if that costs none of them more than 4 bits.
+SPANGLE_RUN_INLINE constexpr void scale_rows(int n, const Block* a, const std::int32_t* column,
+                                             std::int32_t* row, std::int32_t* out) {
+    row = opaque(row);
+    out = opaque(out);
+    std::int32_t exponent = no_exponent, most = no_exponent, least = -no_exponent;
+    for (int i = n - 1; i >= 0; --i) {
+        row[i] = scale_words(n, a + i, n, column, exponent, out + n * i);
+        if (n == 4)
+            exponent = row[3];
+        most = row[i] > most ? row[i] : most;
+        least = row[i] < least ? row[i] : least;
     }
-    if (most - least > 4)
-        return;
-    for (int i = 0; i < 3; ++i)
-        r.row[i] = scale_row<3>(a + i, 3, r.column, most, r.m + 3 * i);
+    if (n == 3 && most - least <= 4)
+        for (int i = 0; i < n; ++i)
+            row[i] = scale_words(n, a + i, n, column, most, out + n * i);
 }
-
-/// All rows: of positions none finer than the last, by which they are divided.
 template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N]) {
     BlockMatrixN<N> r;
     r.column = column_exponents<N, N>(a);
-    for (int i = N - 1; i >= 0; --i)
-        r.row[i] = scale_row<N>(a + i, N, r.column, N == 4 && i < 3 ? r.row[3] : no_exponent, r.m + N * i);
-    if constexpr (N == 3)
-        common_rows(a, r);
+    scale_rows(N, a, r.column.e, r.row, r.m);
     return r;
 }
 
@@ -140,13 +141,9 @@ template <int N> constexpr BlockMatrixN<N> scale_blocks(const Block (&a)[N * N])
 /// never in line.
 template <int N>
 [[gnu::noinline]] constexpr Mantissas<N> load_small(const Columns<N>& column, const Real (&v)[N]) {
-    std::int32_t m[N], e[N];
-    for (int i = 0; i < N; ++i) {
-        const Scaled s = scaled(v[i]);
-        m[i] = s.m;
-        e[i] = s.e + column.e[i];
-    }
-    return common_exponent<N, Mantissas<N>>(m, e);
+    Mantissas<N> out{};
+    out.e = reals_under_one(N, v, column.e, out.m);
+    return out;
 }
 
 /// Of the components by their floats' exponents alone; the largest.
@@ -252,11 +249,15 @@ SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, c
     return high_rounded(sum);
 }
 
-/// The elements as blocks, 30 bits each.
-constexpr BlockMatrix to_block_matrix(const Matrix& a) {
-    Block v[16];
+/// The elements as blocks, 30 bits each, column-major.
+SPANGLE_RUN_INLINE constexpr void to_blocks(const Matrix& a, Block* v) {
+    v = opaque(v);
     for (int i = 0; i < 16; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
+}
+constexpr BlockMatrix to_block_matrix(const Matrix& a) {
+    Block v[16];
+    to_blocks(a, v);
     return detail::scale_blocks<4>(v);
 }
 
@@ -267,11 +268,10 @@ constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
 
 /// Row i of a for vertices loaded under columns that need not be its own.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
-    Block v[4];
-    for (int j = 0; j < 4; ++j)
-        v[j] = element(a, i, j);
+    Block v[16];
+    to_blocks(a, v);
     BlockRow r;
-    r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
+    r.e = detail::scale_row<4>(v + i, 4, column, detail::no_exponent, r.m);
     return r;
 }
 

@@ -53,9 +53,7 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
     std::int32_t drop = 33 - zeros; // to 31 bits
     if (e + drop < element_least)
         drop = element_least - e;
-    std::uint64_t m =
-        drop >= 0 ? shift_right_even(magnitude, drop)
-                  : static_cast<std::uint64_t>(times_two_to(static_cast<std::int64_t>(magnitude), -drop));
+    std::uint64_t m = shift_right_even(magnitude, drop);
     if (m >> 31 != 0)
         m >>= 1, ++drop; // 2^31 after rounding up
     const std::int32_t least = e + drop;
@@ -145,8 +143,7 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
     for (int k = 0; k < n; ++k) {
         if (product[k] == 0)
             continue;
-        const int right = top - (a[k].e + b[k].e);
-        sum += right >= 0 ? shift_right_round(product[k], right) : times_two_to(product[k], -right);
+        sum += shift_right_round(product[k], top - (a[k].e + b[k].e));
     }
     return make_element(sum, top + 2 * element_bias);
 }

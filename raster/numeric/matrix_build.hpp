@@ -41,13 +41,13 @@ struct Rotation {
 
 /// u u^T + cos (I - u u^T) + sin S, u = (x, y, z) / length; the identity for a zero vector.
 constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
+    Rotation r;
     const Block3 axis = to_block(x, y, z);
     if (axis.m[0] == 0 && axis.m[1] == 0 && axis.m[2] == 0)
-        return {};
+        return r;
     const Unit3Q60 u = normalize_q60(axis);
     const SinCos a = sincos_degrees(degrees);
     const std::int64_t versine = q60_one - a.cos;
-    Rotation r;
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
         const std::int64_t even = mul_q60(mul_q60(u.m[i], u.m[j]), versine), odd = mul_q60(u.m[k], a.sin);
@@ -110,9 +110,12 @@ constexpr Matrix ortho(Real left, Real right, Real bottom, Real top, Real near, 
 
 namespace detail {
 
-/// a d - b c, both products, below 2^60, exact before they are subtracted.
-SPANGLE_RUN_CALL constexpr Block determinant2(Block a, Block b, Block c, Block d) {
-    return sum(mul_s32(a.m, d.m) * 4, a.e + d.e - 2, mul_s32(b.m, c.m) * -4, b.e + c.e - 2);
+/// a[i] b[k] - b[i] a[k], both products, below 2^60, exact before they are subtracted.
+SPANGLE_RUN_CALL constexpr Block determinant2(const Block* a, const Block* b, int i, int k) {
+    a = opaque(a);
+    b = opaque(b);
+    return sum(mul_s32(a[i].m * 2, b[k].m * 2), a[i].e + b[k].e - 2, mul_s32(b[i].m * 2, a[k].m * -2),
+               b[i].e + a[k].e - 2);
 }
 
 constexpr int next_axis(int i) {
@@ -138,17 +141,14 @@ struct NormalMatrix {
 };
 
 constexpr NormalMatrix inverse_transpose(const Matrix& a) {
-    Block v[9];
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-            v[3 * j + i] = to_block(a.at(i, j));
+    Block v[16];
+    to_blocks(a, v);
     NormalMatrix r;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) { // cofactor of (i, j): cyclic indices carry the sign
             const int i1 = detail::next_axis(i), i2 = detail::next_axis(i1), j1 = detail::next_axis(j),
                       j2 = detail::next_axis(j1);
-            r.at[3 * j + i] =
-                detail::determinant2(v[3 * j1 + i1], v[3 * j2 + i1], v[3 * j1 + i2], v[3 * j2 + i2]);
+            r.at[3 * j + i] = detail::determinant2(v + 4 * j1, v + 4 * j2, i1, i2);
         }
     const Block determinant = detail::dot(v, r.at);
     r.singular = determinant.m == 0;
@@ -181,8 +181,8 @@ constexpr bool inverse(const Matrix& a, Matrix& out) {
             v[i][j] = element(a, i, j);
     for (int p = 0; p < 6; ++p) {
         const int j = detail::pair[p][0], k = detail::pair[p][1];
-        upper[p] = detail::determinant2(v[0][j], v[0][k], v[1][j], v[1][k]);
-        lower[p] = detail::determinant2(v[2][j], v[2][k], v[3][j], v[3][k]);
+        upper[p] = detail::determinant2(v[0], v[1], j, k);
+        lower[p] = detail::determinant2(v[2], v[3], j, k);
     }
     Block determinant;
     for (int p = 0; p < 6; ++p) { // Laplace; pairs 1 and 4 are odd permutations

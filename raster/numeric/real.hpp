@@ -269,7 +269,7 @@ constexpr double to_double(Real v) {
 }
 
 namespace detail {
-constexpr std::int32_t with_sign(bool negative, std::uint64_t magnitude) {
+SPANGLE_RUN_CALL constexpr std::int32_t with_sign(bool negative, std::uint64_t magnitude) {
     constexpr std::uint64_t limit = 0x80000000u;
     if (negative)
         return static_cast<std::int32_t>(-static_cast<std::int64_t>(magnitude > limit ? limit : magnitude));
@@ -284,9 +284,7 @@ constexpr std::int32_t to_fixed(Real v, int fraction_bits) {
     const std::int32_t shift = u.exponent + fraction_bits;
     if (shift > 31)
         return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
-    return detail::with_sign(u.negative, shift >= 0
-                                             ? static_cast<std::uint64_t>(times_two_to(u.mantissa, shift))
-                                             : shift_right_even(u.mantissa, -shift));
+    return detail::with_sign(u.negative, shift_right_even(u.mantissa, -shift));
 }
 constexpr std::int32_t to_fixed16(Real v) {
     return to_fixed(v, 16);
@@ -297,8 +295,8 @@ constexpr std::int32_t to_i32_round(Real v) {
     const detail::Unpacked u = detail::unpack(v);
     if (u.exponent > 31)
         return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
-    return detail::with_sign(u.negative,
-                             static_cast<std::uint64_t>(times_two_to(u.mantissa, u.exponent + 1) + 1) >> 1);
+    const std::int64_t rounded = shift_right_round(std::int64_t{u.mantissa}, -u.exponent);
+    return detail::with_sign(u.negative, static_cast<std::uint64_t>(rounded));
 }
 
 /// floor(clamp01(v) * most * 2), most < 2^32: one bit more than the integer below.

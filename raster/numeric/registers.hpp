@@ -41,6 +41,14 @@ template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
     return v;
 }
 
+/// p, of which the compiler knows nothing more. Out of line functions that read or store arrays at one index,
+/// or with two strides, GCC 12 takes for such as do not, and drops what their callers put there.
+template <class T> SPANGLE_INLINE constexpr T* opaque(T* p) {
+    if constexpr (!runs_inline)
+        return kept_in_register(p);
+    return p;
+}
+
 /// a + b mod 2^32, of words that may be in registers which nothing but moves and sums reach: the eight others
 /// of Thumb are few, and compilers would have both in them.
 SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t b) {

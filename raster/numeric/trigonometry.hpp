@@ -2,8 +2,6 @@
 // million times by the same matrix multiplies its error by a million.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "raster/numeric/block.hpp"
@@ -18,44 +16,45 @@ struct SinCos {
 
 namespace detail {
 
-/// 1 / (k (k + 1)), k = 1 to 18. No division is left, which small processors would call a library for.
-inline constexpr auto series_factors = [] {
-    std::array<std::int64_t, 18> factor{};
-    for (std::int64_t k = 1; k <= 18; ++k)
-        factor[static_cast<std::size_t>(k - 1)] = q60_one / (k * (k + 1));
-    return factor;
-}();
+/// 1 / (k (k + 1)), k = 1 to 18. Where guesses are looked up no division is left, which small processors
+/// would call a library for.
+struct SeriesFactors {
+    std::int64_t at[18];
+    static constexpr std::int64_t of(std::uint32_t k) {
+        return static_cast<std::int64_t>(divide(q60_one, k * (k + 1)).quotient);
+    }
+    constexpr SeriesFactors() : at{} {
+        for (std::uint32_t k = 1; k <= 18; ++k)
+            at[k - 1] = of(k);
+    }
+};
+inline constexpr SeriesFactors series_factors;
 
 /// 1 - z/(n(n+1)) (1 - z/((n+2)(n+3)) (...)): sin(x)/x for n = 2, cos(x) for n = 1, with z = x^2. Nine terms
 /// leave (pi/4)^20 / 20! < 2^-67.
-constexpr std::int64_t alternating_series(std::int64_t z, std::size_t n) {
+constexpr std::int64_t alternating_series(std::int64_t z, std::uint32_t n) {
     std::int64_t sum = q60_one;
-    for (std::size_t k = n + 18; k != n;) {
+    for (std::uint32_t k = n + 18; k != n;) {
         k -= 2;
-        sum = q60_one - mul_q60(mul_q60(z, series_factors[k - 1]), sum);
+        const std::int64_t factor = has_seed_tables ? series_factors.at[k - 1] : SeriesFactors::of(k);
+        sum = q60_one - mul_q60(mul_q60(z, factor), sum);
     }
     return sum;
 }
 
-/// A full turn removed exactly: quadrant, and fraction * 2^-fraction_bits degrees in [0, 90).
+/// A full turn removed exactly: quadrant, and degrees in [0, 90), Q56 (below 2^63).
 struct ReducedAngle {
     std::uint32_t quadrant;
-    std::uint32_t fraction;
-    std::int32_t fraction_bits;
+    std::uint64_t degrees;
 };
 
 constexpr ReducedAngle reduce_degrees(Unpacked u) {
-    if (u.exponent >= 0) { // an integer m * 2^e, e <= 104
-        std::uint32_t degrees = u.mantissa % 360;
-        for (std::int32_t i = 0; i < u.exponent; ++i)
-            degrees = degrees * 2 % 360;
-        return {degrees / 90, degrees % 90, 0};
-    }
-    const std::int32_t bits = -u.exponent;
-    const std::uint32_t whole = bits > 31 ? 0 : u.mantissa >> bits;
-    const std::uint32_t part = bits > 31 ? u.mantissa : u.mantissa - (whole << bits);
-    const std::uint32_t degrees = whole % 360;
-    return {degrees / 90, bits > 31 ? part : ((degrees % 90) << bits) + part, bits};
+    const std::int32_t bits = u.exponent < 0 ? -u.exponent : 0, down = bits < 31 ? bits : 31;
+    const std::uint32_t whole = u.mantissa >> down, part = u.mantissa - (whole << down);
+    std::uint32_t degrees = whole % 360;
+    for (std::int32_t i = 0; i < u.exponent; ++i) // an integer m * 2^e, e <= 104
+        degrees = degrees * 2 % 360;
+    return {degrees / 90, (std::uint64_t{degrees % 90} << 56) + shift_right_even(part, bits - 56)};
 }
 
 } // namespace detail
@@ -64,24 +63,17 @@ constexpr ReducedAngle reduce_degrees(Unpacked u) {
 constexpr SinCos sincos_degrees(Real degrees) {
     const detail::Unpacked u = detail::unpack(degrees);
     const detail::ReducedAngle r = detail::reduce_degrees(u);
-    // Q56 degrees: below 90 * 2^56 < 2^63.
-    const std::uint64_t turn = std::uint64_t{90} << 56;
-    const std::uint64_t t = r.fraction_bits <= 56 ? std::uint64_t{r.fraction} << (56 - r.fraction_bits)
-                                                  : shift_right_even(r.fraction, r.fraction_bits - 56);
+    const std::uint64_t turn = std::uint64_t{90} << 56, t = r.degrees;
     const bool swap = t > turn / 2;
     constexpr std::uint64_t radians_per_degree_q68 = 0x477D1A894A74E457; // pi / 180 * 2^68
     const auto x =
         static_cast<std::int64_t>(mul_u64(swap ? turn - t : t, radians_per_degree_q68).high); // Q60, <= pi/4
     const std::int64_t z = mul_q60(x, x);
     const std::int64_t s = mul_q60(x, detail::alternating_series(z, 2)), c = detail::alternating_series(z, 1);
-    SinCos a = swap ? SinCos{c, s} : SinCos{s, c};
-    if (r.quadrant == 1)
-        a = {a.cos, -a.sin};
-    if (r.quadrant == 2)
-        a = {-a.sin, -a.cos};
-    if (r.quadrant == 3)
-        a = {-a.cos, a.sin};
-    return {u.negative ? -a.sin : a.sin, a.cos};
+    const bool crosswise = swap != ((r.quadrant & 1) != 0);
+    const std::int64_t sine = crosswise ? c : s, cosine = crosswise ? s : c;
+    return {((r.quadrant & 2) != 0) != u.negative ? -sine : sine,
+            ((r.quadrant + 1) & 2) != 0 ? -cosine : cosine};
 }
 
 struct Unit3Q60 {
