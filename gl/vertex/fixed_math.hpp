@@ -716,8 +716,7 @@ struct FixedMath {
     static std::int64_t quotient(std::int32_t m, std::uint32_t r, int zeros, int bits) {
         const int shift = 62 - zeros - bits;
         const std::int64_t product = static_cast<std::int64_t>(m) * r;
-        return shift > 0 ? numeric::shift_right_round(product, shift)
-                         : numeric::times_two_to(product, -shift);
+        return numeric::shift_right_round(product, shift);
     }
 
     /// m / w of a range, by a quotient of so many bits, held to 2^30, and of so many with minus_half.
