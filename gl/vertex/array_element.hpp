@@ -43,6 +43,8 @@ class ArrayReader {
 
     /// Components of an element; those beyond the array's size keep what `out` holds.
     template <int N> SPANGLE_INLINE void read(std::uint32_t index, Real (&out)[N]) const {
+        if constexpr (!numeric::runs_inline)
+            return read_some(index, out);
         const std::uint8_t* const at = base_ + stride_ * index;
         if (!has_array_type(GL_FLOAT) || !aligned_floats_)
             return convert(at, out);
@@ -71,6 +73,14 @@ class ArrayReader {
         return (bits >> 23 & 255) != 255 ? Real{bits} : numeric::from_float_bits(bits);
     }
     void convert(const std::uint8_t* at, Real* out) const;
+    /// What read() does, for any number of components.
+    SPANGLE_RUN_CALL void read_some(std::uint32_t index, Real* out) const {
+        const std::uint8_t* const at = base_ + stride_ * index;
+        if (!has_array_type(GL_FLOAT) || !aligned_floats_)
+            return convert(at, out);
+        for (unsigned c = 0; c < components_; ++c)
+            out[c] = float_at(at + std::size_t{4} * c);
+    }
 };
 
 /// What glArrayElement reads: the arrays of one moment.

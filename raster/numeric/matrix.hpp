@@ -158,9 +158,6 @@ SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, i
         out[k] = {a.m[at], a.e[at]};
     }
 }
-constexpr void row_of(const Matrix& a, int i, Element (&out)[4]) {
-    gather(a, i, 4, 4, out);
-}
 constexpr void column_of(const Matrix& a, int j, Element (&out)[4]) {
     gather(a, 4 * j, 1, 4, out);
 }
@@ -171,11 +168,30 @@ template <int N> constexpr Element sum_of_products(const Element (&a)[N], const 
 }
 
 /// Column j of the identity, and zeros: a times it is column j of a.
-template <int N> constexpr bool is_unit(const Element (&column)[N], int j) {
+SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     std::int32_t others = 0;
-    for (int k = 0; k < N; ++k)
+    for (int k = 0; k < n; ++k)
         others |= k == j ? 0 : column[k].m;
     return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
+}
+
+/// Column j of a * b in r, which holds that of a. With `rest`, three elements, the rows and columns are those
+/// of 3 x 3 matrices, and `rest` has more bits of b's.
+SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix& b, int j,
+                                                  const Element* rest, Matrix& r) {
+    Element column[6];
+    const int half = rest != nullptr ? 3 : 4, n = rest != nullptr ? 6 : 4;
+    gather(b, 4 * j, 1, half, column);
+    for (int i = half; i < n; ++i)
+        column[i] = rest[i - half];
+    if (runs_inline && is_unit(column, n, j)) // only faster
+        return;
+    for (int i = 0; i < 4; ++i) {
+        Element row[6];
+        for (int first = 0; first < n; first += half)
+            gather(a, i, 4, half, row + first);
+        r.set(i, j, sum_of_products(row, column, n));
+    }
 }
 
 } // namespace detail
@@ -192,19 +208,10 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
 
 /// a * b (GL 1.3, 2.10.2: MultMatrix makes C * M). Each element is within 2^-31 of itself plus 2^-58 of its
 /// largest term. Translations and turns about an axis leave columns as they are.
-constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
+SPANGLE_RUN_CALL constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
-    for (int j = 0; j < 4; ++j) {
-        Element column[4];
-        detail::column_of(b, j, column);
-        if (detail::is_unit(column, j))
-            continue;
-        for (int i = 0; i < 4; ++i) {
-            Element row[4];
-            detail::row_of(a, i, row);
-            r.set(i, j, detail::sum_of_products(row, column));
-        }
-    }
+    for (int j = 0; j < 4; ++j)
+        detail::multiply_column(a, b, j, nullptr, r);
     return r;
 }
 

@@ -29,13 +29,13 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
 /// so that turning by it again and again adds up no error but that of each sum.
 struct Rotation {
     Matrix matrix = identity();
-    Element rest[3][3]; ///< row, column
+    Element rest[3][3]; ///< column, row
 
     constexpr void set(int row, int column, std::int64_t q60) {
         const Element nearest = make_element(q60, -60);
         const int up = nearest.e + element_bias + 60; // below 0: nothing was rounded
         matrix.set(row, column, nearest);
-        rest[row][column] = make_element(up > 0 ? q60 - nearest.m * (std::int64_t{1} << up) : 0, -60);
+        rest[column][row] = make_element(up > 0 ? q60 - nearest.m * (std::int64_t{1} << up) : 0, -60);
     }
 };
 
@@ -61,20 +61,8 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
 /// a * b: orthogonal matrices stay so within 2^-31 a product, in all directions alike.
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     Matrix r = a; // the last column stays
-    for (int j = 0; j < 3; ++j) {
-        Element column[6];
-        detail::gather(b.matrix, 4 * j, 1, 3, column);
-        for (int i = 0; i < 3; ++i)
-            column[3 + i] = b.rest[i][j];
-        if (detail::is_unit(column, j))
-            continue;
-        for (int i = 0; i < 4; ++i) {
-            Element row[6];
-            detail::gather(a, i, 4, 3, row);
-            detail::gather(a, i, 4, 3, row + 3);
-            r.set(i, j, detail::sum_of_products(row, column));
-        }
-    }
+    for (int j = 0; j < 3; ++j)
+        detail::multiply_column(a, b.matrix, j, b.rest[j], r);
     return r;
 }
 
