@@ -36,23 +36,24 @@ struct FixedMath {
     struct Range {
         std::int32_t middle = 0;
         Factor minus_half = 0;
-        /// With the fraction bits of the product, and half a unit more: where a word has room for it.
-        Factor rounded_middle = 0;
+        /// With the fraction bits of the product, and half a unit more: only faster where words have 32 bits.
+        static constexpr bool keeps_rounded = numeric::wide_words || raster::has_shortcuts;
+        std::conditional_t<keeps_rounded, std::int64_t, std::int32_t> rounded_middle = 0;
 
         Range() = default;
         /// `bits`: of -half and of a quotient together.
         Range(std::int32_t at, std::int32_t minus, [[maybe_unused]] int bits)
             : middle(at), minus_half(minus) {
-            if constexpr (numeric::wide_words)
-                rounded_middle = ((Factor{at} << 1) + 1) * (Factor{1} << (bits - 1));
+            if constexpr (keeps_rounded)
+                rounded_middle = ((std::int64_t{at} << 1) + 1) * (std::int64_t{1} << (bits - 1));
         }
 
         /// Nearest to middle + half * q, of -q, `bits` in all.
         SPANGLE_INLINE std::int32_t place(std::int32_t minus_q, int bits) const {
-            if constexpr (numeric::wide_words)
+            if (!numeric::wide_words && bits == 32)
+                return numeric::add_high_rounded(middle, static_cast<std::int32_t>(minus_half), minus_q);
+            if constexpr (keeps_rounded)
                 return static_cast<std::int32_t>((rounded_middle + product(minus_half, minus_q)) >> bits);
-            else if (bits == 32)
-                return numeric::add_high_rounded(middle, minus_half, minus_q);
             const std::int64_t rounded = product(minus_half, minus_q) + (std::int64_t{1} << (bits - 1));
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));

@@ -249,10 +249,10 @@ SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, c
     return high_rounded(sum);
 }
 
-/// The elements as blocks, 30 bits each, column-major.
-SPANGLE_RUN_INLINE constexpr void to_blocks(const Matrix& a, Block* v) {
+/// The elements as blocks, 30 bits each, column-major: the first so many.
+SPANGLE_RUN_INLINE constexpr void to_blocks(const Matrix& a, Block* v, int count = 16) {
     v = opaque(v);
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < count; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
 }
 constexpr BlockMatrix to_block_matrix(const Matrix& a) {
@@ -268,9 +268,16 @@ constexpr BlockMatrix3 to_block_matrix(const Block (&v)[9]) {
 
 /// Row i of a for vertices loaded under columns that need not be its own.
 constexpr BlockRow to_block_row(const Matrix& a, int i, const Columns<4>& column) {
+    BlockRow r;
+    if constexpr (runs_inline) { // no more than is asked for
+        Block v[4];
+        for (int j = 0; j < 4; ++j)
+            v[j] = element(a, i, j);
+        r.e = detail::scale_row<4>(v, 1, column, detail::no_exponent, r.m);
+        return r;
+    }
     Block v[16];
     to_blocks(a, v);
-    BlockRow r;
     r.e = detail::scale_row<4>(v + i, 4, column, detail::no_exponent, r.m);
     return r;
 }

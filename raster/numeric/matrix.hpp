@@ -188,8 +188,9 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
         return;
     for (int i = 0; i < 4; ++i) {
         Element row[6];
-        for (int first = 0; first < n; first += half)
-            gather(a, i, 4, half, row + first);
+        gather(a, i, 4, half, row);
+        if (rest != nullptr)
+            gather(a, i, 4, half, row + half);
         r.set(i, j, sum_of_products(row, column, n));
     }
 }

@@ -129,8 +129,8 @@ struct NormalMatrix {
 };
 
 constexpr NormalMatrix inverse_transpose(const Matrix& a) {
-    Block v[16];
-    to_blocks(a, v);
+    Block v[12];
+    to_blocks(a, v, 12);
     NormalMatrix r;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) { // cofactor of (i, j): cyclic indices carry the sign
