@@ -221,23 +221,27 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
             return;
         planes |= any_user << user_shift;
     }
-    std::int64_t part[clip_vertices], whole = 0;
+    union { // one after the other: stacks are small
+        std::int64_t part[clip_vertices];
+        Vertex* scratch[clip_vertices];
+    };
+    std::int64_t whole = 0;
 #if SPANGLE_CLIPPING
-    Vertex* work[2][clip_vertices];
+    Vertex* clipped[clip_vertices];
     if (planes != 0) {
         if ((any & back_known) != 0)
             for (int i = 0; i < n; ++i)
                 color_back(*corners[i]);
         for (int i = 0; i < n; ++i)
-            work[0][i] = &to_be_cut(*corners[i], cut_[i]);
+            clipped[i] = &to_be_cut(*corners[i], cut_[i]);
         // Slivers that snapping turns over lie where the rest of the polygon, or the plane's complement, is
         // drawn.
         if (planes >> user_shift != 0 && (any & (beyond_mask | unprojected)) == 0)
             whole = area_of(corners, n);
-        n = clip_polygon(work[0], work[1], clip_vertices, n, planes);
+        n = clip_polygon(clipped, scratch, clip_vertices, n, planes);
         if (n < 3)
             return;
-        corners = work[0];
+        corners = clipped;
     }
 #endif
     visible(corners, n, provoking, part, whole);

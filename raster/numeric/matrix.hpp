@@ -153,8 +153,7 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
 SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
 #pragma GCC unroll runs_inline ? 4 : 1
     for (int k = 0; k < n; ++k) {
-        // A function for whose addresses GCC 12 finds two strides is one that stores nothing, it thinks.
-        const int at = runs_inline ? first + k * step : kept_in_register(first + k * step);
+        const int at = opaque(first + k * step);
         out[k] = {a.m[at], a.e[at]};
     }
 }

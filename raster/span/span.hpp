@@ -75,11 +75,25 @@ inline constexpr bool has_division = has_perspective || has_chain || has_fog;
 inline constexpr bool has_full =
     has_perspective && (has_chain || tiers != 1u << static_cast<unsigned>(Tier::fast));
 
+/// Places of planes in a span, or in all of them together where none looks at them.
+#if SPANGLE_TEXTURE_UNITS
+#define SPANGLE_OF_TEXTURES(plane) plane
+#else
+#define SPANGLE_OF_TEXTURES(plane)                                                                           \
+    static constinit inline plane {}
+#endif
+#if SPANGLE_FEATURE_FOG
+#define SPANGLE_OF_FOG(plane) plane
+#else
+#define SPANGLE_OF_FOG(plane)                                                                                \
+    static constinit inline plane {}
+#endif
+
 /// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
 /// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte
 /// (design 2).
 template <class P> struct Span {
-    /// Planes that no span of this build looks at have one place together.
+    /// Planes that no span of this build looks at have one place together, or one in all spans.
     static constexpr bool all = !std::is_same_v<P, Fixed>;
     static constexpr int secondaries = all || has_color_sum ? 3 : 1, colors_over_w = all || has_full ? 4 : 1;
     using Affine = Interpolant<typename P::Affine>;
@@ -102,14 +116,15 @@ template <class P> struct Span {
     Affine z;
     Affine color_value[4];         ///< RGBA
     Affine secondary[secondaries]; ///< RGB
-    Affine fog;
-    bool fog_inside; ///< no fragment's is below 0 or as much as 1 (where there are lanes)
-    Affine s[max_texture_units], t[max_texture_units];
+    SPANGLE_OF_FOG(Affine fog);
+    SPANGLE_OF_FOG(bool fog_inside); ///< no fragment's is below 0 or as much as 1 (where there are lanes)
+    SPANGLE_OF_TEXTURES(Affine s[max_texture_units]);
+    SPANGLE_OF_TEXTURES(Affine t[max_texture_units]);
 
     Projective q;                      ///< 1/w, > 0, largest vertex in [2^29, 2^30)
     Projective color_q[colors_over_w]; ///< colour * 1/w
     Projective secondary_q[secondaries];
-    Projective fog_q;
+    SPANGLE_OF_FOG(Projective fog_q);
     struct Unit {
         Projective s, t; ///< s/w and t/w; of affine coordinates only dx, for the level of detail
         Projective q;    ///< q/w; not written when `shares_q`
@@ -120,7 +135,8 @@ template <class P> struct Span {
         bool shares_q = true; ///< q is 1 at every vertex: use Span::q
         Projective r;         ///< r/w, where Needs::r
         typename P::Projective r_dy;
-    } unit[max_texture_units];
+    };
+    SPANGLE_OF_TEXTURES(Unit unit[max_texture_units]);
     typename P::Projective q_dy;
     /// Colours of Kind::full, where they are guessed (stage_guess.hpp): color_value is at most the colour,
     /// and the colour at most a doubt more. Their projective planes exist when `project` is null; until then
@@ -134,8 +150,8 @@ template <class P> struct Span {
             open6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
         }
     } guess;
-    std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
-    const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
+    SPANGLE_OF_FOG(std::int32_t fog_exponent); ///< fog_q / q * 2^fog_exponent = fog coordinate
+    const void* pixels; ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
 
     /// A plane at pixel `column`.
     template <class T>
@@ -143,5 +159,7 @@ template <class P> struct Span {
         return plane.at(column + (x - anchor_x), y - anchor_y);
     }
 };
+#undef SPANGLE_OF_TEXTURES
+#undef SPANGLE_OF_FOG
 
 } // namespace spangle::raster
