@@ -82,12 +82,6 @@ inline constexpr bool has_full =
 #define SPANGLE_OF_TEXTURES(plane)                                                                           \
     static constinit inline plane {}
 #endif
-#if SPANGLE_FEATURE_FOG
-#define SPANGLE_OF_FOG(plane) plane
-#else
-#define SPANGLE_OF_FOG(plane)                                                                                \
-    static constinit inline plane {}
-#endif
 
 /// Pixel x of a span is column `x` of the primitive's row counted from its unscissored left edge: runs, lanes
 /// and rounding are anchored there, so scissor, bands, lane width and integer translation change no byte
@@ -116,15 +110,15 @@ template <class P> struct Span {
     Affine z;
     Affine color_value[4];         ///< RGBA
     Affine secondary[secondaries]; ///< RGB
-    SPANGLE_OF_FOG(Affine fog);
-    SPANGLE_OF_FOG(bool fog_inside); ///< no fragment's is below 0 or as much as 1 (where there are lanes)
+    Affine fog;
+    bool fog_inside; ///< no fragment's is below 0 or as much as 1 (where there are lanes)
     SPANGLE_OF_TEXTURES(Affine s[max_texture_units]);
     SPANGLE_OF_TEXTURES(Affine t[max_texture_units]);
 
     Projective q;                      ///< 1/w, > 0, largest vertex in [2^29, 2^30)
     Projective color_q[colors_over_w]; ///< colour * 1/w
     Projective secondary_q[secondaries];
-    SPANGLE_OF_FOG(Projective fog_q);
+    Projective fog_q;
     struct Unit {
         Projective s, t; ///< s/w and t/w; of affine coordinates only dx, for the level of detail
         Projective q;    ///< q/w; not written when `shares_q`
@@ -150,8 +144,8 @@ template <class P> struct Span {
             open6 = most >> 26 == 0 ? 0 - (most << 6) : 0;
         }
     } guess;
-    SPANGLE_OF_FOG(std::int32_t fog_exponent); ///< fog_q / q * 2^fog_exponent = fog coordinate
-    const void* pixels; ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
+    std::int32_t fog_exponent; ///< fog_q / q * 2^fog_exponent = fog coordinate
+    const void* pixels;        ///< Colors::of_pixels: those of pixel 0 and up, as DrawState::words says
 
     /// A plane at pixel `column`.
     template <class T>
@@ -160,6 +154,5 @@ template <class P> struct Span {
     }
 };
 #undef SPANGLE_OF_TEXTURES
-#undef SPANGLE_OF_FOG
 
 } // namespace spangle::raster
