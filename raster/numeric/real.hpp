@@ -284,7 +284,8 @@ constexpr std::int32_t to_fixed(Real v, int fraction_bits) {
     const std::int32_t shift = u.exponent + fraction_bits;
     if (shift > 31)
         return detail::with_sign(u.negative, u.mantissa == 0 ? 0 : ~std::uint64_t{0});
-    return detail::with_sign(u.negative, shift_right_even(u.mantissa, -shift));
+    return detail::with_sign(u.negative, runs_inline && shift >= 0 ? std::uint64_t{u.mantissa} << shift
+                                                                   : shift_right_even(u.mantissa, -shift));
 }
 constexpr std::int32_t to_fixed16(Real v) {
     return to_fixed(v, 16);
