@@ -29,7 +29,7 @@ spangle_limit(EXTENTS 1 "Surfaces tell which columns of each row were drawn; 0: 
 spangle_limit(TIER_SET 7 "Sum of 2^Tier over the tiers of accuracy: exact 1, balanced 2, fast 4")
 spangle_limit(PACKET 16 "Fragments and rows that are handed on at once: 16, or 8, 4, 2 to save stack")
 spangle_limit(FUSED_SPANS 1 "Loops of their own for common states; 0: the chain draws all, with the same bytes")
-spangle_limit(SHORTCUTS 1 "Ways of their own for small triangles, thin lines, strips of elements, small differences of attributes, whole runs of texture coordinates, and stages of the chain for each unit and kind; 0: less code, the same bytes")
+spangle_limit(SHORTCUTS 1 "Ways of their own for small triangles, faces seen whole, thin lines, strips of elements, vertices given again, small differences of attributes, plain axes and whole runs of texture coordinates, and stages of the chain for each unit, kind and store; 0: less code, the same bytes")
 spangle_limit(KERNELS_INLINE 1 "Code that is built for size (-Os) has kernels in line, too; 0: where the compiler finds that smaller")
 spangle_limit(SEED_TABLES 1 "What reciprocals, roots and logarithms begin with is looked up in tables of 1.5 KB; 0: it is computed, the same numbers")
 spangle_limit(ARGUMENTS_INLINE 1 "Entry points convert their arguments themselves; 0: less code where programs call most of them")
