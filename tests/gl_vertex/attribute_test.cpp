@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "gl/vertex/array_element.hpp"
 #include "tests/gl_vertex/canvas.hpp"
 #include "tests/gl_vertex/window_recorder.hpp"
 
@@ -407,6 +408,26 @@ TEST_F(Attributes, PointersOfOtherTypes) {
     }
     glColorPointer(3, GL_2_BYTES, 0, nullptr);
     refused("colours");
+}
+
+// Words are loaded from where words may lie: some processors fault elsewhere, this one need not.
+TEST(ArrayReaders, FloatsAtOddPlacesAreNoWords) {
+    alignas(float) std::uint8_t memory[64] = {};
+    const auto is_floats = [&](std::size_t place, GLsizei stride, GLenum type, unsigned count) {
+        gl::ClientArray array(3, type);
+        array.enabled = true;
+        array.stride = stride;
+        array.pointer = memory + place;
+        return gl::ArrayReader(array, false).is_floats(count);
+    };
+    EXPECT_TRUE(is_floats(0, 0, GL_FLOAT, 3));
+    EXPECT_TRUE(is_floats(4, 16, GL_FLOAT, 3));
+    EXPECT_FALSE(is_floats(0, 0, GL_FLOAT, 2));
+    EXPECT_FALSE(is_floats(0, 0, GL_INT, 3));
+    for (const std::size_t odd : {1u, 2u, 3u}) {
+        EXPECT_FALSE(is_floats(odd, 0, GL_FLOAT, 3)) << odd;
+        EXPECT_FALSE(is_floats(0, static_cast<GLsizei>(12 + odd), GL_FLOAT, 3)) << odd;
+    }
 }
 
 } // namespace
