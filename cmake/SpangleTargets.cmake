@@ -1,6 +1,15 @@
 # How every Spangle target is compiled. The core is freestanding-ish C++20: no exceptions, no RTTI, no guards.
 
+# GCC 12 takes some functions that write through a pointer for functions without effects, and then drops their calls.
+# These two passes decide what a function writes; without them every call keeps its effects. Other versions of GCC get
+# the same flags, because nobody has shown that theirs are sound. Users of a target compile its inline functions, so the flags
+# are part of the interface. GCC knows -fno-ipa-modref since version 11.
+set(SPANGLE_SOUND_CALLS
+    $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-pure-const>
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>:-fno-ipa-modref>)
+
 function(spangle_common target)
+    target_compile_options(${target} PUBLIC ${SPANGLE_SOUND_CALLS})
     target_compile_features(${target} PUBLIC cxx_std_20)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion $<$<BOOL:${SPANGLE_WERROR}>:-Werror>)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})

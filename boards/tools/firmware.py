@@ -11,8 +11,10 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDES = [f"-I{ROOT}"] + [f"-I{ROOT}/{room}/include" for room in ("raster/format", "raster", "gl", "hal", "hal/mcu", "boards")]
+# Without these two passes GCC keeps every call; see SPANGLE_SOUND_CALLS in cmake/SpangleTargets.cmake.
+SOUND_CALLS = ["-fno-ipa-pure-const", "-fno-ipa-modref"]
 FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-fno-tree-loop-distribute-patterns",
-         "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *INCLUDES]
+         "-ffunction-sections", "-fdata-sections", "-ffp-contract=off", "-DSPANGLE_FIRMWARE=1", "-DSPANGLE_MESSAGES=0", *SOUND_CALLS, *INCLUDES]
 CORE = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
         "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
 HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/list")  # -O2; the rest is built for size
@@ -20,7 +22,7 @@ HOT = ("raster/span", "raster/primitive", "raster/surface", "gl/vertex", "gl/lis
 SCENES = {"S1": "clear", "S2": "two_triangles", "S3": "gouraud", "S4": "plane", "S4b": "plane_linear", "S4r": "plane_rolled", "S5": "gears",
           "S6": "torus", "S7": "sprites", "S8": "wireframe", "S9": "torus_textured", "HUD": "hud", "BAKED": "rocket", "TINY": "tiny",
           "CUBE": "cube"}
-LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns")  # when an image is linked
+LTO = ("-flto=auto", "-flto-partition=one", "-Os", "-ffreestanding", "-fno-tree-loop-distribute-patterns", *SOUND_CALLS)  # when an image is linked
 SMALL = ("-fno-schedule-insns2", "-fno-move-loop-invariants")  # with -Os, where an image is linked as one: its text is 0.8 % less
 CCACHE = ["ccache"] if shutil.which("ccache") else []
 THUMB = ["-mthumb", "-mfloat-abi=soft"]
