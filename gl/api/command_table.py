@@ -3,7 +3,7 @@
 One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   name, row     the family and its row of the feature matrix
   kind          plain (default), components, matrix, plane, rect, flag, params, get_params
-  args          "type name[=accepted]": tokens, @group[:first token to try], low..[high], or a number to try.
+  args          "type name[=accepted]": tokens ("TOKEN?FEATURE": of an optional system), @group[:first token to try], low..[high], or a number to try.
                 A "real" is given once per entry of "types", and so is an "array" of them, read or written ("array*"). Components: what stands before them
   types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
@@ -41,7 +41,7 @@ class Arg:
         declaration, _, accepted = text.partition("=")
         self.type, self.name = declaration.rsplit(" ", 1)
         self.pointer, self.array = "*" in self.type, self.type.startswith("array")
-        self.accepted, self.good, self.low, self.high = [], "0", None, None
+        self.accepted, self.features, self.good, self.low, self.high = [], {}, "0", None, None
         self.parse(accepted, groups)
 
     def parse(self, text, groups):
@@ -58,7 +58,10 @@ class Arg:
                     first = first or wish or None
                     self.accepted += groups[group].split()
                 else:
-                    self.accepted.append(word)
+                    token, _, feature = word.partition("?")
+                    self.accepted.append(token)
+                    if feature:
+                        self.features[token] = feature
             self.good = "GL_" + (first or self.accepted[0])
 
     @property

@@ -29,6 +29,8 @@ extern "C" {
 #define GL_VERSION_1_1 1
 #define GL_VERSION_1_2 1
 #define GL_VERSION_1_3 1
+#define GL_VERSION_1_4 1
+#define GL_VERSION_1_5 1
 
 typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
@@ -162,14 +164,15 @@ def refusals(entries):
     return "".join(out)
 
 
-def names(chapters, _tokens):
-    found = sorted(e.name for _, families in chapters for f in families for e in f.entries)
+def names(chapters, extensions):
+    found = {e.name: e.name for _, families in chapters for f in families for e in f.entries}
+    found.update((alias.name, alias.entry.name) for extension in extensions for alias in extension.aliases)
     out = ["// The name table of GetProcAddress: a feature, because it keeps every entry point in the program.\n", NOTICE,
            "#include \"gl/api/names.hpp\"\n\n#include <spangle/GL/gl.h>\n\n"
            "namespace spangle::gl {\n\n#if SPANGLE_FEATURE_GET_PROC_ADDRESS\n\nnamespace {\n\n"
            "struct Name {\n    const char* text;\n    EntryPoint function;\n};\n\n"
            "const Name table[] = {\n"]
-    out += [f"    {{\"{n}\", reinterpret_cast<EntryPoint>(&{n})}},\n" for n in found]
+    out += [f"    {{\"{n}\", reinterpret_cast<EntryPoint>(&{found[n]})}},\n" for n in sorted(found)]
     out.append("};\n\nint compare(const char* a, const char* b) {\n    while (*a != 0 && *a == *b)\n        ++a, ++b;\n"
                "    return static_cast<unsigned char>(*a) - static_cast<unsigned char>(*b);\n}\n\n} // namespace\n\n"
                "EntryPoint find_entry_point(const char* name) {\n"

@@ -7,6 +7,12 @@ FETCH = {"real": "{c}(a[{i}].number)", "enum": "GLenum(a[{i}].integer)", "uint":
          "boolean": "GLboolean(a[{i}].integer)", "pname": "GLenum(a[{i}].integer)", "pvalue": "{c}(a[{i}].number)"}
 
 
+def accepted_token(arg, token):
+    """A token of a system that is not in the build is none that is accepted: another stands for it."""
+    feature = arg.features.get(token)
+    return f"SPANGLE_FEATURE_{feature} ? GL_{token} : {arg.good}" if feature else f"GL_{token}"
+
+
 def test_table(chapters, tokens):
     out = ["// Every entry point with its argument kinds and a uniform way to call it.\n", NOTICE,
            "namespace {\n\n"]
@@ -32,7 +38,7 @@ def test_table(chapters, tokens):
                                  else FETCH[kind].format(c=c_type, i=i))
                     label = "out" if pointer and not c_type.startswith("const") else "in" if pointer else kind
                     label = "in" if kind in ("values", "pvalues") and label != "out" else label
-                    accepted = array("GLenum", ["GL_" + t for t in arg.accepted]) if arg and arg.accepted else "{}"
+                    accepted = array("GLenum", [accepted_token(arg, t) for t in arg.accepted]) if arg and arg.accepted else "{}"
                     low = arg.low if arg and arg.low is not None else "INT32_MIN"
                     high = arg.high if arg and arg.high is not None else "INT32_MAX"
                     label = {"enum": "enum_", "int": "int_", "intptr": "int_", "sizeiptr": "sizei", "ushort": "uint"}.get(label, label)

@@ -1,24 +1,28 @@
 #!/usr/bin/env python3
 """Turns the command table (commands/*.json) into everything that would otherwise be written by hand once per entry
-point: the public header, the wrappers, the name table of GetProcAddress, the table the tests and fuzzers walk, and
-the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail when the committed output is stale)
+point: the public header, the wrappers, the name table of GetProcAddress, the extensions and their names for commands,
+the table the tests and fuzzers walk, and the feature matrix. Usage: generate.py [--check]   (--check: write nothing, fail when the committed output is stale)
 """
 import sys
 
 from command_table import ROOT, load
 from emit_code import commands_header, header, names, shapes_header, wrappers
 from emit_test_table import test_table
+from extensions import aliases_list, extensions_header, load_extensions
 from feature_matrix import features, matrix, readme
 
 
 def outputs():
     chapters, tokens = load()
+    extensions = load_extensions(chapters)
     rows = list(matrix(chapters))
     files = {
         "gl/include/spangle/GL/gl.h": header(chapters, tokens),
         "gl/api/generated/commands.hpp": commands_header(chapters, tokens),
         "gl/api/generated/shapes.hpp": shapes_header(chapters, tokens),
-        "gl/api/generated/names.cpp": names(chapters, tokens),
+        "gl/api/generated/names.cpp": names(chapters, extensions),
+        "gl/api/generated/aliases.inc": aliases_list(extensions),
+        "gl/api/generated/extensions.hpp": extensions_header(extensions),
         "tests/gl_api/generated/command_table.inc": test_table(chapters, tokens),
         "docs/features.md": features(rows),
         "README.md": readme(rows),

@@ -74,6 +74,9 @@ inline constexpr auto fragment_rows = std::to_array<WrittenRow>({
     STORED(GL_POLYGON_SMOOTH_HINT, hint.mode[hint_polygon_smooth]),
     STORED(GL_FOG_HINT, hint.mode[hint_fog]),
     STORED(GL_TEXTURE_COMPRESSION_HINT, hint.mode[hint_texture_compression]),
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+    STORED(GL_GENERATE_MIPMAP_HINT, hint.mode[hint_generate_mipmap]),
+#endif
     in(Group::multisample),
     SWITCH(GL_MULTISAMPLE, fragment_ops.multisample),
     SWITCH(GL_SAMPLE_ALPHA_TO_COVERAGE, fragment_ops.sample_alpha_to_coverage),

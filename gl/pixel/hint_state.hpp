@@ -1,11 +1,12 @@
-// Hints (GL 1.3, 5.6). They choose the accuracy tier, never coverage or depth.
+// Hints (GL 1.3, 5.6; GL 1.4, 5.6). They choose the accuracy tier, never coverage or depth.
 #pragma once
 
+#include "gl/context/features.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
 
-/// In the order of their tokens; that of texture compression has another place among those.
+/// The first five are in the order of their tokens.
 enum HintIndex : unsigned {
     hint_perspective_correction,
     hint_point_smooth,
@@ -13,11 +14,19 @@ enum HintIndex : unsigned {
     hint_polygon_smooth,
     hint_fog,
     hint_texture_compression,
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+    hint_generate_mipmap,
+#endif
     hints,
 };
 
 struct HintState {
-    GLenum mode[hints] = {GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE};
+    constexpr HintState() {
+        for (GLenum& each : mode)
+            each = GL_DONT_CARE;
+    }
+
+    GLenum mode[hints];
 };
 
 } // namespace spangle::gl

@@ -51,12 +51,27 @@ void Fog(Context& context, GLenum pname, const Params& params) {
 }
 #endif
 
+namespace {
+
+/// The place of a hint in HintState, or `hints`.
+unsigned hint_of(GLenum target) {
+    if (target == GL_TEXTURE_COMPRESSION_HINT)
+        return hint_texture_compression;
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+    if (target == GL_GENERATE_MIPMAP_HINT)
+        return hint_generate_mipmap;
+#endif
+    const unsigned place = target - GL_PERSPECTIVE_CORRECTION_HINT;
+    return place <= hint_fog ? place : hints;
+}
+
+} // namespace
+
 void Hint(Context& context, GLenum target, GLenum mode) {
     if (mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE)
         return error(context, GL_INVALID_ENUM);
-    const unsigned hint = target == GL_TEXTURE_COMPRESSION_HINT ? hint_texture_compression
-                                                                : target - GL_PERSPECTIVE_CORRECTION_HINT;
-    if (hint > hint_fog && target != GL_TEXTURE_COMPRESSION_HINT)
+    const unsigned hint = hint_of(target);
+    if (hint == hints)
         return error(context, GL_INVALID_ENUM);
     context.hint.mode[hint] = mode;
     context.changed(dirty_fragment);

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,40 @@ TEST(Generated, ProcAddresses) {
 #if SPANGLE_FEATURE_GET_PROC_ADDRESS
     EXPECT_EQ(gl::find_entry_point("glVertex3f"), reinterpret_cast<gl::EntryPoint>(&glVertex3f));
 #endif
+}
+
+// A library that exports the names with a suffix forwards them as these functions do.
+#define ALIAS(returns, name, command, parameters, arguments)                                                 \
+    [[maybe_unused]] returns name parameters {                                                               \
+        return command arguments;                                                                            \
+    }                                                                                                        \
+    static_assert(std::is_same_v<decltype(&name), decltype(&::command)>);
+namespace alias {
+#include "gl/api/generated/aliases.inc"
+} // namespace alias
+#undef ALIAS
+
+/// Extensions call core commands by names with a suffix: eglGetProcAddress finds the command itself.
+TEST(Generated, NamesWithASuffix) {
+    struct Alias {
+        std::string name, command;
+        gl::EntryPoint function;
+    };
+    const Alias aliases[] = {
+#define ALIAS(returns, name, command, parameters, arguments)                                                 \
+    {#name, #command, reinterpret_cast<gl::EntryPoint>(&command)},
+#include "gl/api/generated/aliases.inc"
+#undef ALIAS
+    };
+    EXPECT_GT(std::size(aliases), 125u);
+    for (const Alias& alias : aliases) {
+        EXPECT_EQ(alias.name.substr(0, alias.command.size()), alias.command);
+        const std::string suffix = alias.name.substr(alias.command.size());
+        EXPECT_TRUE(suffix == "ARB" || suffix == "EXT") << alias.name;
+        EXPECT_EQ(gl::find_entry_point(alias.name.c_str()),
+                  SPANGLE_FEATURE_GET_PROC_ADDRESS ? alias.function : nullptr)
+            << alias.name;
+    }
 }
 
 TEST(Generated, VersionIsTheProjects) {

@@ -139,6 +139,9 @@ std::vector<Expected> initial_state() {
         {GL_POLYGON_SMOOTH_HINT, {GL_DONT_CARE}},
         {GL_FOG_HINT, {GL_DONT_CARE}},
         {GL_TEXTURE_COMPRESSION_HINT, {GL_DONT_CARE}},
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+        {GL_GENERATE_MIPMAP_HINT, {GL_DONT_CARE}},
+#endif
         {GL_MAX_MODELVIEW_STACK_DEPTH, {32}},
         {GL_MAX_PROJECTION_STACK_DEPTH, {2}},
         {GL_MAX_TEXTURE_STACK_DEPTH, {2}},
@@ -583,22 +586,27 @@ TEST_F(State, ArrayPointers) {
     EXPECT_EQ(n, 12);
 }
 
-/// GL 1.3 by name where nothing of it was left out: a program may rely on that.
+/// The version by name where nothing of it was left out: a program may rely on that.
 TEST_F(State, Strings) {
     const auto text = [](GLenum name) {
         return std::string(reinterpret_cast<const char*>(glGetString(name)));
     };
     EXPECT_EQ(text(GL_VENDOR), "Spangle");
     EXPECT_FALSE(text(GL_RENDERER).empty());
-    bool whole = true; // systems of later versions may be left out
-    const std::set<std::string> later = {
-        "MULTISAMPLE",     "DEPTH_TEXTURES",   "MIPMAP_GENERATION", "BUFFERS",
-        "QUERIES",         "STENCIL_SIDES",    "PRIMITIVE_RESTART", "VERTEX_ARRAY_OBJECTS",
-        "SECONDARY_COLOR", "FIXED_POINT",      "GET_PROC_ADDRESS",  "BANDS",
-        "BAND_RECORDS",    "POINT_PARAMETERS", "NARROW_SURFACES"};
+    // Systems that a version does not have may be left out of a build that has this version.
+    const std::set<std::string> never = {"MULTISAMPLE",  "STENCIL_SIDES",        "PRIMITIVE_RESTART",
+                                         "FIXED_POINT",  "VERTEX_ARRAY_OBJECTS", "BANDS",
+                                         "BAND_RECORDS", "NARROW_SURFACES",      "GET_PROC_ADDRESS"},
+                                of_1_4 = {"DEPTH_TEXTURES", "MIPMAP_GENERATION", "SECONDARY_COLOR",
+                                          "POINT_PARAMETERS"},
+                                of_1_5 = {"BUFFERS", "QUERIES"};
+    char minor = '5';
     std::istringstream left_out(SPANGLE_LEFT_OUT);
     for (std::string system; left_out >> system;)
-        whole = whole && later.count(system) != 0;
+        minor = std::min(minor, never.count(system) != 0    ? '5'
+                                : of_1_5.count(system) != 0 ? '4'
+                                : of_1_4.count(system) != 0 ? '3'
+                                                            : '0');
     GLint limit = 0;
     for (const auto& [name, least] : {std::pair<GLenum, GLint>{GL_MAX_LIGHTS, 8},
                                       {GL_MAX_CLIP_PLANES, 6},
@@ -608,22 +616,55 @@ TEST_F(State, Strings) {
                                       {GL_MAX_NAME_STACK_DEPTH, 64},
                                       {GL_MAX_LIST_NESTING, 64},
                                       {GL_MAX_TEXTURE_UNITS, 2},
+                                      {GL_MAX_TEXTURE_LOD_BIAS, 2},
                                       {GL_MAX_TEXTURE_SIZE, 64}}) {
         glGetIntegerv(name, &limit);
-        if (glGetError() == GL_NO_ERROR) // else its system is not there
-            whole = whole && limit >= least;
+        if (glGetError() == GL_NO_ERROR && limit < least) // else its system is not there
+            minor = '0';
     }
     const std::string version = text(GL_VERSION);
-    EXPECT_EQ(version.substr(0, 12), whole ? "1.3 Spangle " : "1.0 Spangle ");
-    EXPECT_EQ(version.find("subset") != std::string::npos, !whole) << version;
-    std::istringstream words(text(GL_EXTENSIONS));
+    EXPECT_EQ(version.substr(0, 12), std::string("1.") + minor + " Spangle ");
+    EXPECT_EQ(version.find("subset") != std::string::npos, minor == '0') << version;
+}
+
+TEST_F(State, Extensions) {
+    std::istringstream words(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)));
     std::set<std::string> extensions;
     for (std::string word; words >> word;)
         EXPECT_TRUE(word.starts_with("GL_") && extensions.insert(word).second) << word;
-    EXPECT_EQ(extensions.count("GL_SGIS_texture_edge_clamp"), 1u);
-    EXPECT_EQ(extensions.count("GL_ARB_shadow"), SPANGLE_FEATURE_DEPTH_TEXTURES ? 1u : 0u);
-    EXPECT_EQ(extensions.count("GL_ARB_texture_cube_map"), SPANGLE_FEATURE_TEXTURE_CUBE_MAP ? 1u : 0u);
+    const std::pair<const char*, bool> known[] = {
+        {"GL_SGIS_texture_edge_clamp", true},
+        {"GL_ARB_shadow", SPANGLE_FEATURE_DEPTH_TEXTURES},
+        {"GL_ARB_texture_cube_map", SPANGLE_FEATURE_TEXTURE_CUBE_MAP},
+        {"GL_ARB_texture_env_combine", SPANGLE_FEATURE_TEXTURE_COMBINE},
+        // Commands with a suffix are found by eglGetProcAddress alone.
+        {"GL_ARB_multitexture", SPANGLE_FEATURE_GET_PROC_ADDRESS},
+        {"GL_ARB_window_pos", SPANGLE_FEATURE_RASTER_POS && SPANGLE_FEATURE_GET_PROC_ADDRESS},
+        {"GL_EXT_copy_texture", SPANGLE_FEATURE_COPY_TEXTURE && SPANGLE_FEATURE_TEXTURE_1D &&
+                                    SPANGLE_FEATURE_TEXTURE_3D && SPANGLE_FEATURE_GET_PROC_ADDRESS},
+        {"GL_ARB_vertex_buffer_object", SPANGLE_FEATURE_BUFFERS && SPANGLE_FEATURE_GET_PROC_ADDRESS},
+        {"GL_ARB_multisample", SPANGLE_FEATURE_MULTISAMPLE && SPANGLE_FEATURE_GET_PROC_ADDRESS},
+        {"GL_ARB_imaging", false},
+        {"GL_EXT_framebuffer_object", false},
+    };
+    for (const auto& [name, present] : known)
+        EXPECT_EQ(extensions.count(name), present ? 1u : 0u) << name;
 }
+
+#if SPANGLE_FEATURE_MIPMAP_GENERATION
+/// GL 1.4, 5.6.
+TEST_F(State, MipmapsHaveAHint) {
+    GLint hint = 0;
+    glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);
+    EXPECT_EQ(hint, GL_DONT_CARE);
+    glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST);
+    glGetIntegerv(GL_GENERATE_MIPMAP_HINT, &hint);
+    EXPECT_EQ(hint, GL_NICEST);
+    glGetIntegerv(GL_TEXTURE_COMPRESSION_HINT, &hint);
+    EXPECT_EQ(hint, GL_DONT_CARE);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+#endif
 
 TEST_F(State, LaterDrawablesKeepViewportAndScissor) {
     raster::Surface other = surface();

@@ -24,6 +24,8 @@ extern "C" {
 #define GL_VERSION_1_1 1
 #define GL_VERSION_1_2 1
 #define GL_VERSION_1_3 1
+#define GL_VERSION_1_4 1
+#define GL_VERSION_1_5 1
 
 typedef unsigned int GLenum;
 typedef unsigned char GLboolean;
@@ -972,6 +974,7 @@ GLAPI void GLAPIENTRY glPolygonOffsetxOES(GLfixed factor, GLfixed units);
 #define GL_POLYGON_SMOOTH_HINT 0x0C53
 #define GL_FOG_HINT 0x0C54
 #define GL_TEXTURE_COMPRESSION_HINT 0x84EF
+#define GL_GENERATE_MIPMAP_HINT 0x8192
 #define GL_DONT_CARE 0x1100
 #define GL_FASTEST 0x1101
 #define GL_NICEST 0x1102
@@ -1186,6 +1189,12 @@ GLAPI void GLAPIENTRY glFinish(void);
 #define GL_SUBTRACT 0x84E7
 #define GL_DOT3_RGB 0x86AE
 #define GL_DOT3_RGBA 0x86AF
+#define GL_SRC0_RGB 0x8580
+#define GL_SRC1_RGB 0x8581
+#define GL_SRC2_RGB 0x8582
+#define GL_SRC0_ALPHA 0x8588
+#define GL_SRC1_ALPHA 0x8589
+#define GL_SRC2_ALPHA 0x858A
 #define GL_SOURCE0_RGB 0x8580
 #define GL_SOURCE1_RGB 0x8581
 #define GL_SOURCE2_RGB 0x8582
