@@ -6,6 +6,8 @@
 #include <SDL2/SDL.h>
 #include <fmt/format.h>
 
+#include "host_sim/cli/say.hpp"
+
 namespace spangle::cli {
 
 Window::~Window() {
@@ -26,9 +28,8 @@ void Window::open(const std::string& title, int width, int height) {
         window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
                                    width * scale_ * 2, height * scale_, 0);
     if (window_ == nullptr)
-        fmt::print(stderr,
-                   "spangle: no window, for there is no display to open it on ({}); going on without\n",
-                   SDL_GetError());
+        tell(fmt::format("spangle: no window, for there is no display to open it on ({}); going on without\n",
+                         SDL_GetError()));
 }
 
 namespace {

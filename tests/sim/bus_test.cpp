@@ -1,4 +1,5 @@
 // The simulated bus and boards: what is counted, what fails, what is seen.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -108,6 +109,25 @@ TEST(Board, CountsBytesAndCommands) {
         << "40 MHz";
 }
 
+/// Nine clocks a byte, and one each for START and STOP (UM10204, 3.1): 1,024 bytes of pixels behind an
+/// address and a control byte, and a message of seven commands before.
+TEST(Board, I2cTakesTheClocksOfItsMessages) {
+    sim::SimBoard sim(boards::ssd1306_i2c);
+    ASSERT_TRUE(sim.display().init().ok());
+    const sim::BoardCounters before = sim.counters();
+    const auto frame = sim.display().acquire();
+    ASSERT_TRUE(frame.ok());
+    std::fill_n(frame.value().pixels, 1024, std::uint8_t{0x5A});
+    for (int y = 0; y < 64; ++y)
+        frame.value().extents->rows[y] = {0, 128};
+    ASSERT_TRUE(sim.display().present().ok());
+    const sim::BoardCounters after = sim.counters();
+    const std::uint64_t bytes = after.bytes - before.bytes, messages = 2;
+    EXPECT_EQ(bytes, 1024u + 2 + 6 + 2);
+    EXPECT_NEAR(static_cast<double>(after.busy_ns - before.busy_ns),
+                static_cast<double>(bytes * 9 + messages * 2) * 2500, 100.0);
+}
+
 TEST(Board, ALostByteShows) {
     sim::SimBoard sim(boards::ili9341_spi);
     ASSERT_TRUE(sim.display().init().ok());
@@ -142,7 +162,7 @@ TEST(Board, WiresAreRecorded) {
     const std::string path = testing::TempDir() + "wires-" + std::to_string(getpid()) + ".vcd";
     {
         sim::SimBoard sim(boards::st7735_128x160);
-        ASSERT_TRUE(sim.record_vcd(path));
+        ASSERT_EQ(sim.record_vcd(path), "");
         ASSERT_TRUE(sim.display().init().ok());
     }
     std::ifstream in(path);
@@ -162,7 +182,7 @@ TEST(Board, WiresAreRecorded) {
     EXPECT_TRUE(ordered);
     EXPECT_GT(clocks, 8 * 100);
     EXPECT_EQ(clocks % 8, 0);
-    EXPECT_FALSE(sim::SimBoard(boards::st7735_128x160).record_vcd("/no/such/folder/x.vcd"));
+    EXPECT_NE(sim::SimBoard(boards::st7735_128x160).record_vcd("/no/such/folder/x.vcd"), "");
     std::remove(path.c_str());
 }
 

@@ -49,8 +49,17 @@ class SimBoard {
     /// The processor works for a while (virtual time).
     void pass(Time ns);
 
-    /// Records the wires from here on; false when the file cannot be written.
-    bool record_vcd(const std::string& path);
+    /// Records the wires from here on, in a file of at most so many bytes; 0: half a gigabyte. Empty, or why
+    /// the file cannot be written.
+    std::string record_vcd(const std::string& path, std::uint64_t most_bytes = 0);
+    /// The file is whole and has its name, as it also has when the board goes. `error` is empty, or says what
+    /// went wrong; `full`: the limit was reached, and the dump ends at `end`.
+    struct Recorded {
+        std::string error;
+        bool full = false;
+        Time end = 0;
+    };
+    Recorded end_vcd();
     /// The next transfer fails this way.
     void fail_next(hal::Fault fault);
     /// The wire loses byte n counted from now.
