@@ -230,7 +230,8 @@ void small_sprites(const Column& column, int phase) {
     glEnable(GL_BLEND);
     glBindTexture(GL_TEXTURE_2D, ball_texture);
     glColor4f(1.0f, 1.0f, 1.0f, 0.9f);
-    for (int i = 0, x = phase % 20; i < 3 && x + size <= column.width; ++i, x += size + 2)
+    const int free = column.width - 3 * (size + 2), wander = free > 0 ? free / 2 - 10 : 0;
+    for (int i = 0, x = phase % 20 + most(0, wander); i < 3 && x + size <= column.width; ++i, x += size + 2)
         sprite(static_cast<float>(column.left + x), static_cast<float>(column.top), static_cast<float>(size));
 }
 

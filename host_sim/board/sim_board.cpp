@@ -35,12 +35,19 @@ hal::Bus& SimBoard::bus() {
 }
 
 Image SimBoard::glass() const {
+    Image image = scan_out();
+    if (parts_->controller->mount().round)
+        hide_corners(image);
+    return image;
+}
+
+Image SimBoard::scan_out() const {
     Controller& c = *parts_->controller;
     parts_->bus.settle();
     // Two refreshes later the glass shows what the memory holds.
     parts_->bus.pass(2 * c.refresh_time());
-    const Image seen = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
-    return upright(seen, parts_->board.display.orientation);
+    const Image scanned = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
+    return upright(scanned, parts_->board.display.orientation);
 }
 
 Image SimBoard::memory() const {

@@ -28,11 +28,11 @@ hal::PanelConfig config_of(const bringup::Attached& on, const bringup::Guess& gu
 }
 
 /// Sets up a display and shows the card on it, with this much wrong; empty, or why not.
-std::string show_on(hal::Display& display, const bringup::Wrong& wrong) {
+std::string show_on(hal::Display& display, bool round, const bringup::Wrong& wrong) {
     if (const auto ready = display.init(); !ready)
         return ready.error().rule;
     const hal::DisplayInfo info = display.info();
-    const auto sent = bringup::show(display, bringup::card(info.width, info.height), wrong.swapped);
+    const auto sent = bringup::show(display, bringup::card(info.width, info.height, round), wrong.swapped);
     const auto shown = sent ? display.finish() : sent;
     return shown ? "" : shown.error().rule;
 }
@@ -40,10 +40,10 @@ std::string show_on(hal::Display& display, const bringup::Wrong& wrong) {
 /// The card as `guess` has it; empty, or why not.
 std::string show_card(const bringup::Attached& on, const bringup::Guess& guess, const bringup::Wrong& wrong) {
     if (on.display != nullptr)
-        return show_on(*on.display, wrong);
+        return show_on(*on.display, false, wrong);
     bringup::SpoiltBus bus(*on.bus, wrong.line);
     bringup::Stand stand(bus, config_of(on, guess));
-    return show_on(stand.display(), wrong);
+    return show_on(stand.display(), guess.panel.round, wrong);
 }
 
 /// Only a simulated glass can be looked at.

@@ -34,8 +34,11 @@ class SimBoard {
     hal::Bus& bus();
 
     /// What the user sees, upright: the glass after the panel was sent all that is on the wire and has
-    /// scanned its memory out. Looking takes that time and two refreshes (virtual).
+    /// scanned its memory out. Looking takes that time and two refreshes (virtual). Beside round glass the
+    /// picture is transparent black: alpha 0.
     Image glass() const;
+    /// The same with what round glass hides: the whole rectangle that the controller scans out.
+    Image scan_out() const;
     /// The controller's whole frame memory as MADCTL 00h addresses it.
     Image memory() const;
 
