@@ -1,4 +1,6 @@
-// HUD: what a dashboard draws. A round gauge with a needle, bars, text, and blended sprites.
+// HUD: what a dashboard draws. A round gauge with a needle, bars, text, and blended sprites. Pictures with
+// less room than 320x240 get a layout of their own, on black, whose text is whole pixels: it can be read in
+// one colour, too.
 #include "boards/scenes/font.hpp"
 #include "boards/scenes/scene.hpp"
 #include "boards/scenes/textures.hpp"
@@ -119,6 +121,158 @@ Digits digits(int value) {
              static_cast<char>('0' + value % 10), '\0'}};
 }
 
+// --- Where there is little room
+
+/// Whether the layout for large pictures would have to shrink its text or cut something off.
+bool has_little_room() {
+    return screen_height < 200.0f || 3.0f * screen_width < 4.0f * screen_height;
+}
+
+constexpr int glyph_width = 6, line_height = 9; // of the font, with the space around
+
+/// A rectangle of the screen in pixels, filled from the top.
+struct Column {
+    int left, top, width, height;
+
+    void take(int rows) {
+        top += rows;
+        height -= rows;
+    }
+};
+
+int least(int a, int b) {
+    return a < b ? a : b;
+}
+int most(int a, int b) {
+    return a < b ? b : a;
+}
+
+void set_text() {
+    glEnable(GL_TEXTURE_2D);
+    glEnable(GL_BLEND);
+    glBindTexture(GL_TEXTURE_2D, font_texture);
+    glColor3f(1.0f, 1.0f, 1.0f);
+}
+void set_shapes() {
+    glDisable(GL_TEXTURE_2D);
+    glDisable(GL_BLEND);
+}
+
+void write(int x, int y, int scale, const char* text) {
+    set_text();
+    draw_text(static_cast<float>(x), static_cast<float>(y), static_cast<float>(scale), text);
+}
+/// In the middle of the column, which it takes from.
+void write_line(Column& column, int scale, int letters, const char* text) {
+    if (column.height < 7 * scale || column.width < letters * glyph_width * scale)
+        return;
+    write(column.left + (column.width - letters * glyph_width * scale) / 2, column.top, scale, text);
+    column.take(line_height * scale);
+}
+
+/// A frame, and as much of it filled as `value` says: it is seen without shades.
+void framed_bar(int x, int y, int w, int h, float value) {
+    const float left = static_cast<float>(x), top = static_cast<float>(y), right = static_cast<float>(x + w),
+                bottom = static_cast<float>(y + h), full = left + (right - left) * value;
+    set_shapes();
+    glColor3f(1.0f, 1.0f, 1.0f);
+    glBegin(GL_LINE_LOOP);
+    glVertex2f(left + 0.5f, top + 0.5f);
+    glVertex2f(right - 0.5f, top + 0.5f);
+    glVertex2f(right - 0.5f, bottom - 0.5f);
+    glVertex2f(left + 0.5f, bottom - 0.5f);
+    glEnd();
+    glBegin(GL_QUADS);
+    glColor3f(0.4f, 1.0f, 0.6f);
+    glVertex2f(left, top);
+    glVertex2f(left, bottom);
+    glColor3f(1.0f, 0.9f, 0.4f);
+    glVertex2f(full, bottom);
+    glVertex2f(full, top);
+    glEnd();
+}
+/// Three letters, and a bar beside them.
+void bar_line(Column& column, int scale, const char* name, float value) {
+    const int label = 3 * glyph_width * scale;
+    if (column.height < 7 * scale || column.width < label + 8)
+        return;
+    write(column.left, column.top, scale, name);
+    framed_bar(column.left + label, column.top, column.width - label, 7 * scale, value);
+    column.take(line_height * scale);
+}
+
+/// The gauge fills this square.
+void small_gauge(const Column& square, int speed) {
+    static constexpr GLfloat low[3] = {0.4f, 1.0f, 0.6f}, high[3] = {1.0f, 0.55f, 0.45f};
+    const float size = static_cast<float>(square.width), radius = 0.48f * size;
+    const Point centre = {static_cast<float>(square.left) + 0.5f * size,
+                          static_cast<float>(square.top) + 0.54f * size};
+    const float ring = radius * 0.14f < 2.0f ? radius - 2.0f : radius * 0.86f;
+    set_shapes();
+    arc(centre, ring, radius, 60, 180, low, high);
+    if (radius > 24.0f)
+        ticks(centre, radius * 0.7f, radius * 0.82f);
+    const Point d = circle[static_cast<unsigned>((60 + speed) % steps)];
+    const float length = 0.8f * radius, w = length * 0.06f < 1.0f ? 1.0f : length * 0.06f;
+    glColor3f(1.0f, 0.75f, 0.65f);
+    glBegin(GL_TRIANGLES);
+    glVertex2f(centre.x + length * d.x, centre.y + length * d.y);
+    glVertex2f(centre.x + w * d.y, centre.y - w * d.x);
+    glVertex2f(centre.x - w * d.y, centre.y + w * d.x);
+    glEnd();
+}
+
+void small_sprites(const Column& column, int phase) {
+    const int size = least(column.height, 24);
+    if (size < 8)
+        return;
+    glEnable(GL_TEXTURE_2D);
+    glEnable(GL_BLEND);
+    glBindTexture(GL_TEXTURE_2D, ball_texture);
+    glColor4f(1.0f, 1.0f, 1.0f, 0.9f);
+    const int free = column.width - 3 * (size + 2), wander = free > 0 ? free / 2 - 10 : 0;
+    for (int i = 0, x = phase % 20 + most(0, wander); i < 3 && x + size <= column.width; ++i, x += size + 2)
+        sprite(static_cast<float>(column.left + x), static_cast<float>(column.top), static_cast<float>(size));
+}
+
+/// The gauge at the left, or on top where the picture is not much wider than high; the rest beside or below
+/// it. What does not fit any more is left out: of 96x16 pixels the gauge.
+void draw_small(int phase, int speed) {
+    const int width = static_cast<int>(screen_width), height = static_cast<int>(screen_height);
+    const bool beside = 5 * width >= 7 * height, has_gauge = height >= 24;
+    Column rest = {0, 0, width, height};
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Digits number = digits(speed);
+    bool numbered = false;
+    if (has_gauge) {
+        const int side = beside ? height : least(width, height * 3 / 5);
+        const Column square = {beside ? 0 : (width - side) / 2, 0, side, side};
+        // On round glass the corners are not seen: what is below keeps away from them.
+        rest = beside ? Column{side + 2, 2, width - side - 4, height - 2}
+                      : Column{width / 8, side + 2, width - width / 4, height - side - 2};
+        small_gauge(square, speed);
+        numbered = side >= 80 || rest.width < 6 * glyph_width;
+        if (numbered) {
+            const int scale = side < 80 ? 1 : side / 40, letters = 3 * glyph_width * scale;
+            write(square.left + (side - letters) / 2, square.top + side * 3 / 4, scale, number.text);
+        }
+    }
+    const int scale = most(1, least(rest.width / 64, rest.height / 44));
+    if (!numbered && rest.height < 24) { // beside the bars
+        write(rest.left, rest.top, 2, number.text);
+        rest = {rest.left + 38, rest.top, rest.width - 38, rest.height};
+    } else if (!numbered)
+        write_line(rest, 2 * scale, 3, number.text);
+    bar_line(rest, scale, "PWR", static_cast<float>(speed) / 120.0f);
+    bar_line(rest, scale, "BAT", 1.0f - static_cast<float>(phase) / 240.0f);
+    if (rest.width < 12 * glyph_width * scale)
+        write_line(rest, scale, 6, "214 KM");
+    else
+        write_line(rest, scale, 12, "RANGE 214 KM");
+    small_sprites(rest, phase);
+}
+
 void draw(int frame) {
     static constexpr GLfloat green[3] = {0.1f, 0.8f, 0.4f}, red[3] = {0.95f, 0.25f, 0.15f};
     static constexpr GLfloat dark[3] = {0.08f, 0.1f, 0.14f}, darker[3] = {0.05f, 0.06f, 0.1f};
@@ -127,6 +281,8 @@ void draw(int frame) {
     const float radius = (screen_width < screen_height ? screen_width : screen_height) * 0.4f;
     const int phase = frame % 120, speed = phase < 60 ? 2 * phase : 2 * (120 - phase); // 0..120..0
 
+    if (has_little_room())
+        return draw_small(phase, speed);
     glClear(GL_COLOR_BUFFER_BIT);
     glDisable(GL_TEXTURE_2D);
     glDisable(GL_BLEND);

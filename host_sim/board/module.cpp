@@ -1,5 +1,6 @@
 #include "host_sim/board/module.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -63,6 +64,7 @@ GlassMount mount_of(const hal::PanelDesc& panel) {
     m.mirror_rows = (panel.mount & 0x80) != 0;
     m.bgr_filter = panel.order == hal::ColorOrder::bgr;
     m.normally_inverted = panel.inverted;
+    m.round = panel.round;
     return m;
 }
 
@@ -78,6 +80,21 @@ Image picture_of(const std::vector<Rgb666>& pixels, int width, int height) {
             to[2] = eight(p.b);
         }
     return out;
+}
+
+Image seen(Controller& controller, Time now) {
+    const GlassMount& mount = controller.mount();
+    Image glass = picture_of(controller.glass(now), mount.width, mount.height);
+    if (mount.round)
+        hide_corners(glass);
+    return glass;
+}
+
+void hide_corners(Image& glass) {
+    for (int y = 0; y < glass.height; ++y)
+        for (int x = 0; x < glass.width; ++x)
+            if (!on_disc(x, y, glass.width, glass.height))
+                std::fill_n(glass.at(x, y), 4, std::uint8_t{0});
 }
 
 Image upright(const Image& glass, hal::Orientation o) {

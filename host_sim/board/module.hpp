@@ -19,6 +19,11 @@ Chip chip_of(const hal::PanelDesc& panel);
 /// How the module is built.
 GlassMount mount_of(const hal::PanelDesc& panel);
 Image picture_of(const std::vector<Rgb666>& pixels, int width, int height);
+/// What the glass shows now, as the module is held with its controller's first row up. Around round glass the
+/// picture is transparent.
+Image seen(Controller& controller, Time now);
+/// Transparent black where a disc that fills the picture does not reach.
+void hide_corners(Image& glass);
 /// The picture as it was drawn: turned back, then mirrored back.
 Image upright(const Image& glass, hal::Orientation o);
 

@@ -1,71 +1,12 @@
 #include <spangle/sim/board.hpp>
 
-#include <vector>
+#include <utility>
 
-#include <spangle/hal/panel_display.hpp>
-
+#include "host_sim/board/bookkeeping.hpp"
 #include "host_sim/board/module.hpp"
 #include "host_sim/bus/sim_bus.hpp"
 
 namespace spangle::sim {
-
-namespace {
-
-/// The memory PanelDisplay asks its owner for.
-struct Bookkeeping {
-    static constexpr std::size_t list = 2048; ///< one for any frame
-    std::vector<RowSpan> touched, damage, turned, held, content[2];
-    std::vector<std::uint16_t> plan;
-    std::vector<hal::Op> ops = std::vector<hal::Op>(list);
-    std::vector<hal::OpParams> params = std::vector<hal::OpParams>(list);
-    std::vector<std::uint32_t> hashes, changed;
-    std::vector<hal::SpanWindow> windows;
-    std::unique_ptr<hal::Palette> palette;
-    std::int32_t height;
-    std::uint8_t buffers;
-
-    explicit Bookkeeping(const hal::PanelConfig& config)
-        : height(hal::book_height(config)), buffers(config.buffers) {
-        const auto n = static_cast<std::size_t>(height);
-        if (config.row_hash) {
-            hashes.resize(n * static_cast<std::size_t>(hal::RowHash::cells_of(hal::sent_size(config).width)));
-            changed.resize(n);
-            windows.resize(hal::RowHashMemory::window_count);
-        }
-        for (std::vector<RowSpan>* v : {&touched, &damage, &turned, &held})
-            v->resize(n);
-        for (std::vector<RowSpan>& v : content)
-            v.resize(static_cast<std::size_t>(hal::picture_size(config).height));
-        plan.resize(n);
-        if (is_indexed(config.format))
-            palette = std::make_unique<hal::Palette>();
-    }
-    hal::RowHashMemory hash_memory() {
-        if (hashes.empty())
-            return {};
-        return {hashes.data(), changed.data(), windows.data(), static_cast<std::int32_t>(hashes.size()),
-                &hal::row_hash_code};
-    }
-    hal::PanelMemory memory() {
-        return {touched.data(),
-                damage.data(),
-                {content[0].data(), content[buffers - 1].data()},
-                static_cast<std::int32_t>(content[0].size()),
-                plan.data(),
-                height,
-                buffers,
-                ops.data(),
-                params.data(),
-                ops.size(),
-                hash_memory(),
-                turned.data(),
-                &hal::turn,
-                held.data(),
-                palette.get()};
-    }
-};
-
-} // namespace
 
 struct SimBoard::Parts {
     hal::Board board;
@@ -81,7 +22,9 @@ struct SimBoard::Parts {
 };
 
 SimBoard::SimBoard(const hal::Board& board) : parts_(std::make_unique<Parts>(board)) {}
-SimBoard::~SimBoard() = default;
+SimBoard::~SimBoard() {
+    end_vcd();
+}
 
 hal::Display& SimBoard::display() {
     return parts_->display;
@@ -92,12 +35,19 @@ hal::Bus& SimBoard::bus() {
 }
 
 Image SimBoard::glass() const {
+    Image image = scan_out();
+    if (parts_->controller->mount().round)
+        hide_corners(image);
+    return image;
+}
+
+Image SimBoard::scan_out() const {
     Controller& c = *parts_->controller;
     parts_->bus.settle();
     // Two refreshes later the glass shows what the memory holds.
     parts_->bus.pass(2 * c.refresh_time());
-    const Image seen = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
-    return upright(seen, parts_->board.display.orientation);
+    const Image scanned = picture_of(c.glass(parts_->bus.now()), c.mount().width, c.mount().height);
+    return upright(scanned, parts_->board.display.orientation);
 }
 
 Image SimBoard::memory() const {
@@ -130,10 +80,24 @@ void SimBoard::pass(Time ns) {
     parts_->bus.pass(ns);
 }
 
-bool SimBoard::record_vcd(const std::string& path) {
-    parts_->vcd = std::make_unique<VcdFile>(path, parts_->board.bus == hal::BusKind::i8080);
+std::string SimBoard::record_vcd(const std::string& path, std::uint64_t most_bytes) {
+    end_vcd();
+    auto vcd = std::make_unique<VcdFile>(path, parts_->board.bus,
+                                         most_bytes != 0 ? most_bytes : VcdFile::usual_limit);
+    if (!vcd->problem().empty())
+        return vcd->problem();
+    parts_->vcd = std::move(vcd);
     parts_->bus.listen(parts_->vcd.get());
-    return parts_->vcd->good();
+    return "";
+}
+
+SimBoard::Recorded SimBoard::end_vcd() {
+    const std::unique_ptr<VcdFile> vcd = std::move(parts_->vcd);
+    parts_->bus.listen(nullptr);
+    if (vcd == nullptr)
+        return {};
+    const Time end = vcd->end();
+    return {vcd->commit(), vcd->is_full(), end};
 }
 
 void SimBoard::fail_next(hal::Fault fault) {

@@ -22,6 +22,7 @@
 #include "host_sim/boards/player.hpp"
 #include "host_sim/boards/screen.hpp"
 #include "host_sim/boards/wires.hpp"
+#include "host_sim/output/output.hpp"
 
 namespace {
 
@@ -53,6 +54,10 @@ const Twin* find(const std::string& name) {
     return nullptr;
 }
 
+void print(const std::string& line) {
+    sim::standard_output().write(line + "\n");
+}
+
 int fail(const std::string& text) {
     std::fprintf(stderr, "spangle_twin: %s\n", text.c_str());
     return 1;
@@ -62,8 +67,10 @@ int play(const Twin& twin, int frames, const Words& scenes) {
     const std::unique_ptr<sim::Desk> desk = twin.make();
     const std::string problem = sim::play(*desk, scenes, frames, [](const sim::PlayedFrame& frame) {
         if (frame.index == 0)
-            std::printf("scene %s\n", frame.scene.id);
-        std::printf("frame %08" PRIx32 " %" PRIu32 "\n", frame.hash, frame.fragments);
+            print(std::string("scene ") + frame.scene.id);
+        char line[64];
+        std::snprintf(line, sizeof line, "frame %08" PRIx32 " %" PRIu32, frame.hash, frame.fragments);
+        print(line);
     });
     return problem.empty() ? 0 : fail(problem);
 }
@@ -82,14 +89,16 @@ class Comparison {
             const bool there = look(++seen, shown);
             if (!there || !same(shown, desk_->glass())) {
                 ++wrong;
-                std::printf("%s: frame %d %s\n", frame.scene.id, frame.index,
-                            there ? "looks different" : "was not seen");
+                print(std::string(frame.scene.id) + ": frame " + std::to_string(frame.index) + " " +
+                      (there ? "looks different" : "was not seen"));
             }
-            if (!pictures_.empty() && frame.index + 1 == frames_)
-                sim::write_png(shown, pictures_ + "-" + frame.scene.id + ".png");
+            if (!pictures_.empty() && frame.index + 1 == frames_ && unwritten_.empty())
+                unwritten_ = sim::write_png(shown, pictures_ + "-" + frame.scene.id + ".png");
         });
         if (!problem.empty())
             return fail(problem);
+        if (!unwritten_.empty())
+            return fail(unwritten_);
         return wrong == 0 ? 0 : 1;
     }
     PixelFormat format() { return desk_->display().info().format; }
@@ -97,7 +106,7 @@ class Comparison {
   private:
     std::unique_ptr<sim::Desk> desk_;
     int frames_;
-    std::string pictures_;
+    std::string pictures_, unwritten_;
 };
 
 int replay(const Twin& twin, int frames, const Words& words) {
@@ -125,9 +134,9 @@ int replay(const Twin& twin, int frames, const Words& words) {
         },
         [](const sim::Image& shown, const sim::Image& glass) { return shown == glass; });
     if (!panel.at_end())
-        std::printf("the program sent more than its frames\n");
+        print("the program sent more than its frames");
     const std::string violations = panel.violations();
-    std::fputs(violations.c_str(), stdout);
+    sim::standard_output().write(violations);
     return status != 0 || !panel.at_end() || !violations.empty() ? 1 : 0;
 }
 
@@ -149,10 +158,7 @@ int screens(const Twin& twin, int frames, const Words& words) {
         [&](const sim::Image& shown, const sim::Image& glass) { return sim::shows(shown, glass, format); });
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-    const Words words(argv + 1, argv + argc);
+int run(const Words& words) {
     const Twin* const twin = words.size() < 4 ? nullptr : find(words[1]);
     if (twin == nullptr)
         return fail(words.size() < 4 ? "usage: spangle_twin play|replay|screens BOARD FRAMES ..."
@@ -166,4 +172,12 @@ int main(int argc, char** argv) {
     if (words[0] == "screens" && rest.size() > 3)
         return screens(*twin, frames, rest);
     return fail("no command '" + words[0] + "', or too few words");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const int status = run(Words(argv + 1, argv + argc));
+    const std::string lost = sim::standard_output().commit();
+    return lost.empty() ? status : fail(lost);
 }

@@ -151,9 +151,7 @@ bool WiredPanel::at_end() const {
 
 Image WiredPanel::glass() {
     now_ += 2 * controller_->refresh_time();
-    const GlassMount& mount = controller_->mount();
-    return upright(picture_of(controller_->glass(now_), mount.width, mount.height),
-                   board_.display.orientation);
+    return upright(seen(*controller_, now_), board_.display.orientation);
 }
 
 std::string WiredPanel::violations() const {

@@ -65,20 +65,38 @@ void put_narrow(const hal::Frame& frame, PixelFormat format, const sim::Image& p
         }
 }
 
+/// The outermost pixels that are seen.
+void frame(sim::Image& image, bool round) {
+    const auto is_seen = [&](int x, int y) {
+        const bool inside = x >= 0 && y >= 0 && x < image.width && y < image.height;
+        return inside && (!round || sim::on_disc(x, y, image.width, image.height));
+    };
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const bool within =
+                is_seen(x - 1, y) && is_seen(x + 1, y) && is_seen(x, y - 1) && is_seen(x, y + 1);
+            if (is_seen(x, y) && !within)
+                fill(image, x, y, 1, 1, white);
+        }
+}
+
 } // namespace
 
-sim::Image card(int width, int height) {
+sim::Image card(int width, int height, bool round) {
     sim::Image image(width, height);
-    fill(image, 0, 0, width, height, white);
-    fill(image, 1, 1, width - 2, height - 2, black);
-    const int row = height / 8, scale = std::max(1, std::min(width / 16, height / 32));
+    fill(image, 0, 0, width, height, black);
+    frame(image, round);
+    // Seven tenths of a disc's width are within its square.
+    const int w = round ? width * 7 / 10 : width, h = round ? height * 7 / 10 : height;
+    const int left = (width - w) / 2, top = (height - h) / 2;
+    const int row = h / 8, scale = std::max(1, std::min(w / 16, h / 32));
     // The F stands in the upper half, left of the middle: no turn and no mirror shows the same.
-    letter(image, width / 8, row, std::max(1, std::min(width / 12, height / 20)), letters[3]);
+    letter(image, left + w / 8, top + row, std::max(1, std::min(w / 12, h / 20)), letters[3]);
     const Color colors[] = {red, green, blue};
     for (int i = 0; i < 3; ++i) {
-        const int y = height / 2 + i * row;
-        letter(image, width / 8, y, std::max(1, scale / 2), letters[i]);
-        fill(image, width / 2, y, width / 4 - i * width / 16, row * 3 / 4, colors[i]);
+        const int y = top + h / 2 + i * row;
+        letter(image, left + w / 8, y, std::max(1, scale / 2), letters[i]);
+        fill(image, left + w / 2, y, w / 4 - i * w / 16, row * 3 / 4, colors[i]);
     }
     return image;
 }

@@ -74,8 +74,7 @@ Findings probe(hal::Bus& bus, bool reset) {
     Findings found;
     const hal::BusCaps caps = bus.caps();
     if (caps.read_hz == 0) {
-        found.error =
-            "this bus cannot read: the panel's data output is not wired, or I2C; see docs/gallery.md";
+        found.error = "this bus cannot read: the panel's data output is not wired; see docs/gallery.md";
         return found;
     }
     if (reset)
@@ -102,6 +101,14 @@ Findings probe(hal::Bus& bus, bool reset) {
             found.panels.push_back(panel);
     }
     return found;
+}
+
+std::string i2c_candidates() {
+    std::string text;
+    for (const hal::Board* board : boards::all)
+        if (board->bus == hal::BusKind::i2c)
+            text += fmt::format("could be: {}  (board {})\n", board->display.panel->name, board->name);
+    return text + "the glass tells which: spangle card --i2c DEVICE --board NAME\n";
 }
 
 std::string text_of(const Findings& found) {

@@ -24,5 +24,7 @@ struct Findings {
 /// The panel must have its power and, where the bus has a reset line, is reset. `reset`: whether it has.
 Findings probe(hal::Bus& bus, bool reset);
 std::string text_of(const Findings& findings);
+/// Panels that hang on I2C, a line each: nobody can ask which of them it is.
+std::string i2c_candidates();
 
 } // namespace spangle::bringup

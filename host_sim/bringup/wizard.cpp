@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <spangle/panels.hpp>
 
+#include "host_sim/board/bookkeeping.hpp"
+
 namespace spangle::bringup {
 namespace {
 
@@ -164,15 +166,19 @@ struct Stand::Parts {
     struct Panel final : hal::PanelDisplay {
         using hal::PanelDisplay::PanelDisplay;
     };
-    hal::PanelStorage<1024, 2> storage;
+    sim::Bookkeeping books;
     Panel display;
-    Parts(hal::Bus& bus, const hal::PanelConfig& config) : display(bus, config, storage.memory()) {}
+    Parts(hal::Bus& bus, const hal::PanelConfig& config)
+        : books(config), display(bus, config, books.memory()) {}
 };
 
 Stand::Stand(hal::Bus& bus, const hal::PanelConfig& config) : parts_(std::make_unique<Parts>(bus, config)) {}
 Stand::~Stand() = default;
 
-hal::Display& Stand::display() {
+hal::PanelDisplay& Stand::display() {
+    return parts_->display;
+}
+const hal::PanelDisplay& Stand::display() const {
     return parts_->display;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <spangle/hal/board.hpp>
+#include <spangle/hal/panel_display.hpp>
 
 namespace spangle::bringup {
 
@@ -38,7 +39,8 @@ class Stand {
     ~Stand();
     Stand(const Stand&) = delete;
     Stand& operator=(const Stand&) = delete;
-    hal::Display& display();
+    hal::PanelDisplay& display();
+    const hal::PanelDisplay& display() const;
 
   private:
     struct Parts;

@@ -103,6 +103,7 @@ void SimBus::begin_message(bool data) {
     }
     in_message_ = false;
     constexpr std::uint8_t address = 0x3C << 1, data_follows = 0x40;
+    condition(&Listener::start);
     if (carry(address, false))
         target_.start(wire_);
     else
@@ -115,10 +116,20 @@ void SimBus::end_message() {
     if (!in_message_)
         return;
     in_message_ = false;
-    if (is_i2c())
+    if (is_i2c()) {
         target_.stop(wire_);
-    else
+        condition(&Listener::stop);
+    } else
         chip_select(false);
+}
+
+/// START and STOP of I2C: what UM10204 (table 10) asks to pass around them is a period of the clock each.
+void SimBus::condition(void (Listener::*which)(Time, unsigned)) {
+    const unsigned period = period_ns();
+    if (listener_ != nullptr)
+        (listener_->*which)(wire_, period);
+    wire_ += period;
+    counters_.busy_ns += period;
 }
 
 void SimBus::send(std::uint8_t byte, bool data) {
@@ -129,13 +140,14 @@ void SimBus::send(std::uint8_t byte, bool data) {
 
 /// One byte on the wire; false when the wire lost it.
 bool SimBus::carry(std::uint8_t byte, bool data) {
-    const unsigned period = period_ns(), cycles = is_i2c() ? 9u : 8u / caps_.bits_per_cycle;
+    // An I2C bus's `write_hz` counts the eight bits of a byte only: its nine clocks take as long.
+    const unsigned period = period_ns(), cycles = 8u / caps_.bits_per_cycle;
     // Exact over a whole transfer: a clock's period is seldom a whole number of nanoseconds.
     owed_ += Time(1'000'000'000) * cycles;
     const Time length = owed_ / caps_.write_hz;
     owed_ %= caps_.write_hz;
     if (listener_ != nullptr)
-        listener_->byte(wire_, period, data, byte);
+        listener_->byte(wire_, period, data, byte, counters_.bytes != drop_at_);
     wire_ += length;
     counters_.busy_ns += length;
     if (counters_.bytes++ == drop_at_)

@@ -81,6 +81,7 @@ class SimBus final : public hal::Bus {
     void chip_select(bool selected);
     void begin_message(bool data);
     void end_message();
+    void condition(void (Listener::*which)(Time, unsigned));
     void run(const hal::Op& op);
     void read(const hal::Op& op);
     void wait_line(const hal::Op& op);

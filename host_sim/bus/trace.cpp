@@ -1,72 +1,160 @@
 #include "host_sim/bus/trace.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace spangle::sim {
+namespace {
 
-VcdFile::VcdFile(const std::string& path, bool parallel)
-    : file_(std::fopen(path.c_str(), "w")), parallel_(parallel) {
-    if (file_ == nullptr)
+/// No byte, message or edge takes more of the file than this, and the sentence that ends it fits in, too.
+constexpr std::uint64_t longest_entry = 1024;
+
+} // namespace
+
+VcdFile::VcdFile(const std::string& path, hal::BusKind bus, std::uint64_t most_bytes)
+    : bus_(bus), most_bytes_(most_bytes) {
+    std::fill(std::begin(levels_), std::end(levels_), static_cast<signed char>(-1));
+    problem_ = file_.open(path);
+    if (!problem_.empty())
         return;
-    std::fputs(
-        "$timescale 1ns $end\n$scope module display $end\n$var wire 1 c CS $end\n$var wire 1 d DC $end\n"
-        "$var wire 1 r RST $end\n",
-        file_);
-    std::fputs(parallel_ ? "$var wire 1 w WR $end\n$var wire 8 b D $end\n"
-                         : "$var wire 1 k SCK $end\n$var wire 1 s SDA $end\n",
-               file_);
-    std::fputs("$upscope $end\n$enddefinitions $end\n#0\n1c\n0d\n1r\n", file_);
-    std::fputs(parallel_ ? "1w\nb00000000 b\n" : "0k\n0s\n", file_);
+    write("$timescale 1ns $end\n$scope module display $end\n");
+    // All wires are declared before the first of them has a level.
+    struct Named {
+        char wire;
+        const char* name;
+        bool high;
+    };
+    constexpr Named serial[] = {
+        {cs, "CS", true}, {dc, "DC", false}, {clock, "SCK", false}, {line, "SDA", false}};
+    constexpr Named started[] = {{cs, "CS", true}, {clock, "SCK", false}, {line, "SDA", false}};
+    constexpr Named two[] = {{clock, "SCL", true}, {line, "SDA", true}};
+    constexpr Named wide[] = {{cs, "CS", true},   {dc, "DC", false},  {clock, "WR", true}, {'A', "D0", false},
+                              {'B', "D1", false}, {'C', "D2", false}, {'D', "D3", false},  {'E', "D4", false},
+                              {'F', "D5", false}, {'G', "D6", false}, {'H', "D7", false}};
+    const auto declare = [this](const auto& wires) {
+        for (const Named& w : wires)
+            write(std::string("$var wire 1 ") + w.wire + " " + w.name + " $end\n");
+        write(std::string("$var wire 1 ") + static_cast<char>(rst) +
+              " RST $end\n$upscope $end\n$enddefinitions $end\n#0\n");
+        for (const Named& w : wires)
+            set(w.wire, w.high);
+        set(rst, true);
+    };
+    switch (bus_) {
+    case hal::BusKind::i8080:
+        declare(wide);
+        break;
+    case hal::BusKind::i2c:
+        declare(two);
+        break;
+    case hal::BusKind::spi_start:
+        declare(started);
+        break;
+    default:
+        declare(serial);
+        break;
+    }
 }
 
-VcdFile::~VcdFile() {
-    if (file_ != nullptr)
-        std::fclose(file_);
+/// Whether another entry fits; the first that does not ends the dump with a sentence in it.
+bool VcdFile::room() {
+    if (full_ || !file_.is_open())
+        return false;
+    full_ = file_.size() + longest_entry > most_bytes_;
+    if (full_)
+        write("$comment stopped here: the file has reached its limit $end\n");
+    return !full_;
 }
 
+/// Times never go back: of clocks whose period is no whole number of nanoseconds it is rounded.
 void VcdFile::at(Time t) {
-    if (t != last_)
-        std::fprintf(file_, "#%llu\n", static_cast<unsigned long long>(t));
+    if (t <= last_)
+        return;
+    write("#" + std::to_string(t) + "\n");
     last_ = t;
 }
 
-void VcdFile::byte(Time begin, unsigned period_ns, bool data, std::uint8_t value) {
-    if (file_ == nullptr)
+void VcdFile::set(char wire, bool high) {
+    signed char& level = levels_[static_cast<unsigned char>(wire)];
+    if (level == (high ? 1 : 0))
+        return;
+    level = high ? 1 : 0;
+    const char text[] = {high ? '1' : '0', wire, '\n'};
+    write({text, sizeof text});
+}
+
+/// One bit: the line changes while the clock is low, and stands still while it is high.
+void VcdFile::clocked(Time begin, unsigned period_ns, bool high) {
+    at(begin);
+    set(clock, false);
+    if (is_i2c()) // not with the clock's edge, or it could look like the end of a message
+        at(begin + period_ns / 8);
+    set(line, high);
+    at(begin + period_ns / 2);
+    set(clock, true);
+}
+
+void VcdFile::parallel(Time begin, unsigned period_ns, std::uint8_t value) {
+    set(clock, false);
+    for (int bit = 0; bit < 8; ++bit)
+        set(static_cast<char>(first_line + bit), (value >> bit & 1) != 0);
+    at(begin + period_ns / 2);
+    set(clock, true);
+}
+
+void VcdFile::byte(Time begin, unsigned period_ns, bool data, std::uint8_t value, bool heard) {
+    if (!room())
         return;
     at(begin);
-    if (dc_ != (data ? 1 : 0))
-        std::fprintf(file_, "%dd\n", dc_ = data ? 1 : 0);
-    if (parallel_) {
-        std::fputs("0w\nb", file_);
-        for (int bit = 7; bit >= 0; --bit)
-            std::fputc('0' + (value >> bit & 1), file_);
-        std::fputs(" b\n", file_);
-        at(begin + period_ns / 2);
-        std::fputs("1w\n", file_);
+    if (bus_ == hal::BusKind::spi4 || bus_ == hal::BusKind::i8080)
+        set(dc, data);
+    if (bus_ == hal::BusKind::i8080)
+        return parallel(begin, period_ns, value);
+    for (int bit = 7; bit >= 0; --bit)
+        clocked(begin + static_cast<Time>(7 - bit) * period_ns, period_ns, (value >> bit & 1) != 0);
+    if (is_i2c()) // who heard the byte pulls the line low
+        clocked(begin + Time{8} * period_ns, period_ns, !heard);
+}
+
+/// The line falls while the clock is high (UM10204, 3.1.4).
+void VcdFile::start(Time begin, unsigned period_ns) {
+    if (!room())
         return;
-    }
-    for (int bit = 7; bit >= 0; --bit) {
-        const Time start = begin + static_cast<Time>(7 - bit) * period_ns;
-        at(start);
-        const int level = value >> bit & 1;
-        std::fputs("0k\n", file_);
-        if (level != sda_)
-            std::fprintf(file_, "%ds\n", sda_ = level);
-        at(start + period_ns / 2);
-        std::fputs("1k\n", file_);
-    }
+    at(begin + period_ns / 2);
+    set(line, false);
+}
+
+/// The line rises while the clock is high.
+void VcdFile::stop(Time begin, unsigned period_ns) {
+    if (!room())
+        return;
+    clocked(begin, period_ns, false);
+    at(begin + period_ns * 3 / 4);
+    set(line, true);
 }
 
 void VcdFile::chip_select(Time t, bool selected) {
-    if (file_ == nullptr)
+    if (!room())
         return;
     at(t);
-    std::fputs(selected ? "0c\n" : "1c\n", file_);
+    if (!selected && bus_ != hal::BusKind::i8080)
+        set(clock, false);
+    set(cs, !selected);
 }
 
 void VcdFile::reset(Time t, bool low) {
-    if (file_ == nullptr)
+    if (!room())
         return;
     at(t);
-    std::fputs(low ? "0r\n" : "1r\n", file_);
+    set(rst, !low);
+}
+
+/// Readers take a level for one that lasts until the next moment: without one the last edge would be none.
+std::string VcdFile::commit() {
+    constexpr Time moment = 1000;
+    if (file_.is_open())
+        at(last_ + moment);
+    return file_.commit();
 }
 
 } // namespace spangle::sim

@@ -1,10 +1,6 @@
 #include "host_sim/cli/bake.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +8,7 @@
 
 #include "host_sim/bake/header.hpp"
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/say.hpp"
 
 namespace spangle::cli {
 
@@ -99,13 +96,6 @@ std::string bake_all(const BakeOptions& o, Baked& out) {
                ? fmt::format("nothing of '{}' is left: with {} positions every triangle has lost a corner",
                              o.input, o.positions)
                : "";
-}
-
-std::string write(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    return file ? "" : fmt::format("cannot write '{}': {}", path, std::strerror(errno));
 }
 
 nlohmann::ordered_json to_json(const Baked& b) {
@@ -199,25 +189,30 @@ CLI::App* add_bake(CLI::App& app, BakeOptions& o) {
     return bake;
 }
 
-std::string bake(const BakeOptions& options) {
+int bake(const BakeOptions& options) {
     BakeOptions o = options;
     o.name = bake::identifier_of(o.name.empty() ? fs::path(o.output).stem().string() : o.name);
     if (o.name.empty())
-        return fmt::format("'{}' gives no name for a namespace; use --name", options.output);
+        return refuse(fmt::format("'{}' gives no name for a namespace; use --name", options.output));
+    sim::Output header;
+    if (std::string problem = open(header, "--output", o.output); !problem.empty())
+        return refuse(problem);
+    if (o.json && !claimed().empty())
+        return refuse("--json prints on standard output, which --output takes; name a file for the header");
     Baked baked;
     if (std::string problem = bake_all(o, baked); !problem.empty())
-        return problem;
-    const std::string text = bake::write_header(
-        {o.name, command_of(o), baked.is_model ? &baked.mesh : nullptr, &baked.textures, &baked.translucent});
-    if (std::string problem = write(o.output, text); !problem.empty())
-        return problem;
+        return refuse(problem);
+    header.write(bake::write_header({o.name, command_of(o), baked.is_model ? &baked.mesh : nullptr,
+                                     &baked.textures, &baked.translucent}));
+    if (std::string problem = header.commit(); !problem.empty())
+        return refuse(problem, not_done);
     for (const std::string& note : baked.model.notes)
-        fmt::print(stderr, "{}\n", note);
+        tell(note + "\n");
     if (o.json)
-        fmt::print("{}\n", to_json(baked).dump());
+        print("{}\n", to_json(baked).dump());
     else
-        fmt::print("{}: namespace spangle::baked::{}\n{}", o.output, o.name, to_table(baked, o.cache));
-    return "";
+        print("{}: namespace spangle::baked::{}\n{}", o.output, o.name, to_table(baked, o.cache));
+    return 0;
 }
 
 } // namespace spangle::cli

@@ -23,7 +23,7 @@ struct BakeOptions {
 /// The command with its options.
 CLI::App* add_bake(CLI::App& app, BakeOptions& options);
 
-/// The reason why nothing was written, or "".
-std::string bake(const BakeOptions& options);
+/// Writes the header and prints what it took: the exit status.
+int bake(const BakeOptions& options);
 
 } // namespace spangle::cli

@@ -1,21 +1,23 @@
 // spangle: draws scenes and models on simulated boards and says what it cost.
-#include <cerrno>
-#include <chrono>
-#include <cstring>
+#include <csignal>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "boards/scenes/scene.hpp"
 #include "host_sim/cli/bake.hpp"
+#include "host_sim/cli/bench.hpp"
 #include "host_sim/cli/bringup.hpp"
 #include "host_sim/cli/formats.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/samples.hpp"
-#include "host_sim/cli/session.hpp"
+#include "host_sim/cli/say.hpp"
 #include <spangle/boards/boards.hpp>
 
 namespace {
@@ -23,13 +25,7 @@ namespace {
 using namespace spangle;
 using cli::Precision;
 
-constexpr int bad_input = 2;
-
-/// One line on standard error, exit status 2.
-int refuse(const std::string& why) {
-    fmt::print(stderr, "spangle: {}\n", why);
-    return bad_input;
-}
+using cli::refuse;
 
 struct NamedPrecision {
     const char* name;
@@ -57,6 +53,14 @@ Precision precision_of(const std::string& name) {
     return Precision::exact;
 }
 
+/// The most accurate one of this build.
+const char* first_tier() {
+    constexpr unsigned exact = 1, balanced = 2;
+    return (SPANGLE_TIER_SET & exact) != 0      ? "exact"
+           : (SPANGLE_TIER_SET & balanced) != 0 ? "balanced"
+                                                : "fast";
+}
+
 /// "320x240", both sides 1 to 2048.
 std::string read_size(const std::string& text, int& width, int& height) {
     char rest = 0;
@@ -66,28 +70,27 @@ std::string read_size(const std::string& text, int& width, int& height) {
     return "";
 }
 
-/// A picture file can be written there: asked before anything is drawn.
-std::string check_writable(const std::string& path) {
-    if (path.empty())
-        return "";
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    std::error_code ignored;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-        return "cannot write '" + path + "': there is no folder " + folder.string();
-    const std::filesystem::path probe = path + ".part";
-    std::FILE* const file = std::fopen(probe.c_str(), "wb");
-    if (file == nullptr)
-        return "cannot write '" + path + "': " + std::strerror(errno);
-    std::fclose(file);
-    std::filesystem::remove(probe, ignored);
-    return "";
-}
+/// The files that a run writes are opened before anything is drawn.
+struct RunFiles {
+    sim::Output shot, difference;
 
-std::string difference_path(const std::string& shot) {
-    const std::filesystem::path p =
-        shot.empty() ? std::filesystem::path("difference.png") : std::filesystem::path(shot);
-    return shot.empty() ? p.string() : (p.parent_path() / (p.stem().string() + "-difference.png")).string();
-}
+    std::string open(const cli::RunOptions& options) {
+        std::string problem = cli::open(shot, "--shot", options.shot);
+        if (problem.empty())
+            problem = cli::open(difference, "--difference", options.difference);
+        if (problem.empty())
+            problem = cli::claim("--vcd", options.vcd);
+        if (problem.empty() && options.json && !cli::claimed().empty())
+            problem =
+                "--json prints on standard output, which " + cli::claimed() + " takes; name a file there";
+        return problem;
+    }
+    std::string write(const cli::RunResult& result) {
+        const std::string problem = shot.is_open() ? cli::finish(shot, result.picture) : "";
+        return !problem.empty() || !difference.is_open() ? problem
+                                                         : cli::finish(difference, result.difference);
+    }
+};
 
 int run_command(cli::RunOptions options, const std::string& size, const std::string& dither) {
     if (options.scene.empty() == options.model.empty())
@@ -97,70 +100,38 @@ int run_command(cli::RunOptions options, const std::string& size, const std::str
         if (const std::string problem = read_size(size, options.width, options.height); !problem.empty())
             return refuse(problem);
     options.dither = dither == "on";
-    for (const std::string& path :
-         {options.shot, options.compare ? difference_path(options.shot) : std::string()})
-        if (const std::string problem = check_writable(path); !problem.empty())
-            return refuse(problem);
+    options.compare = options.compare || !options.difference.empty();
+    RunFiles files;
+    if (const std::string problem = files.open(options); !problem.empty())
+        return refuse(problem);
     const cli::RunResult result = cli::run(options);
     if (!result.error.empty())
         return refuse(result.error);
-    if (!options.shot.empty())
-        if (const std::string problem = sim::write_png(result.picture, options.shot); !problem.empty())
-            return refuse(problem);
-    if (options.compare)
-        if (const std::string problem = sim::write_png(result.difference, difference_path(options.shot));
-            !problem.empty())
-            return refuse(problem);
-    fmt::print(stderr, "{}{}", result.notes, result.violations);
+    cli::tell(result.notes + result.violations);
+    if (!result.unwritten.empty())
+        return refuse(result.unwritten, cli::not_done);
+    if (const std::string problem = files.write(result); !problem.empty())
+        return refuse(problem, cli::not_done);
     if (options.json)
-        fmt::print("{}", cli::to_json(result.report));
+        cli::print_text(cli::to_json(result.report));
     else if (options.stats || options.compare || options.shot.empty())
-        fmt::print("{}", cli::to_table(result.report));
+        cli::print_text(cli::to_table(result.report));
     if (!options.json && !options.shot.empty())
-        fmt::print("picture: {}\n", options.shot);
-    if (!options.json && options.compare)
-        fmt::print("difference: {}\n", difference_path(options.shot));
+        cli::print("picture: {}\n", options.shot);
+    if (!options.json && !options.difference.empty())
+        cli::print("difference: {}\n", options.difference);
     return 0;
 }
 
 int list_scenes() {
     for (const scenes::Scene& scene : scenes::all())
-        fmt::print("{:<6}{}\n", scene.id, scene.title);
+        cli::print("{:<6}{}\n", scene.id, scene.title);
     return 0;
 }
 
 int list_boards() {
     for (const hal::Board* board : boards::all)
-        fmt::print("{:<18}{}\n", board->name, board->summary);
-    return 0;
-}
-
-/// Mean time of a frame; the scene is warm.
-double microseconds_per_frame(const scenes::Scene& scene, Precision precision) {
-    cli::Session session;
-    if (!session.open_picture(320, 240, precision).empty())
-        return 0.0;
-    scene.setup(session.width(), session.height());
-    using Clock = std::chrono::steady_clock;
-    for (int f = 0; f < 3; ++f)
-        scene.draw(f);
-    const auto start = Clock::now();
-    int frames = 0;
-    for (; Clock::now() - start < std::chrono::milliseconds(150); ++frames)
-        scene.draw(frames);
-    return std::chrono::duration<double, std::micro>(Clock::now() - start).count() / frames;
-}
-
-int bench() {
-    fmt::print("Frames of 320x240 off screen, dithered, in this run; `./dev bench` holds them against Mesa "
-               "and counts instructions.\n");
-    fmt::print("{:<6}{:>14}{:>22}{:>18}\n", "scene", "exact us", "balanced, x faster", "fast, x faster");
-    for (const scenes::Scene& scene : scenes::all()) {
-        const double exact = microseconds_per_frame(scene, Precision::exact);
-        fmt::print("{:<6}{:>14.1f}{:>22.2f}{:>18.2f}\n", scene.id, exact,
-                   exact / microseconds_per_frame(scene, Precision::balanced),
-                   exact / microseconds_per_frame(scene, Precision::fast));
-    }
+        cli::print("{:<18}{}\n", board->name, board->summary);
     return 0;
 }
 
@@ -187,35 +158,47 @@ int demo(const std::string& folder) {
             return refuse(result.error);
         const std::string path = folder + "/" + item.file;
         if (const std::string failed = sim::write_png(result.picture, path); !failed.empty())
-            return refuse(failed);
-        fmt::print("{}{}  picture     {}\n\n", result.violations, cli::to_table(result.report), path);
+            return refuse(failed, cli::not_done);
+        cli::print("{}{}  picture     {}\n\n", result.violations, cli::to_table(result.report), path);
+        sim::standard_output().flush();
     }
     return 0;
 }
 
 /// A picture of a document.
 int draw_sheet(std::string (&draw)(sim::Image&), const std::string& path) {
+    sim::Output file;
+    if (const std::string problem = cli::open(file, "--shot", path); !problem.empty())
+        return refuse(problem);
     sim::Image sheet;
     if (const std::string problem = draw(sheet); !problem.empty())
         return refuse(problem);
-    if (const std::string problem = sim::write_png(sheet, path); !problem.empty())
-        return refuse(problem);
-    fmt::print("picture: {}\n", path);
+    if (const std::string problem = cli::finish(file, sheet); !problem.empty())
+        return refuse(problem, cli::not_done);
+    cli::print("picture: {}\n", path);
     return 0;
 }
 
-/// What names the bus a panel hangs on.
-void add_bus_options(CLI::App& command, bringup::BusOptions& bus) {
-    command.add_option("--board", bus.board, "the simulated board; with a real bus: whose panel it is like")
-        ->capture_default_str();
-    command.add_option("--spidev", bus.spidev, "a real panel behind this spidev");
-    command.add_option("--dc", bus.dc, "its D/C line, CHIP:NUMBER; none: 3-wire");
+/// What names the display: a simulated board, or a real one.
+CLI::Option* add_bus_options(CLI::App& command, bringup::BusOptions& bus) {
+    CLI::Option* const board = command.add_option(
+        "--board", bus.board,
+        "the simulated board (ili9341); with a real bus: whose panel it is like (with --i2c: ssd1306-i2c)");
+    command.add_option("--spidev", bus.spidev, "a real panel behind this spidev, as /dev/spidev0.0");
+    command.add_option("--dc", bus.dc, "its D/C line, CHIP:NUMBER as gpiochip0:24; none: 3-wire");
     command.add_option("--reset", bus.reset, "its reset line");
     command.add_option("--light", bus.light, "its backlight's line");
+    command.add_option("--te", bus.te, "its tearing-effect line");
+    command.add_option("--i2c", bus.i2c, "a real panel behind this I2C adapter, as /dev/i2c-1");
+    command.add_option("--address", bus.address, "its address there")
+        ->check(CLI::Range(0x03u, 0x77u))
+        ->default_str("0x3C");
     command.add_flag("--ftdi", bus.ftdi, "a real panel at an FT232H");
-    command.add_option("--usb", bus.usb_file, "that adapter's file in /dev/bus/usb");
-    command.add_option("--hz", bus.hz, "write clock, instead of the board's");
+    command.add_flag("--gud", bus.gud, "a real display on USB that speaks GUD");
+    command.add_option("--usb", bus.usb_file, "that adapter's or display's file in /dev/bus/usb");
+    command.add_option("--hz", bus.hz, "write clock of a real bus, instead of the board's");
     command.add_option("--read-hz", bus.read_hz, "read clock, instead of the board's");
+    return board;
 }
 
 /// The program, but for what nobody can foresee.
@@ -234,7 +217,10 @@ int spangle_main(int argc, char** argv) {
 
     app.add_subcommand("scenes", "list the scenes");
     app.add_subcommand("boards", "list the simulated boards");
-    app.add_subcommand("bench", "time every scene in each precision");
+    bool bench_json = false;
+    CLI::App* const bench_command =
+        app.add_subcommand("bench", "time every scene in each precision: median and quartiles");
+    bench_command->add_flag("--json", bench_json, "print the figures as one JSON object");
     std::string sheet;
     CLI::App* const formats_command =
         app.add_subcommand("formats", "one scene on every format of surfaces, as a picture");
@@ -248,17 +234,20 @@ int spangle_main(int argc, char** argv) {
     demo_command->add_option("--out", folder, "folder for the pictures")->capture_default_str();
 
     cli::RunOptions options;
-    std::string size, dither = "on", precision = "exact";
+    std::string size, dither = "on", precision = first_tier();
     CLI::App* const run = app.add_subcommand("run", "draw a scene or a model");
     run->add_option("scene", options.scene, "id of a scene, see `spangle scenes`");
     run->add_option("--model", options.model, "a model file instead: any format libassimp reads");
-    auto* const board =
-        run->add_option("--board", options.board, "the simulated board")->capture_default_str();
+    CLI::Option* const board = add_bus_options(*run, options.bus);
     run->add_option("--frames", options.frames, "how many frames")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     run->add_option("--size", size, "an off-screen picture of WIDTHxHEIGHT instead of a board")
-        ->excludes(board);
+        ->excludes(board)
+        ->excludes("--spidev")
+        ->excludes("--i2c")
+        ->excludes("--ftdi")
+        ->excludes("--gud");
     run->add_option("--precision", precision,
                     "exact, balanced, fast; double: the reference; shadow, shadow-balanced, shadow-fast: the "
                     "tiers with "
@@ -306,11 +295,20 @@ int spangle_main(int argc, char** argv) {
         ->check(CLI::Range(1, 1 << 25))
         ->capture_default_str()
         ->needs("--bands");
-    run->add_option("--shot", options.shot, "write the last frame as PNG");
-    run->add_flag("--compare", options.compare,
-                  "draw with the double reference too: error figures and a difference picture");
+    run->add_option(
+        "--shot", options.shot,
+        "write the last frame as PNG: the simulated glass, or what was drawn; -: on standard output");
+    run->add_flag("--compare", options.compare, "draw with the double reference too: error figures");
+    run->add_option("--difference", options.difference,
+                    "with --compare: write a picture of where the last frame is another one");
     run->add_flag("--stats", options.stats, "print the figures, memory among them");
-    run->add_option("--vcd", options.vcd, "record the bus for GTKWave or PulseView");
+    run->add_option("--vcd", options.vcd, "record the simulated bus for GTKWave, PulseView or sigrok");
+    run->add_option(
+           "--vcd-limit", options.vcd_limit,
+           "most bytes of that file, as 64MB; where it ends earlier than the run, the run says so (512MB)")
+        ->transform(CLI::AsSizeValue(false))
+        ->check(CLI::PositiveNumber)
+        ->needs("--vcd");
     run->add_flag("--window", options.window, "show the glass, its memory and the bus counters");
     run->add_flag("--json", options.json, "print the figures as one JSON object");
 
@@ -334,24 +332,26 @@ int spangle_main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : bad_input;
+        std::ostringstream words, problems;
+        const int status = app.exit(error, words, problems);
+        cli::print_text(words.str());
+        cli::tell(problems.str());
+        return status == 0 ? 0 : cli::bad_input;
     }
     if (app.got_subcommand("scenes"))
         return list_scenes();
     if (app.got_subcommand("boards"))
         return list_boards();
-    if (app.got_subcommand("bench"))
-        return bench();
+    if (app.got_subcommand(bench_command))
+        return cli::bench(bench_json);
     if (app.got_subcommand(formats_command))
         return draw_sheet(cli::draw_formats, sheet);
     if (app.got_subcommand(samples_command))
         return draw_sheet(cli::draw_samples, sheet);
     if (app.got_subcommand("demo"))
         return demo(folder);
-    if (app.got_subcommand(bake)) {
-        const std::string problem = cli::bake(to_bake);
-        return problem.empty() ? 0 : refuse(problem);
-    }
+    if (app.got_subcommand(bake))
+        return cli::bake(to_bake);
     if (app.got_subcommand(probe))
         return cli::probe(bringup);
     if (app.got_subcommand(card))
@@ -363,11 +363,27 @@ int spangle_main(int argc, char** argv) {
     return run_command(options, size, dither);
 }
 
+/// Where a standard stream is closed, the next file that is opened would take its number and what is meant
+/// for it.
+void hold_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0)
+            (void)open("/dev/null", O_RDONLY); // writing to it is an error, as it should be
+}
+
 } // namespace
 
-int main(int argc, char** argv) try {
-    return spangle_main(argc, argv);
-} catch (const std::exception& problem) {
-    std::fprintf(stderr, "spangle: %s\n", problem.what());
-    return bad_input;
+/// A reader that goes away, or a file that may not grow, is an error like any other: it is told, not died of.
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    hold_standard_streams();
+    int status = cli::bad_input;
+    try {
+        status = spangle_main(argc, argv);
+    } catch (const std::exception& problem) {
+        refuse(problem.what());
+    }
+    const std::string lost = sim::standard_output().commit();
+    return lost.empty() || status != 0 ? status : refuse(lost, cli::not_done);
 }

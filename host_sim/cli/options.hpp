@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "host_sim/bringup/attach.hpp"
+
 namespace spangle::cli {
 
 enum class Precision : std::uint8_t {
@@ -36,19 +38,20 @@ struct BandOptions {
 };
 
 struct RunOptions {
-    std::string scene; ///< id of a scene; empty when a model is drawn
-    std::string model; ///< file of a model; empty when a scene is drawn
-    std::string board = "ili9341";
+    std::string scene;       ///< id of a scene; empty when a model is drawn
+    std::string model;       ///< file of a model; empty when a scene is drawn
+    bringup::BusOptions bus; ///< the board, simulated or real
     int frames = 1;
     int width = 0, height = 0; ///< 0: the board's glass; else an off-screen picture of this size
     Precision precision = Precision::exact;
     bool dither = true;
     PresentOptions present;
     BandOptions bands;
-    std::string shot;     ///< PNG file of the last frame
-    std::string vcd;      ///< trace of the wires
-    std::string log;      ///< text log of the bus
-    bool compare = false; ///< draw with the double reference too
+    std::string shot;            ///< PNG file of the last frame
+    std::string vcd;             ///< trace of the wires
+    std::uint64_t vcd_limit = 0; ///< its most bytes; 0: the usual
+    bool compare = false;        ///< draw with the double reference too
+    std::string difference;      ///< PNG file of what differs from it
     bool stats = false;
     bool window = false;
     bool json = false;

@@ -32,6 +32,8 @@ std::string to_json(const Report& r) {
         out["coverage_unsnapped"] = r.coverage_unsnapped;
         out["coverage_snapping"] = r.coverage_snapping;
     }
+    if (r.measured_fps)
+        out["measured_fps"] = *r.measured_fps;
     if (r.presents)
         out["presents"] = {{"sent", r.presents->sent},     {"put_off", r.presents->put_off},
                            {"led", r.presents->led},       {"lagged", r.presents->lagged},
@@ -64,12 +66,14 @@ std::string to_table(const Report& r) {
                                   r.precision, r.frames, r.frames == 1 ? "" : "s", r.picture_hash);
     out += fmt::format("  per frame   {:>10.0f} triangles  {:>10.0f} fragments\n", per_frame(r.triangles),
                        per_frame(r.fragments));
-    if (r.full_frame_bytes > 0)
-        out += fmt::format("  bus         {:>10.0f} bytes      {:>10.1f} commands   {:.0f} % of a full frame "
-                           "  {:.1f} fps at the bus clock\n",
-                           per_frame(r.bus_bytes), per_frame(r.bus_commands),
-                           100.0 * per_frame(r.bus_bytes) / static_cast<double>(r.full_frame_bytes),
-                           r.fps_at_bus_clock);
+    if (r.bus_bytes > 0)
+        out += fmt::format(
+            "  bus         {:>10.0f} bytes      {:>10.1f} commands   {:.0f} % of a full frame{}\n",
+            per_frame(r.bus_bytes), per_frame(r.bus_commands),
+            100.0 * per_frame(r.bus_bytes) / static_cast<double>(r.full_frame_bytes),
+            r.measured_fps ? "" : fmt::format("   {:.1f} fps at the bus clock", r.fps_at_bus_clock));
+    if (r.measured_fps)
+        out += fmt::format("  display     {:>10.1f} frames a second, measured\n", *r.measured_fps);
     if (r.presents)
         out += fmt::format("  presents    {:>10} sent, {} put off; {} led the beam, {} lagged behind it, {} "
                            "could not but tear; {:.1f} fps\n",

@@ -53,6 +53,7 @@ struct Report {
     std::uint64_t full_frame_bytes = 0;           ///< of one whole frame without commands
     double fps_at_bus_clock = 0.0;                ///< 0 without a board
     double virtual_fps = 0.0;                     ///< of drawing and sending; with `presents`
+    std::optional<double> measured_fps;           ///< of a real display: drawing, sending, and all else
     std::optional<hal::PresentCounters> presents; ///< when the command line said how to present
     std::string picture_hash;                     ///< of the last frame
     std::optional<Memory> memory;                 ///< with --stats

@@ -13,14 +13,14 @@
 
 #include "boards/scenes/scene.hpp"
 #include "gl/egl/reference.hpp"
-#include "host_sim/bringup/attach.hpp"
 #include "host_sim/cli/coverage.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/process_memory.hpp"
+#include "host_sim/cli/say.hpp"
+#include "host_sim/cli/screen.hpp"
 #include "host_sim/cli/session.hpp"
 #include "host_sim/cli/window.hpp"
 #include "raster/span/shadow.hpp"
-#include <spangle/boards/boards.hpp>
 
 namespace spangle::cli {
 
@@ -58,29 +58,6 @@ std::string make_program(const RunOptions& options, Model& model, Program& out) 
     out = {model.name, [&model](int w, int h) { setup_model(model, w, h); },
            [&model](int f) { draw_model(model, f); }};
     return "";
-}
-
-/// The board with other ways to present, or the rule that this breaks.
-std::string present_as(const PresentOptions& options, hal::Board& board) {
-    hal::PanelConfig& display = board.display;
-    display.row_hash = options.row_hash || display.row_hash;
-    if (options.tear_free == "te")
-        display.wait_te = board.has_te = true;
-    if (options.tear_free == "poll")
-        display.poll_line = true;
-    if (options.pacing != "block") {
-        display.pacing = options.pacing == "drop" ? hal::Pacing::drop : hal::Pacing::coalesce;
-        display.buffers = display.wire.converts() ? 1 : 2;
-    }
-    if (options.buffers != 0)
-        display.buffers = static_cast<std::uint8_t>(options.buffers);
-    const bool against_the_scan = hal::scan_order(*display.panel, display.orientation).turns();
-    if (options.tear_free != "off" && against_the_scan && !display.wire.converts() && options.buffers != 1) {
-        display.scan_order = true;
-        display.buffers = 2;
-    }
-    const char* const rule = hal::flaw(board);
-    return rule == nullptr ? "" : std::string(board.name) + ": " + rule;
 }
 
 void start(const Program& program, const Session& session, bool dither) {
@@ -174,7 +151,37 @@ class ShadowSession {
 void progress(int frame, int frames) {
     if (frames < 30 || isatty(STDERR_FILENO) == 0)
         return;
-    fmt::print(stderr, "\rframe {} of {}{}", frame + 1, frames, frame + 1 == frames ? "\r\033[K" : "");
+    tell(fmt::format("\rframe {} of {}{}", frame + 1, frames, frame + 1 == frames ? "\r\033[K" : ""));
+}
+
+/// Triangles that reach a pixel, over frames that were drawn in bands. A band counts those that reach it, so
+/// that the bands of a frame count many of them again and again; the frames are drawn once more as wholes.
+std::string count_whole(const RunOptions& options, const Program& program, int width, int height,
+                        Report& report) {
+    Session session;
+    if (std::string problem = session.open_picture(width, height, options.precision); !problem.empty())
+        return "to count triangles: " + problem;
+    start(program, session, options.dither);
+    raster::Counters counters;
+    session.observe(&counters);
+    report.triangles = 0;
+    for (int f = 0; f < report.frames; ++f) {
+        counters.triangles = 0;
+        program.draw(f);
+        report.triangles += counters.triangles;
+    }
+    return "";
+}
+
+/// What became of the dump of the wires, or nothing.
+void end_vcd(const RunOptions& options, sim::SimBoard& board, RunResult& result) {
+    const sim::SimBoard::Recorded dump = board.end_vcd();
+    result.unwritten = dump.error;
+    if (dump.full && dump.error.empty())
+        result.notes +=
+            fmt::format("{}: stopped at {:.6f} ms, for the file has reached its limit; --vcd-limit "
+                        "sets another\n",
+                        options.vcd, static_cast<double>(dump.end) * 1e-6);
 }
 
 } // namespace
@@ -189,31 +196,20 @@ RunResult run(const RunOptions& options) {
     for (const std::string& note : model.notes)
         result.notes += note + "\n";
 
-    const bool on_board = options.width == 0;
-    const hal::Board* const description = on_board ? bringup::find_board(options.board) : nullptr;
-    if (on_board && description == nullptr) {
-        result.error = "no board '" + options.board + "'; `spangle boards` lists them";
-        return result;
-    }
     if (options.precision == Precision::reference || is_shadow(options.precision))
         egl::use_reference_engines();
-    hal::Board built = on_board ? *description : hal::Board{};
-    built.display.band = options.bands.height;
-    if (on_board)
-        result.error = present_as(options.present, built);
-    if (!result.error.empty())
-        return result;
-    std::unique_ptr<sim::SimBoard> board = on_board ? std::make_unique<sim::SimBoard>(built) : nullptr;
+    Screen screen;
     Session session;
-    result.error = on_board ? session.open_board(*board, options.precision, options.bands)
-                            : session.open_picture(options.width, options.height, options.precision);
+    result.error = screen.open(options, session);
     if (!result.error.empty())
         return result;
-    if (!options.vcd.empty() && (board == nullptr || !board->record_vcd(options.vcd))) {
-        result.error = board == nullptr ? "--vcd records a board's wires; leave out --size"
-                                        : "cannot write '" + options.vcd + "'";
+    sim::SimBoard* const board = screen.simulated();
+    if (!options.vcd.empty())
+        result.error = board == nullptr ? "--vcd records a simulated board's wires; leave out " +
+                                              std::string(screen.presents() ? "the real bus" : "--size")
+                                        : board->record_vcd(options.vcd, options.vcd_limit);
+    if (!result.error.empty())
         return result;
-    }
     start(program, session, options.dither);
 
     raster::Counters counters;
@@ -233,10 +229,8 @@ RunResult run(const RunOptions& options) {
     if (options.window)
         window.open(program.name, session.width(), session.height());
 
-    const sim::BoardCounters before = on_board ? board->counters() : sim::BoardCounters{};
-    const sim::Time started = on_board ? board->now() : 0;
+    screen.start();
     Report& report = result.report;
-    std::string last_hash;
     for (int f = 0; f < options.frames && !window.closed(); ++f) {
         counters.triangles = counters.fragments = 0;
         const bool read = f + 1 == options.frames || options.compare;
@@ -245,10 +239,10 @@ RunResult run(const RunOptions& options) {
             program.draw(f);
             if (read)
                 session.read(result.picture);
-            if (on_board && calls++ == 0)
+            if (board != nullptr && calls++ == 0)
                 board->pass(static_cast<sim::Time>(options.present.draw_ms) * 1'000'000);
         };
-        if (!on_board)
+        if (!screen.presents())
             draw();
         else if (!session.frame(draw)) {
             result.error = session.error();
@@ -262,8 +256,9 @@ RunResult run(const RunOptions& options) {
             session.make_current();
         }
         if (window.is_open())
-            window.show(on_board ? board->glass() : session.read(), on_board ? board->memory() : sim::Image(),
-                        on_board ? board->counters() : sim::BoardCounters{});
+            window.show(board != nullptr ? board->glass() : session.read(),
+                        board != nullptr ? board->memory() : sim::Image(),
+                        board != nullptr ? board->counters() : sim::BoardCounters{});
         progress(f, options.frames);
         ++report.frames;
     }
@@ -273,39 +268,24 @@ RunResult run(const RunOptions& options) {
     }
 
     report.scene = program.name;
-    report.board =
-        on_board ? description->name : fmt::format("off-screen {}x{}", session.width(), session.height());
     report.precision = name_of(options.precision);
     report.picture_hash = sim::hash(result.picture);
-    report.full_frame_bytes =
-        static_cast<std::uint64_t>(session.width()) * static_cast<std::uint64_t>(session.height()) * 2;
-    if (on_board) {
-        if (const auto shown = board->display().finish(); !shown.ok())
-            result.error = shown.error().rule;
-        if (options.present.any())
-            report.presents = board->presents();
-        report.virtual_fps = report.frames / (static_cast<double>(board->now() - started) * 1e-9);
-        const sim::BoardCounters after = board->counters();
-        report.bus_bytes = after.bytes - before.bytes;
-        report.bus_commands = after.commands - before.commands;
-        const double seconds = static_cast<double>(after.busy_ns - before.busy_ns) * 1e-9;
-        report.fps_at_bus_clock = seconds > 0.0 ? report.frames / seconds : 0.0;
+    result.error = screen.finish();
+    screen.describe(options, session, report);
+    if (board != nullptr) {
         result.picture = board->glass();
         result.violations = board->violations_text();
+        end_vcd(options, *board, result);
     }
     shadow.finish(report);
     if (options.stats)
         report.memory = {session.context_bytes(), session.surface_bytes(), memory_use().peak, process_peak()};
-    if (options.bands.height != 0) {
-        const std::size_t record =
-            options.bands.record ? static_cast<std::size_t>(options.bands.record_bytes) : 0;
-        report.bands =
-            BandMemory{hal::bus_memory(built), session.surface_bytes() - record, session.record_peak()};
-    }
     if (options.compare) {
         comparison.finish(report, coverage);
         result.difference = comparison.picture();
     }
+    if (options.bands.height != 0 && result.error.empty())
+        result.error = count_whole(options, program, session.width(), session.height(), report);
     return result;
 }
 

@@ -83,9 +83,9 @@ std::string Session::open(EGLConfig config, const EGLint* window, const EGLint* 
     return "";
 }
 
-std::string Session::open_board(sim::SimBoard& board, Precision precision, const BandOptions& bands) {
+std::string Session::open_display(hal::Display& display, Precision precision, const BandOptions& bands) {
     on_message([](unsigned, const char* text) { last_message() = text; });
-    display_ = eglGetDisplay(native(board.display()));
+    display_ = eglGetDisplay(native(display));
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
     const EGLint window[] = {EGL_BAND_HEIGHT_SPANGLE, bands.height, EGL_BAND_RECORD_SPANGLE,

@@ -1,4 +1,4 @@
-// An EGL session of the command line: one context on a simulated board's window or on an off-screen picture.
+// An EGL session of the command line: one context on a display's window or on an off-screen picture.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include <spangle/EGL/egl.h>
-#include <spangle/sim/board.hpp>
+#include <spangle/hal/display.hpp>
 #include <spangle/sim/image.hpp>
 
 #include "host_sim/cli/options.hpp"
@@ -22,7 +22,7 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     /// Empty, or why it could not be opened.
-    std::string open_board(sim::SimBoard& board, Precision precision, const BandOptions& bands = {});
+    std::string open_display(hal::Display& display, Precision precision, const BandOptions& bands = {});
     std::string open_picture(int width, int height, Precision precision);
 
     bool make_current() const;

@@ -6,6 +6,8 @@
 #include <SDL2/SDL.h>
 #include <fmt/format.h>
 
+#include "host_sim/cli/say.hpp"
+
 namespace spangle::cli {
 
 Window::~Window() {
@@ -26,9 +28,8 @@ void Window::open(const std::string& title, int width, int height) {
         window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
                                    width * scale_ * 2, height * scale_, 0);
     if (window_ == nullptr)
-        fmt::print(stderr,
-                   "spangle: no window, for there is no display to open it on ({}); going on without\n",
-                   SDL_GetError());
+        tell(fmt::format("spangle: no window, for there is no display to open it on ({}); going on without\n",
+                         SDL_GetError()));
 }
 
 namespace {
@@ -44,7 +45,7 @@ void blit(const sim::Image& image, SDL_Surface* to, int x, int room_width, int r
         return;
     const int scale_1000 = std::min(room_width * 1000 / image.width, room_height * 1000 / image.height);
     SDL_Rect area{x, 0, image.width * scale_1000 / 1000, image.height * scale_1000 / 1000};
-    SDL_SetSurfaceBlendMode(from, SDL_BLENDMODE_NONE);
+    SDL_SetSurfaceBlendMode(from, SDL_BLENDMODE_BLEND); // beside round glass the picture is transparent
     SDL_BlitScaled(from, nullptr, to, &area);
     SDL_FreeSurface(from);
 }
@@ -59,7 +60,8 @@ void Window::show(const sim::Image& glass, const sim::Image& memory, const sim::
     SDL_Surface* const screen = SDL_GetWindowSurface(window_);
     if (screen == nullptr)
         return;
-    SDL_FillRect(screen, nullptr, 0);
+    constexpr Uint8 bezel = 40;
+    SDL_FillRect(screen, nullptr, SDL_MapRGB(screen->format, bezel, bezel, bezel));
     blit(glass, screen, 0, screen->w / 2, screen->h);
     blit(memory, screen, screen->w / 2, screen->w / 2, screen->h);
     SDL_SetWindowTitle(window_, fmt::format("{}: glass | controller memory | {} bytes, {} commands", title_,

@@ -21,6 +21,7 @@ struct GlassMount {
     bool mirror_columns = false, mirror_rows = false; ///< seen from the front
     bool bgr_filter = false;                          ///< the colour filter's stripes are blue, green, red
     bool normally_inverted = false;                   ///< IPS: the glass shows the complement unless INVON
+    bool round = false;                               ///< a disc is seen of it
 };
 
 /// 18-bit colour, six bits each.

@@ -91,7 +91,7 @@ bool PanelModule::input(unsigned line, Time now) {
 Image PanelModule::glass(hal::Orientation orientation) {
     Controller& c = *controller_;
     kernel_.advance(2 * c.refresh_time());
-    return upright(picture_of(c.glass(kernel_.now()), c.mount().width, c.mount().height), orientation);
+    return upright(seen(c, kernel_.now()), orientation);
 }
 
 std::string PanelModule::violations_text() const {

@@ -5,15 +5,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 
 #include <png.h>
 
+#include "host_sim/output/output.hpp"
+
 namespace spangle::sim {
 
-std::string write_png(const Image& image, const std::string& path) {
+std::string encode_png(const Image& image, std::string& out) {
     if (image.rgba.empty())
-        return "cannot write '" + path + "': the picture is empty";
+        return "the picture is empty";
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
@@ -32,15 +33,20 @@ std::string write_png(const Image& image, const std::string& path) {
             opaque.insert(opaque.end(), &image.rgba[i], &image.rgba[i] + 3);
         pixels = opaque.data();
     }
-    const std::string unfinished = path + ".part";
-    if (png_image_write_to_file(&png, unfinished.c_str(), 0, pixels, 0, nullptr) == 0) {
-        std::error_code ignored;
-        std::filesystem::remove(unfinished, ignored);
-        return "cannot write '" + path + "': " + png.message;
-    }
-    std::error_code problem;
-    std::filesystem::rename(unfinished, path, problem);
-    return problem ? "cannot write '" + path + "': " + problem.message() : "";
+    png_alloc_size_t size = 0;
+    if (png_image_write_to_memory(&png, nullptr, &size, 0, pixels, 0, nullptr) == 0)
+        return png.message;
+    out.resize(size);
+    if (png_image_write_to_memory(&png, out.data(), &size, 0, pixels, 0, nullptr) == 0)
+        return png.message;
+    out.resize(size);
+    return "";
+}
+
+std::string write_png(const Image& image, const std::string& path) {
+    std::string bytes;
+    const std::string problem = encode_png(image, bytes);
+    return problem.empty() ? write_file(path, bytes) : "cannot write '" + path + "': " + problem;
 }
 
 std::string read_png(const std::string& path, Image& out) {

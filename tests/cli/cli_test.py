@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests the command line as a user meets it.
 
-usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|presents|window|bringup
+usage: cli_test.py SPANGLE accuracy|shadow|errors|outputs|written|presents|bands|window|bringup
 """
 import json
 import os
@@ -127,6 +127,7 @@ def bands():
         rows = int(words[1])
         check(r["bands"]["planes"] >= rows * 320 * 2 and r["bands"]["planes"] < rows * 320 * 2 + 2500, f"{words}: {r['bands']}")
         check(r["bands"]["buffers"] == rows * 320 * 2, f"{words}: {r['bands']}")
+        check((r["triangles"], r["fragments"]) == (whole["triangles"], whole["fragments"]), f"{words}: {r['triangles']} triangles, {r['fragments']} fragments, not those of whole frames, {whole['triangles']}, {whole['fragments']}")
         check(r["bands"]["record"] > record, f"{words}: {r['bands']}") if record else None
     check("of record" in run("run", "S5", "--band-height", "8", "--bands", "record").stdout, "bands in the table")
     for words, advice in ((["--size", "9x9", "--band-height", "8"], "--size excludes --band-height"), (["--bands", "record"], "--bands requires --band-height"),
@@ -185,6 +186,83 @@ def outputs():
         for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
             done = run("run", "S9", "--board", board, "--frames", "2", "--stats", cwd=folder)
             check(done.returncode == 0 and "rule " not in done.stderr, f"{board}: {done.stderr}")
+        # A full frame is what the wire sends of one, whatever its format: the first frame changes every pixel, and commands are few, seven for each of eight pages at most.
+        for board in [line.split()[0] for line in run("boards").stdout.splitlines()]:
+            r = report("S1", "--board", board, cwd=folder)
+            commands = r["bus_bytes"] - r["full_frame_bytes"]
+            check(0 <= commands <= 64, f"{board}: {r['bus_bytes']} bytes for a full frame of {r['full_frame_bytes']}")
+
+
+def written():
+    """Files are whole or as they were, devices and pipes are written to as they are, and what is lost is told in one line."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        check(run("run", "S2", "--compare", cwd=name).returncode == 0 and list(folder.iterdir()) == [], "--compare writes nothing by itself")
+        done = run("run", "S2", "--difference", "d.png", "--shot", "s.png", cwd=name)
+        check(sorted(p.name for p in folder.iterdir()) == ["d.png", "s.png"] and "coverage" in done.stdout, f"--difference compares, and writes there: {done.stderr}")
+        shot = (folder / "s.png").read_bytes()
+        null = os.stat("/dev/null")
+        check(run("run", "S2", "--shot", "/dev/null", "--vcd", "/dev/null").returncode == 0, "to a device")
+        check((os.stat("/dev/null").st_ino, os.stat("/dev/null").st_rdev) == (null.st_ino, null.st_rdev), "the device is the one that was there")
+        for path in ("-", "/dev/stdout", "/dev/fd/1"):
+            piped = subprocess.run([SPANGLE, "run", "S2", "--shot", path], capture_output=True)
+            check(piped.returncode == 0 and piped.stdout == shot, f"--shot {path}: the picture and nothing else on standard output")
+            check(b"picture: " in piped.stderr, "words for people are on standard error then")
+        header = subprocess.run([SPANGLE, "bake", "s.png", "-o", "-", "--name", "shot"], capture_output=True, text=True, cwd=name)
+        check(header.returncode == 0 and header.stdout.startswith("//") and "texture" in header.stderr, f"bake to standard output: {header.stderr}")
+        # Both a picture and figures on one stream are neither.
+        for words in (["--shot", "-", "--vcd", "-"], ["--shot", "-", "--json"], ["--vcd", "/dev/stdout", "--json"], ["--shot", "-", "--difference", "-"]):
+            done = run("run", "S2", *words)
+            check(done.returncode == 2 and "standard output" in done.stderr and done.stdout == "", f"{words}: {done.stderr!r}")
+        # A full device: everything that is written is checked.
+        (folder / "s.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        for words in (["run", "S2", "--shot", "/dev/full"], ["run", "S2", "--vcd", "/dev/full"], ["run", "S2", "--difference", "/dev/full"], ["bake", "s.png", "-o", "/dev/full", "--name", "x"],
+                      ["bake", "s.obj", "-o", "/dev/full", "--name", "x"], ["card", "--shot", "/dev/full"], ["formats", "--shot", "/dev/full"], ["samples", "--shot", "/dev/full"]):
+            done = run(*words, cwd=name)
+            check(done.returncode == 1 and done.stdout == "" and len(done.stderr.splitlines()) == 1, f"{words}: {done.returncode} {done.stderr!r}")
+            check("cannot write '/dev/full': No space left on device; make room" in done.stderr, f"{words}: {done.stderr!r}")
+        with open("/dev/full", "w") as full:
+            for words in (["run", "S2"], ["run", "S2", "--json"], ["scenes"], ["boards"], ["--help"], ["--version"], ["bake", "s.obj", "-o", "s.hpp"], ["card", "--list-wrong"], ["probe"]):
+                done = subprocess.run([SPANGLE, *words], stdout=full, stderr=subprocess.PIPE, text=True, cwd=name)
+                check(done.returncode == 1 and done.stderr == "spangle: cannot write standard output: No space left on device; make room there, or name another place\n",
+                      f"{words} to a full device: {done.returncode} {done.stderr!r}")
+            done = subprocess.run([SPANGLE, "run", "S2"], stdout=subprocess.PIPE, stderr=full, text=True)
+            check(done.returncode == 0 and "S2 on" in done.stdout, "a full standard error disturbs nobody")
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run([SPANGLE, "scenes"], stdout=writer, stderr=subprocess.PIPE, text=True)
+        os.close(writer)
+        check(done.returncode == 1 and "nobody reads it any more" in done.stderr, f"a reader that went: {done.returncode} {done.stderr!r}")
+        done = subprocess.run(f"{SPANGLE} run S2 --shot closed.png >&-", shell=True, capture_output=True, text=True, cwd=name)
+        check(done.returncode == 1 and "standard output" in done.stderr, f"a closed standard output: {done.returncode} {done.stderr!r}")
+        check((folder / "closed.png").read_bytes() == shot, "and the picture is a picture all the same")
+        limited(folder, shot)
+        dumps(folder)
+
+
+def limited(folder, shot):
+    """Where a file cannot be finished the one before it is as it was, and nothing lies beside it."""
+    (folder / "s.png").write_bytes(shot)
+    before = sorted(p.name for p in folder.iterdir())
+    for words in (["run", "S9", "--shot", "s.png"], ["run", "S9", "--vcd", "new.vcd"], ["bake", "s.png", "-o", "new.hpp"]):
+        done = subprocess.run(["prlimit", "--fsize=400", SPANGLE, *words], capture_output=True, text=True, cwd=folder)
+        check(done.returncode == 1 and "make room" in done.stderr and len(done.stderr.splitlines()) == 1, f"{words}: {done.returncode} {done.stderr!r}")
+        check(sorted(p.name for p in folder.iterdir()) == before, f"{words}: nothing half-written is left: {sorted(p.name for p in folder.iterdir())}")
+    check((folder / "s.png").read_bytes() == shot, "the old picture is as it was")
+
+
+def dumps(folder):
+    """A dump that reaches its limit ends there, whole, and the run says when that was."""
+    done = run("run", "S5", "--frames", "3", "--vcd", "bus.vcd", "--vcd-limit", "100kB", cwd=folder)
+    text = (folder / "bus.vcd").read_text()
+    said = [line for line in done.stderr.splitlines() if line.startswith("bus.vcd: stopped at ")]
+    check(done.returncode == 0 and len(said) == 1 and "--vcd-limit" in said[0], f"the run goes on, and says so: {done.stderr!r}")
+    check(len(text) <= 100 * 1024, f"{len(text)} bytes")
+    check("$comment stopped here: the file has reached its limit $end" in text, "the dump says so, too")
+    last = [int(line[1:]) for line in text.splitlines() if line.startswith("#")][-2]  # one more moment shows the last edge
+    check(f"{last / 1e6:.6f} ms" in said[0], f"{said[0]!r} tells the moment, {last} ns")
+    whole = run("run", "S2", "--vcd", "whole.vcd", cwd=folder)
+    check(whole.stderr == "" and "$comment" not in (folder / "whole.vcd").read_text(), "others say nothing")
 
 
 def screen_pixels(path):
@@ -285,7 +363,7 @@ def bringup():
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "presents", "bands", "window", "bringup"):
+    if len(sys.argv) != 3 or sys.argv[2] not in ("accuracy", "shadow", "errors", "outputs", "written", "presents", "bands", "window", "bringup"):
         print(__doc__.strip())
         return 2
     globals()[sys.argv[2]]()

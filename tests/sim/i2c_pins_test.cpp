@@ -1,9 +1,16 @@
 // An I2C target at its two lines: what is a START, a bit, an address, and what is lost.
+#include <cstdio>
+#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <spangle/boards/boards.hpp>
+#include <unistd.h>
 
+#include "host_sim/board/module.hpp"
 #include "host_sim/bus/i2c_pins.hpp"
+#include "host_sim/bus/sim_bus.hpp"
+#include "tests/panel_pattern.hpp"
 
 namespace {
 
@@ -117,6 +124,48 @@ TEST_F(I2cLines, AByteThatIsCutShortIsAStray) {
     stop();
     EXPECT_EQ(heard.text, "[]");
     EXPECT_EQ(pins.strays(), 1u);
+}
+
+/// What a dump says of SCL and SDA is what an I2C target takes for messages: replayed edge by edge it fills
+/// another controller with the same picture.
+TEST(I2cDump, Replays) {
+    const std::string path = testing::TempDir() + "i2c-" + std::to_string(getpid()) + ".vcd";
+    for (const hal::Board* board : {&boards::ssd1306_i2c, &boards::ssd1327_i2c, &boards::sh1106_i2c}) {
+        const auto sent = make_controller(*board->display.panel, board->bus),
+                   again = make_controller(*board->display.panel, board->bus);
+        SimBus bus(*sent, hal::bus_caps(*board));
+        {
+            VcdFile vcd(path, board->bus);
+            bus.listen(&vcd);
+            hal::PanelStorage<128, 1, 2048> storage;
+            struct Panel final : hal::PanelDisplay {
+                using hal::PanelDisplay::PanelDisplay;
+            } display(bus, board->display, storage.memory());
+            ASSERT_TRUE(display.init().ok());
+            ASSERT_TRUE(test::draw_pattern(display, 7));
+            ASSERT_TRUE(display.present().ok());
+            ASSERT_EQ(vcd.commit(), "");
+        }
+        I2cTarget target(*again);
+        I2cPins pins(target, 0x3C);
+        std::ifstream file(path);
+        std::string line;
+        Time now = 0;
+        bool scl = true, sda = true;
+        while (std::getline(file, line)) {
+            if (line[0] == '#')
+                now = std::stoull(line.substr(1));
+            else if (line == "0k" || line == "1k" || line == "0s" || line == "1s") {
+                (line[1] == 'k' ? scl : sda) = line[0] == '1';
+                pins.set(scl, sda, now);
+            } else if (line == "0r" || line == "1r")
+                again->reset(line[0] == '0', now);
+        }
+        EXPECT_EQ(pins.strays(), 0u) << board->name;
+        EXPECT_EQ(again->violations_text(), "") << board->name;
+        EXPECT_EQ(again->cells(), sent->cells()) << board->name;
+    }
+    std::remove(path.c_str());
 }
 
 } // namespace

@@ -192,7 +192,7 @@ TEST_P(NativePanels, ShowTheSurface) {
             }));
             ASSERT_TRUE(sim.display().finish().ok());
             EXPECT_EQ(sim.violations_text(), "");
-            const sim::Image glass = sim.glass();
+            const sim::Image glass = sim.scan_out();
             unsigned lit = 0;
             for (int y = 0; y < size.height; ++y)
                 for (int x = 0; x < size.width; ++x)

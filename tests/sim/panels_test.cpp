@@ -69,7 +69,7 @@ Drawn draw(const scenes::Scene& scene, const hal::Board& board) {
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, info.width, info.height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
     })) << board.name;
-    return {on_the_wire(rgb, info.width, info.height, six_each), same_bits(sim.glass(), six_each),
+    return {on_the_wire(rgb, info.width, info.height, six_each), same_bits(sim.scan_out(), six_each),
             sim.violations_text()};
 }
 

@@ -126,7 +126,7 @@ void expect_scene(const Case& c, const scenes::Scene& scene, hal::Orientation o,
     const std::string where = std::string(scene.id) + ", turned " + std::to_string(90 * int(o.rotation)) +
                               (o.mirrored ? ", mirrored" : "");
     EXPECT_EQ(sim.violations_text(), "") << where;
-    const std::vector<unsigned> seen = steps_on(sim.glass(), c.wire.format),
+    const std::vector<unsigned> seen = steps_on(sim.scan_out(), c.wire.format),
                                 wanted = steps_of(rgb, info.width, info.height, c.wire.format, surface);
     ASSERT_EQ(seen.size(), wanted.size());
     const auto [at, other] = std::mismatch(seen.begin(), seen.end(), wanted.begin());

@@ -462,7 +462,6 @@ inline constexpr auto setup = init_program(
 
 } // namespace gc9a01
 
-/// Round glass: the corners of the picture are written and not seen.
 inline constexpr PanelDesc gc9a01_240x240 = panel({
     .name = "GC9A01 240x240 round",
     .controller = Controller::gc9a01,
@@ -481,6 +480,7 @@ inline constexpr PanelDesc gc9a01_240x240 = panel({
                .porch_lines = 8},
     .identity = {.id = 0x009A01, .pixel_dummy_bits = 16},
     .quirks = {},
+    .round = true,
 });
 
 /// Every panel, as one table.

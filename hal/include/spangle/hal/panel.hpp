@@ -103,6 +103,7 @@ struct PanelDesc {
     PanelTiming timing;
     Identity identity{};
     Quirks quirks{};
+    bool round = false; ///< the glass is a disc: the corners of its rectangle are written and not seen
 };
 
 /// Whether and how the panel takes a wire format on this bus.

@@ -34,8 +34,11 @@ class SimBoard {
     hal::Bus& bus();
 
     /// What the user sees, upright: the glass after the panel was sent all that is on the wire and has
-    /// scanned its memory out. Looking takes that time and two refreshes (virtual).
+    /// scanned its memory out. Looking takes that time and two refreshes (virtual). Beside round glass the
+    /// picture is transparent black: alpha 0.
     Image glass() const;
+    /// The same with what round glass hides: the whole rectangle that the controller scans out.
+    Image scan_out() const;
     /// The controller's whole frame memory as MADCTL 00h addresses it.
     Image memory() const;
 
@@ -49,8 +52,17 @@ class SimBoard {
     /// The processor works for a while (virtual time).
     void pass(Time ns);
 
-    /// Records the wires from here on; false when the file cannot be written.
-    bool record_vcd(const std::string& path);
+    /// Records the wires from here on, in a file of at most so many bytes; 0: half a gigabyte. Empty, or why
+    /// the file cannot be written.
+    std::string record_vcd(const std::string& path, std::uint64_t most_bytes = 0);
+    /// The file is whole and has its name, as it also has when the board goes. `error` is empty, or says what
+    /// went wrong; `full`: the limit was reached, and the dump ends at `end`.
+    struct Recorded {
+        std::string error;
+        bool full = false;
+        Time end = 0;
+    };
+    Recorded end_vcd();
     /// The next transfer fails this way.
     void fail_next(hal::Fault fault);
     /// The wire loses byte n counted from now.

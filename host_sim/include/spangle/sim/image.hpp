@@ -26,8 +26,17 @@ struct Image {
     friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// Empty on success, else what went wrong. The file is whole or not there.
+/// Whether a pixel's centre lies on the disc, or ellipse, that fills a picture: what is seen of round glass.
+constexpr bool on_disc(int x, int y, int width, int height) {
+    const std::int64_t w = width, h = height, u = (2 * x + 1 - w) * h, v = (2 * y + 1 - h) * w;
+    return u * u + v * v <= w * h * w * h;
+}
+
+/// Empty on success, else what went wrong. A regular file is whole or as it was before; devices and pipes are
+/// written to as they are, and "-" is standard output.
 std::string write_png(const Image& image, const std::string& path);
+/// The bytes of that file.
+std::string encode_png(const Image& image, std::string& out);
 std::string read_png(const std::string& path, Image& out);
 
 /// Sixteen hexadecimal digits that name the picture: the same on every machine.

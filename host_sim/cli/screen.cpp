@@ -1,0 +1,139 @@
+#include "host_sim/cli/screen.hpp"
+
+#include <fmt/format.h>
+
+namespace spangle::cli {
+namespace {
+
+/// The board with other ways to present, or the rule that this breaks.
+std::string present_as(const PresentOptions& options, hal::Board& board) {
+    hal::PanelConfig& display = board.display;
+    display.row_hash = options.row_hash || display.row_hash;
+    if (options.tear_free == "te")
+        display.wait_te = board.has_te = true;
+    if (options.tear_free == "poll")
+        display.poll_line = true;
+    if (options.pacing != "block") {
+        display.pacing = options.pacing == "drop" ? hal::Pacing::drop : hal::Pacing::coalesce;
+        display.buffers = display.wire.converts() ? 1 : 2;
+    }
+    if (options.buffers != 0)
+        display.buffers = static_cast<std::uint8_t>(options.buffers);
+    const bool against_the_scan = hal::scan_order(*display.panel, display.orientation).turns();
+    if (options.tear_free != "off" && against_the_scan && !display.wire.converts() && options.buffers != 1) {
+        display.scan_order = true;
+        display.buffers = 2;
+    }
+    const char* const rule = hal::flaw(board);
+    return rule == nullptr ? "" : std::string(board.name) + ": " + rule;
+}
+
+/// A whole frame as it travels, without commands.
+std::uint64_t frame_bytes(const hal::PanelConfig& display) {
+    const hal::Extent size = hal::sent_size(display);
+    if (!display.wire.converts())
+        return static_cast<std::uint64_t>(row_bytes(display.format, size.width)) *
+               static_cast<std::uint64_t>(stored_rows(display.format, size.height));
+    const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+    return (pixels * hal::wire_info(display.wire.format).bits + 7) / 8;
+}
+
+/// What only a panel has, asked of a display that brings its own.
+std::string without_panel(const RunOptions& options) {
+    if (options.present.any())
+        return "--gud presents as its display does; leave out the options of presenting";
+    return options.bands.height != 0 ? "--gud takes whole frames; leave out --band-height" : "";
+}
+
+} // namespace
+
+std::string Screen::open_display(const RunOptions& options) {
+    const std::string name = options.bus.board_name();
+    const hal::Board* const known = bringup::find_board(name);
+    if (known == nullptr)
+        return "no board '" + name + "'; `spangle boards` lists them";
+    hal::Board board = *known;
+    board.display.band = options.bands.height;
+    if (options.bus.gud) {
+        if (std::string rule = without_panel(options); !rule.empty())
+            return rule;
+    } else if (std::string rule = present_as(options.present, board); !rule.empty())
+        return rule;
+    attached_ = bringup::attach(options.bus, board);
+    if (!attached_.error.empty())
+        return attached_.error;
+    if (attached_.simulated != nullptr)
+        display_ = &attached_.simulated->display();
+    else if (attached_.display != nullptr)
+        display_ = attached_.display.get();
+    else {
+        attached_.board.display.reset_line = attached_.reset;
+        counted_.emplace(*attached_.bus);
+        stand_.emplace(*counted_, attached_.board.display);
+        display_ = &stand_->display();
+    }
+    return "";
+}
+
+std::string Screen::open(const RunOptions& options, Session& session) {
+    if (options.width != 0)
+        return session.open_picture(options.width, options.height, options.precision);
+    const std::string problem = open_display(options);
+    return problem.empty() ? session.open_display(*display_, options.precision, options.bands) : problem;
+}
+
+Screen::Counts Screen::counts() const {
+    if (attached_.simulated != nullptr) {
+        const sim::BoardCounters c = attached_.simulated->counters();
+        return {c.bytes, c.commands, c.busy_ns, attached_.simulated->now()};
+    }
+    return counted_ ? Counts{counted_->bytes(), counted_->commands(), 0, 0} : Counts{};
+}
+
+void Screen::start() {
+    before_ = counts();
+    started_ = finished_ = Clock::now();
+}
+
+std::string Screen::finish() {
+    const auto shown = display_ == nullptr ? hal::Result<void>{} : display_->finish();
+    finished_ = Clock::now();
+    return shown.ok() ? "" : shown.error().rule;
+}
+
+void Screen::describe(const RunOptions& options, const Session& session, Report& report) const {
+    report.full_frame_bytes =
+        static_cast<std::uint64_t>(session.width()) * static_cast<std::uint64_t>(session.height()) * 2;
+    if (display_ == nullptr) {
+        report.board = fmt::format("off-screen {}x{}", session.width(), session.height());
+        return;
+    }
+    const Counts now = counts();
+    const double seconds = static_cast<double>(now.busy_ns - before_.busy_ns) * 1e-9;
+    report.bus_bytes = now.bytes - before_.bytes;
+    report.bus_commands = now.commands - before_.commands;
+    report.fps_at_bus_clock = seconds > 0.0 ? report.frames / seconds : 0.0;
+    if (attached_.display == nullptr)
+        report.full_frame_bytes = frame_bytes(attached_.board.display);
+    report.board = attached_.display != nullptr
+                       ? fmt::format("GUD display {}x{}", session.width(), session.height())
+                       : attached_.board.name;
+    if (real()) {
+        report.board += " at " + attached_.where;
+        report.measured_fps = report.frames / std::chrono::duration<double>(finished_ - started_).count();
+    }
+    if (options.bands.height != 0) {
+        const std::size_t record =
+            options.bands.record ? static_cast<std::size_t>(options.bands.record_bytes) : 0;
+        report.bands = BandMemory{hal::bus_memory(attached_.board), session.surface_bytes() - record,
+                                  session.record_peak()};
+    }
+    if (!options.present.any())
+        return;
+    report.presents = stand_ ? static_cast<const bringup::Stand&>(*stand_).display().counters()
+                             : attached_.simulated->presents();
+    report.virtual_fps =
+        real() ? *report.measured_fps : report.frames / (static_cast<double>(now.now - before_.now) * 1e-9);
+}
+
+} // namespace spangle::cli

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""The dashboard can be read on every board: its number stands on the glass, pixel by pixel as the font has it.
+
+usage: hud_test.py SPANGLE
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "host_sim/tools"), str(ROOT / "tests")]
+import png  # noqa: E402
+from checks import check, failures  # noqa: E402
+
+NUMBER, FRAMES = "058", 30  # what the gauge says in the last of so many frames
+
+
+def glyphs():
+    source = (ROOT / "boards/scenes/font.cpp").read_text()
+    characters = re.search(r'characters = "([^"]+)"', source).group(1)
+    shapes = re.findall(r'"([.#]{35})"', source)
+    return {c: [shape[5 * row:5 * row + 5] for row in range(7)] for c, shape in zip(characters, shapes)}
+
+
+def text(letters, scale):
+    """Rows of the text, a 1 for a pixel that is lit, `scale` pixels to one of the font."""
+    font = glyphs()
+    rows = [".".join(font[c][row] for c in letters) for row in range(7)]
+    return ["".join(("1" if c == "#" else "0") * scale for c in row) for row in rows for _ in range(scale)]
+
+
+def stands(rows, wanted):
+    """Whether the rows of the picture hold these, one below the other, somewhere."""
+    for top in range(len(rows) - len(wanted) + 1):
+        at = rows[top].find(wanted[0])
+        while at >= 0:
+            if all(rows[top + y][at:at + len(line)] == line for y, line in enumerate(wanted)):
+                return True
+            at = rows[top].find(wanted[0], at + 1)
+    return False
+
+
+def scale_of(path):
+    """How large the number stands there; 0: nowhere."""
+    picture = png.read(path.read_bytes())[2]
+    rows = ["".join("1" if r + 2 * g + b > 640 else "0" for r, g, b in row) for row in picture]
+    return next((scale for scale in range(8, 0, -1) if stands(rows, text(NUMBER, scale))), 0)
+
+
+def main():
+    if len(sys.argv) != 2:
+        print(__doc__.strip())
+        return 2
+    boards = [line.split()[0] for line in subprocess.run([sys.argv[1], "boards"], capture_output=True, text=True).stdout.splitlines()]
+    check(len(boards) > 20, "the boards are listed")
+    with tempfile.TemporaryDirectory() as folder:
+        for board in boards:
+            shot = pathlib.Path(folder) / "hud.png"
+            done = subprocess.run([sys.argv[1], "run", "HUD", "--frames", str(FRAMES), "--board", board, "--shot", str(shot)], capture_output=True, text=True)
+            check(done.returncode == 0, f"{board}: {done.stderr}")
+            scale = scale_of(shot)
+            print(f"{board:<18}{NUMBER} in letters of {7 * scale} pixels")
+            check(scale > 0, f"{board}: {NUMBER} cannot be read")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
