@@ -9,6 +9,7 @@
 #include "gl/context/tokens.hpp"
 #include "gl/pixel/index.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/pixel/viewport_box.hpp"
 #include "gl/pixel/zoom.hpp"
 #include "gl/texture/level_image.hpp"
 #include "gl/texture/texture_setup.hpp"
@@ -143,10 +144,22 @@ void fill_samples(const Context& context, raster::FragmentState& out) {
     out.sample_coverage_value = static_cast<std::uint8_t>(numeric::to_unit(ops.sample_coverage_value, 8));
 }
 
+/// True where the geometry of such primitives may reach beyond the view volume, up to the guard band, so that
+/// their fragments have to end at the viewport. Wide lines, and polygons of which points and lines are drawn,
+/// are clipped exactly instead: their fragments may lie beyond the viewport (GL 1.3, 2.11).
+bool ends_at_viewport(const Context& context, Drawn drawn) {
+    if (drawn == Drawn::polygons)
+        return !SPANGLE_FEATURE_POLYGON_MODE ||
+               (context.polygon.mode[0] == GL_FILL && context.polygon.mode[1] == GL_FILL);
+    return drawn == Drawn::lines && (!has_clipping || lines_are_thin(context));
+}
+
 /// What depends on the primitive.
 void fill_modes(const Context& context, Drawn drawn, raster::FragmentState& out) {
     const PolygonState& polygon = context.polygon;
     out.coverage = smooths(context) && has_coverage(polygon, drawn);
+    if (ends_at_viewport(context, drawn) && !viewport_holds(context, out.scissor))
+        out.scissor = in_viewport(context, out.scissor);
     if (drawn != Drawn::polygons)
         return;
     out.depth_offset = offsets(polygon);
@@ -273,7 +286,8 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.texture_changes = texture_changes;
         cache.drawn = drawn;
         cache.colors = colors;
-        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context);
+        cache.differs = offsets(context.polygon) || stipples(context.polygon) || smooths(context) ||
+                        !viewport_holds(context, drawing_rect(context));
         // What is not said is 0: it is looked at in no state that leaves it out.
         static_assert(std::is_trivially_copyable_v<raster::FragmentState>);
         alignas(raster::FragmentState) unsigned char memory[sizeof(raster::FragmentState)] = {};

@@ -13,6 +13,7 @@
 #include "gl/context/context.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/targets.hpp"
+#include "gl/pixel/viewport_box.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/texgen.hpp"
@@ -197,6 +198,7 @@ template <class M, class L> class Pipeline {
     bool outlines_ = false;       ///< PolygonMode makes lines or points of some face
     bool stencil_sides_ = false;  ///< back faces have a DrawState of their own
     bool captures_ = false;       ///< primitives are selected or fed back, not drawn
+    bool cuts_lines_ = false;     ///< wide lines are clipped where the viewport ends, within the window
     bool offsets_ = false;        ///< depths of polygons are offset in some mode
     bool modal_lines_ = false;    ///< lines are stippled, antialiased, or drawn to samples
     bool modal_points_ = false;   ///< points, likewise; or they are sprites, or have sizes of their own
@@ -284,6 +286,8 @@ template <class M, class L> class Pipeline {
             outlines_ =
                 (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
         }
+        cuts_lines_ = has_clipping && mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP &&
+                      !lines_are_thin(context) && !viewport_holds_window(context);
         stencil_sides_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
         const bool sampled = has_sample_buffer(context);
         multisampling_ = multisampling(context);
@@ -386,9 +390,10 @@ template <class M, class L> class Pipeline {
     bool indexed() const {
         return raster::has_indices && index_bits_ != 0;
     }
-    /// The edges that the view volume cuts are seen, or what is left of the primitive is.
+    /// The edges that the view volume cuts are seen, or what is left of the primitive is. Wide
+    /// lines end where they leave the view volume, and reach beyond it by their width alone.
     bool exactly_clipped() const {
-        return outlined() || captures();
+        return outlined() || captures() || cuts_lines_;
     }
     /// Of flags: the planes to clip by, by number.
     unsigned clip_planes(unsigned flags) const {

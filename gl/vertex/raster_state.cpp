@@ -1,6 +1,6 @@
 // Shading model, facing, culling, point size, line width (GL 1.3, 2.13.7, 3.3, 3.4, 3.5.1).
 #include "gl/api/generated/commands.hpp"
-#include "gl/context/context.hpp"
+#include "gl/pixel/viewport_box.hpp"
 
 namespace spangle::gl::cmd {
 
@@ -78,6 +78,8 @@ void LineWidth(Context& context, Real width) {
     if (width <= numeric::zero)
         return error(context, GL_INVALID_VALUE);
     context.polygon.line_width = width;
+    if (!viewport_holds_window(context))
+        context.changed(dirty_fragment); // whether the fragments of lines end at the viewport
 }
 
 #if SPANGLE_FEATURE_POLYGON_OFFSET

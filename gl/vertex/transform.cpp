@@ -3,6 +3,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/pixel/viewport_box.hpp"
 #include "gl/vertex/eye_plane.hpp"
 #include "raster/numeric/matrix_build.hpp"
 
@@ -152,11 +153,14 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
         return error(context, GL_INVALID_VALUE);
     const auto silently = [](GLint v, GLint low, GLint high) { return v < low ? low : v > high ? high : v; };
     GLint* v = context.transform.viewport;
+    const bool held_window = viewport_holds_window(context);
     v[0] = silently(x, -max_viewport_dim, max_viewport_dim);
     v[1] = silently(y, -max_viewport_dim, max_viewport_dim);
     v[2] = silently(width, 0, max_viewport_dim);
     v[3] = silently(height, 0, max_viewport_dim);
     context.changed(dirty_vertex);
+    if (!held_window || !viewport_holds_window(context))
+        context.changed(dirty_fragment); // where polygons end
 }
 
 void DepthRange(Context& context, Real near_val, Real far_val) {

@@ -78,6 +78,33 @@ TEST(BandHeights, FormatsAndOrientations) {
         }
 }
 
+/// The viewport is one of GL's window, whichever way the panel's rows run: a quad beyond it ends where a
+/// scissor box of that place would cut it.
+TEST(BandHeights, ViewportsTurnWithThePicture) {
+    const auto quad = [](int) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        glBegin(GL_QUADS);
+        for (const auto& [x, y] : {std::pair{-3.F, -3.F}, {3.F, -3.F}, {3.F, 3.F}, {-3.F, 3.F}})
+            glVertex2f(x, y);
+        glEnd();
+    };
+    const Program viewport = {"viewport", [](int, int) { glViewport(20, 13, 25, 30); }, quad};
+    const Program scissor = {"scissor",
+                             [](int w, int h) {
+                                 glViewport(0, 0, w, h);
+                                 glScissor(20, 13, 25, 30);
+                                 glEnable(GL_SCISSOR_TEST);
+                             },
+                             quad};
+    for (const hal::Orientation orientation : hal::orientations) {
+        const hal::Board board = turned(boards::st7735_80x160, orientation);
+        const std::vector<sim::Image> cut = play(board, {}, scissor, frames);
+        EXPECT_EQ(sim::hash(play(board, {}, viewport, frames)[1]), sim::hash(cut[1]));
+        for (const std::int32_t height : heights_of(board))
+            expect_same(board, viewport, {.display_band = height}, cut);
+    }
+}
+
 /// Pixels that lie as they travel: pages drawn into, four-bit greys, 12 and 18 bits.
 TEST(BandHeights, NarrowSurfaces) {
     const Program program = program_of(scenes::hud);

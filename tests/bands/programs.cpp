@@ -341,12 +341,36 @@ Program sampled() {
             }};
 }
 
+/// Within the window, beside each other: what lies in a view volume ends at its viewport, in every band.
+Program viewports() {
+    return {"viewports", start_program, [](int f) {
+                clear(0.2F, 0.1F, 0);
+                glPushAttrib(GL_VIEWPORT_BIT | GL_LINE_BIT | GL_POINT_BIT | GL_POLYGON_BIT);
+                for (int n = 0; n < 3; ++n) {
+                    glViewport(7 + 45 * n + f, 5 + 7 * n, 37, 41);
+                    glPushMatrix();
+                    glScalef(3.F, 2.F, 1.F);
+                    glTranslatef(-60.F, -20.F, 0.F);
+                    triangles(f + n);
+                    glLineWidth(1.F + 4.F * static_cast<float>(n));
+                    lines(f);
+                    glPointSize(1.F + 5.F * static_cast<float>(n));
+                    points();
+                    glPolygonMode(GL_FRONT, n == 1 ? GL_LINE : GL_FILL);
+                    triangles(f + 3 * n);
+                    glPopMatrix();
+                }
+                glPopAttrib();
+                triangles(f + 5);
+            }};
+}
+
 } // namespace
 
 const std::vector<Program>& programs() {
-    static const std::vector<Program> all = {dithered(true), dithered(false), stippled(),   wide(),
-                                             smooth(),       pixels(),        stencilled(), blended(),
-                                             polygons(),     accumulated(),   outlined(),   sampled()};
+    static const std::vector<Program> all = {
+        dithered(true), dithered(false), stippled(),    wide(),     smooth(),  pixels(),   stencilled(),
+        blended(),      polygons(),      accumulated(), outlined(), sampled(), viewports()};
     return all;
 }
 
