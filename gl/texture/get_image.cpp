@@ -24,7 +24,7 @@ const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     return image != nullptr ? image : &none;
 }
 
-/// What a format lacks is 0, alpha 1; luminance is red alone (table 6.1).
+/// What a format lacks is 0, alpha 1 (table 6.1).
 void pack_image(const LevelImage& image, const PixelStore& pack, const PixelLayout& layout, void* pixels) {
     const LevelShape& shape = image.shape;
     const PixelLayout texels = texel_layout(shape.format);
@@ -56,6 +56,10 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
     if (image == nullptr)
         return;
     const bool depth = layout.channel[0] == Channel::depth;
+    // Luminance is red alone, not the sum that ReadPixels makes of a pixel: texels go through no conversion
+    // of RGB to L (GL 1.3, 6.1.4).
+    if (layout.channel[0] == Channel::luminance)
+        layout.channel[0] = Channel::red;
     if (is_compressed(image->shape.internal_format) || depth != is_depth(image->shape.format))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glGetTexImage: the image has no such components, or is compressed"));

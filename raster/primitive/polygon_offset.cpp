@@ -37,9 +37,10 @@ template <>
 void set_depth_offset<FixedVertex>(PrimitiveState& out, const PolygonOffset& offset, DepthFormat format,
                                    const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                                    std::int64_t area2) {
-    const int bits = format == DepthFormat::z16 ? 16 : 24;
+    const bool of_16 = format == DepthFormat::z16;
+    const int bits = of_16 ? 16 : 24, resolved_bits = of_16 ? 16 : 23;
     const auto units = numeric::detail::unpack(offset.units), factor = numeric::detail::unpack(offset.factor);
-    out.depth_offset = saturated(units.negative, units.mantissa, units.exponent + 32 - bits);
+    out.depth_offset = saturated(units.negative, units.mantissa, units.exponent + 32 - resolved_bits);
     const std::uint64_t most = steepest(a, b, c);
     if (most == 0 || area2 == 0)
         return;

@@ -1,5 +1,7 @@
-// The depth offset of a polygon (GL 1.3, 3.5.5): factor m + units r, m = max(|dz/dx|, |dz/dy|), r one code of
-// the depth buffer.
+// The depth offset of a polygon (GL 1.3, 3.5.5): factor m + units r, m = max(|dz/dx|, |dz/dy|). The minimum
+// resolvable difference r is one code of a depth buffer of 16 bits, and two codes of one of 24 bits: the
+// depth of a vertex comes from floats, whose neighbours between 1 and 2 are 2^-23 apart, so that a polygon
+// one code in front of another cannot be asked for everywhere.
 #pragma once
 
 #include <cstdint>

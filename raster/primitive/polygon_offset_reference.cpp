@@ -17,7 +17,8 @@ void set_depth_offset<DoubleVertex>(PrimitiveState& out, const PolygonOffset& of
     const double along_x = (b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y);
     const double along_y = (b.z - a.z) * (c.x - a.x) - (c.z - a.z) * (b.x - a.x);
     const double slope = area2 == 0 ? 0 : std::fmax(std::fabs(along_x), std::fabs(along_y)) / std::fabs(area);
-    out.reference_depth_offset = slope * factor + units / (format == DepthFormat::z16 ? 65535.0 : 16777215.0);
+    out.reference_depth_offset =
+        slope * factor + units / (format == DepthFormat::z16 ? 65535.0 : 16777215.0 / 2);
 }
 
 template <>

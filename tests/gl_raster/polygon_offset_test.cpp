@@ -7,6 +7,7 @@ namespace spangle::test {
 namespace {
 
 constexpr double codes = 16777215;
+constexpr int codes_of_unit = 2; ///< the minimum resolvable difference of 24 bits
 
 class PolygonOffset : public Window {
   protected:
@@ -34,8 +35,8 @@ class PolygonOffset : public Window {
     static int difference(GLuint a, GLuint b) { return static_cast<int>(a) - static_cast<int>(b); }
 };
 
-/// r is one code: an offset of n units moves each fragment of a level polygon by n codes exactly.
-TEST_F(PolygonOffset, UnitsAreCodes) {
+/// An offset of n units moves each fragment of a level polygon by n times two codes exactly.
+TEST_F(PolygonOffset, UnitsAreTwoCodes) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     for (const int units : {0, 1, 2, -1, -7, 1000, -5000}) {
         const Plane level{lot(0.2, 0.8), 0, 0};
@@ -47,7 +48,7 @@ TEST_F(PolygonOffset, UnitsAreCodes) {
         const auto after = depths();
         for (int y = 8; y < 56; ++y)
             for (int x = 8; x < 56; ++x)
-                ASSERT_EQ(difference(after[y * size + x], before[y * size + x]), units);
+                ASSERT_EQ(difference(after[y * size + x], before[y * size + x]), codes_of_unit * units);
     }
 }
 
@@ -62,7 +63,8 @@ TEST_F(PolygonOffset, FactorsMultiplyTheLargerSlope) {
         glPolygonOffset(static_cast<GLfloat>(factor), static_cast<GLfloat>(units));
         draw(plane);
         const auto after = depths();
-        const double expected = factor * std::fmax(std::fabs(plane.dx), std::fabs(plane.dy)) * codes + units;
+        const double expected =
+            factor * std::fmax(std::fabs(plane.dx), std::fabs(plane.dy)) * codes + codes_of_unit * units;
         for (int y = 8; y < 56; y += 5)
             for (int x = 8; x < 56; x += 3)
                 ASSERT_NEAR(difference(after[y * size + x], before[y * size + x]), expected,
@@ -77,13 +79,13 @@ TEST_F(PolygonOffset, FragmentsAreClamped) {
     draw(plane);
     const auto before = depths();
     glEnable(GL_POLYGON_OFFSET_FILL);
-    for (const double units : {0.4 * codes, -0.4 * codes, 3e9, -3e9, 3e38, -3e38}) {
+    for (const double units : {0.2 * codes, -0.2 * codes, 3e9, -3e9, 3e38, -3e38}) {
         glPolygonOffset(0, static_cast<GLfloat>(units));
         draw(plane);
         const auto after = depths();
         for (int y = 8; y < 56; ++y)
             for (int x = 8; x < 56; ++x) {
-                const double moved = before[y * size + x] + units;
+                const double moved = before[y * size + x] + codes_of_unit * units;
                 ASSERT_NEAR(after[y * size + x], std::fmin(std::fmax(moved, 0), codes), 1) << units;
             }
     }
@@ -98,7 +100,7 @@ TEST_F(PolygonOffset, EachModeHasItsEnable) {
     constexpr GLenum modes[] = {GL_FILL, GL_LINE, GL_POINT};
     const Plane plane{0.25, 0.001, 0.002};
     glPolygonOffset(2, 100);
-    const double expected = 2 * 0.002 * codes + 100;
+    const double expected = 2 * 0.002 * codes + codes_of_unit * 100;
     for (int on = 0; on < 3; ++on)
         for (int mode = 0; mode < 3; ++mode) {
             glPolygonMode(GL_FRONT_AND_BACK, modes[mode]);
@@ -144,7 +146,67 @@ TEST_F(PolygonOffset, StencilSeesTheOffsetDepth) {
     quad(level, 32, 48);
     glEnd();
     const auto z = depths();
-    EXPECT_EQ(difference(z[20 * size + 20], z[40 * size + 40]), -1);
+    EXPECT_EQ(difference(z[20 * size + 20], z[40 * size + 40]), -codes_of_unit);
+}
+
+/// The minimum resolvable difference by its definition (GL 1.3, 3.5.5): wherever a polygon lies between the
+/// near plane and one that is infinitely far away, one that floats bring in front of it by r is in front of
+/// it.
+TEST_F(PolygonOffset, FloatsThatDifferByOneUnitAreDistinct) {
+    static const GLfloat near_1_far_infinity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0};
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixf(near_1_far_infinity);
+    const auto at = [](double distance) { // fills the window
+        clear();
+        glBegin(GL_QUADS);
+        for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+            glVertex3d(x * distance, y * distance, -distance);
+        glEnd();
+        return depths()[0];
+    };
+    constexpr double r = codes_of_unit / codes;
+    for (int n = 0; n < 2000; ++n) {
+        const double window = n < 1000 ? n * r : lot(0, 1 - 4 * r); // of which the first are near the plane
+        const double distance = 1 / (1 - window), farther = 1 / (1 - window - r);
+        const double rounded = double{static_cast<float>(distance)};
+        // The next float that is at least r farther away.
+        auto next = static_cast<float>(farther);
+        while (1 / rounded - 1 / double{next} < r)
+            next = std::nextafter(next, 1e30f);
+        ASSERT_LT(at(rounded), at(double{next})) << n;
+    }
+    // One code is less than what separates floats: these neighbours are two codes apart.
+    EXPECT_EQ(difference(at(1 + 0x1p-23), at(1)), 2);
+}
+
+/// Sixteen bits: r is one code, and slopes are those of depths in codes, one in 65536 less than of words.
+TEST(PolygonOffset16, CodesAndSlopes) {
+    const HeadlessGl gl(64, 64, {EGL_DEPTH_SIZE, 16});
+    GLint bits = 0;
+    glGetIntegerv(GL_DEPTH_BITS, &bits);
+    ASSERT_EQ(bits, 16);
+    glMatrixMode(GL_PROJECTION);
+    glOrtho(0, 64, 0, 64, 0, 1);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    const auto code = [](GLfloat factor, GLfloat units, double slope) {
+        glPolygonOffset(factor, units);
+        glBegin(GL_QUADS);
+        for (const auto& [x, y] : {std::pair{0, 0}, {64, 0}, {64, 64}, {0, 64}})
+            glVertex3d(x, y, -slope * x);
+        glEnd();
+        GLushort depth = 0;
+        glReadPixels(0, 32, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, &depth);
+        return int{depth};
+    };
+    for (const int units : {1, 2, 77, 30000})
+        EXPECT_EQ(code(0, static_cast<GLfloat>(units), 0), units);
+    // The centre of the first pixel lies half a step of the slope behind the edge, where depth is 0. A slope
+    // of 65536ths instead of 65535ths would end one code behind.
+    for (const int factor : {40, 50, 62})
+        EXPECT_EQ(code(static_cast<GLfloat>(factor), 0, 1. / 64), std::lround((factor + 0.5) / 64 * 65535));
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 } // namespace

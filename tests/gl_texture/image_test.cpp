@@ -99,6 +99,70 @@ TEST_F(Images, AreReadBackAsTheyAreKept) {
     }
 }
 
+/// Every base format, kept from every one of GetTexImage's formats, read in every one: table 6.1 says what
+/// becomes R, G, B and A, and luminance is red alone. Images of the framebuffer are the same: CopyTexImage
+/// takes the red of a pixel for luminance and intensity (GL 1.3, 3.8.1 and 3.8.2).
+TEST_F(Images, EveryFormatOfEveryBaseFormat) {
+    const struct {
+        GLenum internal;
+        int from[4]; ///< component of the pixel, -1: 0, -2: 1 (table 6.1)
+    } bases[] = {{GL_ALPHA8, {-1, -1, -1, 3}},
+                 {GL_LUMINANCE8, {0, -1, -1, -2}},
+                 {GL_LUMINANCE8_ALPHA8, {0, -1, -1, 3}},
+                 {GL_INTENSITY8, {0, -1, -1, -2}},
+                 {GL_RGB8, {0, 1, 2, -2}},
+                 {GL_RGBA8, {0, 1, 2, 3}}};
+    const struct {
+        GLenum format;
+        std::vector<int> parts; ///< of R, G, B, A
+    } formats[] = {{GL_RED, {0}},           {GL_GREEN, {1}},
+                   {GL_BLUE, {2}},          {GL_ALPHA, {3}},
+                   {GL_RGB, {0, 1, 2}},     {GL_BGR, {2, 1, 0}},
+                   {GL_RGBA, {0, 1, 2, 3}}, {GL_BGRA, {2, 1, 0, 3}},
+                   {GL_LUMINANCE, {0}},     {GL_LUMINANCE_ALPHA, {0, 3}}};
+    const auto verify = [&](const auto& base, const std::vector<GLubyte>& pixels, const char* how) {
+        for (const auto& format : formats) {
+            const std::size_t count = pixels.size() / 4;
+            std::vector<GLfloat> reals(count * format.parts.size(), -1);
+            const std::vector<GLubyte> got = read(GL_TEXTURE_2D, 0, format.format, reals.size());
+            glGetTexImage(GL_TEXTURE_2D, 0, format.format, GL_FLOAT, reals.data());
+            for (std::size_t n = 0; n < got.size(); ++n) {
+                const int part = format.parts[n % format.parts.size()], from = base.from[part];
+                const int wanted = from == -1 ? 0
+                                   : from == -2
+                                       ? 255
+                                       : pixels[n / format.parts.size() * 4 + static_cast<std::size_t>(from)];
+                ASSERT_EQ(got[n], wanted) << how << std::hex << ' ' << base.internal << ' ' << format.format;
+                ASSERT_FLOAT_EQ(reals[n], static_cast<GLfloat>(wanted) / 255)
+                    << how << std::hex << ' ' << base.internal << ' ' << format.format;
+            }
+        }
+    };
+    std::vector<GLubyte> pixels = bytes(64);
+    for (const auto& base : bases) {
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(base.internal), 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     pixels.data());
+        verify(base, pixels, "TexImage");
+    }
+    pixels = paint();
+    for (const auto& base : bases) {
+        glCopyTexImage2D(GL_TEXTURE_2D, 0, base.internal, 0, 0, 4, 4, 0);
+        verify(base, pixels, "CopyTexImage");
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(base.internal), 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     nullptr);
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 4, 4);
+        verify(base, pixels, "CopyTexSubImage");
+    }
+    // ReadPixels alone makes the sum, clamped to 1 (GL 1.3, 4.3.2).
+    std::vector<GLubyte> sums(32);
+    glReadPixels(0, 0, 4, 4, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, sums.data());
+    for (std::size_t n = 0; n < 16; ++n) {
+        EXPECT_EQ(sums[2 * n], std::min(255, pixels[4 * n] + pixels[4 * n + 1] + pixels[4 * n + 2]));
+        EXPECT_EQ(sums[2 * n + 1], pixels[4 * n + 3]);
+    }
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
 TEST_F(Images, SubImagesOfLinesAndVolumes) {
     std::vector<GLubyte> line = bytes(10), volume = bytes(6 * 4 * 4);
     glTexImage1D(GL_TEXTURE_1D, 0, GL_ALPHA, 10, 1, GL_ALPHA, GL_UNSIGNED_BYTE, line.data());

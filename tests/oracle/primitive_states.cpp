@@ -12,13 +12,6 @@ namespace {
 
 using test::Random;
 
-/// What GL calls r: a code of the depth buffer, of which softpipe takes two.
-#ifdef SPANGLE_SCENES_ON_OTHER_GL
-constexpr GLfloat code_of_units = 0.5f;
-#else
-constexpr GLfloat code_of_units = 1;
-#endif
-
 void color(Random& random) {
     const GLfloat r = unit(random), g = unit(random), b = unit(random), a = unit(random);
     glColor4f(r, g, b, a);
@@ -54,7 +47,7 @@ void facing(Random& random, int largest_factor) {
     toggle(random, GL_POLYGON_STIPPLE, 3);
     const auto units = static_cast<GLfloat>(whole(random, -9, 9)),
                factor = static_cast<GLfloat>(whole(random, -largest_factor, largest_factor));
-    glPolygonOffset(factor, units * 65536 * code_of_units);
+    glPolygonOffset(factor, units * 32768);
     toggle(random, GL_POLYGON_OFFSET_FILL, 2);
 }
 
