@@ -96,20 +96,23 @@ void push(Context& context, AttribStack& stack, GLbitfield groups) {
     ++stack.depth;
 }
 
+/// Without memory for what it would make anew an entry stays on the stack, and nothing is changed.
 void pop(Context& context, AttribStack& stack) {
     SavedAttributes* const entry = stack.top;
     if (entry == nullptr)
         return error(context, GL_STACK_UNDERFLOW);
+    const GLbitfield groups = entry->groups;
+    auto* const from = reinterpret_cast<unsigned char*>(entry + 1);
+    const bool textures = (groups & bit(Group::texture)) != 0,
+               arrays = (groups & bit(Group::client_vertex_array)) != 0;
+    if ((textures && !restore_textures(context, from + move_kept(context, groups, from, Move::none))) ||
+        (arrays && !bind_vertex_array(context, entry->vertex_array)))
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for what was deleted"));
     stack.top = entry->below;
     --stack.depth;
-    if ((entry->groups & bit(Group::client_vertex_array)) != 0) {
-        bind_vertex_array(context, entry->vertex_array);
+    if (arrays)
         release_arrays(context);
-    }
-    auto* const from = reinterpret_cast<unsigned char*>(entry + 1);
-    const std::size_t bytes = move_kept(context, entry->groups, from, Move::restore);
-    if ((entry->groups & bit(Group::texture)) != 0)
-        restore_textures(context, from + bytes);
+    move_kept(context, groups, from, Move::restore);
     context.arena->free(entry);
     context.changed(dirty_all);
 #if SPANGLE_FEATURE_LIGHTING
@@ -126,8 +129,10 @@ GLint saved_attributes(const Context& context, bool client) {
 }
 
 void release_attributes(Context& context) {
-    while (context.attrib.client.top != nullptr) // buffers are let go of on the way
-        pop(context, context.attrib.client);
+    while (SavedAttributes* const entry = context.attrib.client.top) {
+        entry->vertex_array = bound_vertex_array(context); // whose arrays they are does not matter any more
+        pop(context, context.attrib.client);               // buffers are let go of on the way
+    }
     while (SavedAttributes* const entry = context.attrib.server.top) {
         context.attrib.server.top = entry->below;
         context.arena->free(entry);

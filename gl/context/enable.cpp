@@ -8,10 +8,12 @@ namespace spangle::gl {
 
 namespace {
 
-/// Where a capability is held; else the error is set and null comes back.
-bool* find_flag(Context& context, GLenum cap, bool client_too) {
+/// Where a capability is held; else the error is set and null comes back. Client arrays are capabilities,
+/// too: GL 1.3 has EnableClientState for these, but every driver takes them here, as EXT_vertex_array had it,
+/// and programs rely on that.
+bool* find_flag(Context& context, GLenum cap) {
     const StateRow* const row = find_switch(cap);
-    if (row == nullptr || (row->toggle == Switch::client && !client_too)) {
+    if (row == nullptr) {
         error(context, GL_INVALID_ENUM);
         return nullptr;
     }
@@ -24,7 +26,7 @@ bool* find_flag(Context& context, GLenum cap, bool client_too) {
 }
 
 void set(Context& context, GLenum cap, bool on) {
-    bool* const flag = find_flag(context, cap, false);
+    bool* const flag = find_flag(context, cap);
     if (flag == nullptr || *flag == on)
         return;
     *flag = on;
@@ -48,7 +50,7 @@ void Disable(Context& context, GLenum cap) {
 }
 
 GLboolean IsEnabled(Context& context, GLenum cap) {
-    const bool* const flag = find_flag(context, cap, true);
+    const bool* const flag = find_flag(context, cap);
     return flag != nullptr && *flag;
 }
 

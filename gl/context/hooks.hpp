@@ -64,9 +64,10 @@ void hold_arrays(Context& context);
 void release_arrays(Context& context);
 /// Frees one object of ShareGroup::buffers.
 void destroy_buffer(Arena& arena, void* object);
-/// Name of the vertex array object that is bound; binding one again, or none where it was deleted.
+/// Name of the vertex array object that is bound; binding one again, or none where it was deleted. False, and
+/// nothing is changed, without memory.
 GLuint bound_vertex_array(const Context& context);
-void bind_vertex_array(Context& context, GLuint name);
+bool bind_vertex_array(Context& context, GLuint name);
 /// Frees the vertex array objects of a context.
 void release_vertex_arrays(Context& context);
 
@@ -75,7 +76,8 @@ void release_vertex_arrays(Context& context);
 /// bound objects (GL 1.3, 6.1.12).
 std::size_t saved_texture_bytes();
 void save_textures(const Context& context, void* to);
-void restore_textures(Context& context, const void* from);
+/// False, and nothing is changed, without memory for objects that were deleted meanwhile.
+bool restore_textures(Context& context, const void* from);
 /// Name bound to a target of the active unit.
 GLuint texture_binding(const Context& context, TextureKind kind);
 /// Undoes what this context keeps in the arena (the default textures).

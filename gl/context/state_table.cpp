@@ -108,7 +108,7 @@ static_assert(all_fit());
 
 /// Of a row that only says so: where no message names the system, it is one of a list of names.
 constexpr bool is_left_out(const WrittenRow& row) {
-    return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer && row.toggle != Switch::client;
+    return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer;
 }
 /// Switches, or the other rows that have a name.
 template <bool switches> constexpr bool has_name(const WrittenRow& row) {

@@ -34,11 +34,11 @@ static_assert(kind_of(Source::boolean) == Kind::integer && kind_of(Source::integ
               kind_of(Source::constant) == Kind::integer && kind_of(Source::computed) == Kind::integer &&
               kind_of(Source::computed_real) == Kind::real);
 
+/// What Enable, Disable and IsEnabled take.
 enum class Switch : std::uint8_t {
     none,
-    server,           ///< Enable, Disable and IsEnabled
-    client,           ///< IsEnabled only: EnableClientState sets it
-    client_by_enable, ///< as server, but ENABLE_BIT does not save it
+    server,
+    client, ///< ENABLE_BIT does not save it
 };
 
 /// Attribute groups by the number of their bit (GL 1.3, table 6.4), those of the client behind the others.

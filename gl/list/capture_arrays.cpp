@@ -8,6 +8,7 @@
 
 #include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
+#include "gl/list/play.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
@@ -18,20 +19,22 @@ namespace {
 
 using list::Word;
 
-/// Begin of a captured draw. Between Begin and End the whole draw fails at execution: its vertices must not
-/// reach the primitive that is open.
-const Word* play_begin_draw(Context& context, const Word* words) {
+const Word* play_end_draw(Context& context, const Word* words) {
+    cmd::End(context);
+    return words;
+}
+
+/// A captured draw up to and with its End. Between Begin and End the whole draw fails at execution: its
+/// vertices must not reach the primitive that is open.
+const Word* play_draw(Context& context, const Word* words) {
     const Word* past;
     std::memcpy(&past, words + 1, sizeof past);
     if (!allowed_outside(context, SPANGLE_TEXT("a drawn array in a list between glBegin and glEnd")))
         return past;
+    const KeptAttributes kept(context);
     cmd::Begin(context, words[0]);
-    return words + 1 + list::address_words;
-}
-
-const Word* play_end_draw(Context& context, const Word* words) {
-    cmd::End(context);
-    return words;
+    list::play_up_to(context, words + 1 + list::address_words, past - list::player_words);
+    return play_end_draw(context, past);
 }
 
 void capture_seldom([[maybe_unused]] Context& context, const ArraysState& arrays, GLuint index) {
@@ -83,7 +86,7 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
 
 void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLuint count,
                  const Indices& indices) {
-    Word* const begin = list::record(context, &list::player<&play_begin_draw>, 1 + list::address_words);
+    Word* const begin = list::record(context, &list::player<&play_draw>, 1 + list::address_words);
     for (GLuint i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
         capture(context, reader, indices.at(i));
     // The record of End is never the first of a chunk without a link to it, so its address is where a skip

@@ -77,7 +77,53 @@ void delete_name(Context& context, GLuint name) {
         destroy_texture(*context.share, texture);
 }
 
+/// Takes back an object that was made a moment ago; `reserved`: GenTextures had given out its name.
+void unmake(ShareGroup& share, TextureObject* texture, bool reserved) {
+    if (reserved)
+        *share.textures.find(texture->name) = nullptr;
+    else
+        share.textures.remove(texture->name);
+    share.arena.free(texture);
+}
+
 } // namespace
+
+bool find_named_objects(Context& context, const GLuint (&names)[texture_bindings],
+                        TextureObject* (&found)[texture_bindings]) {
+    ShareGroup& share = *context.share;
+    std::uint32_t made = 0, reserved = 0;
+    for (unsigned i = 0; i < texture_bindings; ++i) {
+        const auto kind = static_cast<TextureKind>(i % texture_kinds);
+        found[i] = nullptr;
+        if (names[i] == 0 || !texture_kind_is_there[i % texture_kinds])
+            continue;
+        void** const slot = share.textures.find(names[i]);
+        if (slot == nullptr || *slot == nullptr) {
+            reserved |= slot != nullptr ? 1u << i : 0;
+            found[i] = object_of(share, names[i], kind);
+            if (found[i] == nullptr) {
+                while (i-- > 0)
+                    if ((made >> i & 1) != 0)
+                        unmake(share, found[i], (reserved >> i & 1) != 0);
+                return false;
+            }
+            made |= 1u << i;
+        } else if (auto* const texture = static_cast<TextureObject*>(*slot); there(texture->kind) == kind) {
+            found[i] = texture;
+        }
+    }
+    return true;
+}
+
+void bind_object(Context& context, TextureObject*& bound, TextureObject* object) {
+    if (object == bound)
+        return;
+    if (object != nullptr)
+        ++object->bindings;
+    unbind(*context.share, bound);
+    bound = object;
+    context.changed(dirty_fragment);
+}
 
 GLuint texture_binding(const Context& context, TextureKind kind) {
     return context.texture.bound(context.texture.active_unit(), kind).name;
@@ -125,13 +171,7 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
     if (object != nullptr && there(object->kind) != there(kind))
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glBindTexture: the texture was bound to another target before"));
-    if (object == bound)
-        return;
-    if (object != nullptr)
-        ++object->bindings;
-    unbind(*context.share, bound);
-    bound = object;
-    context.changed(dirty_fragment);
+    bind_object(context, bound, object);
 }
 
 GLboolean IsTexture(Context& context, GLuint texture) {

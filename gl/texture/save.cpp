@@ -2,7 +2,6 @@
 // environment, the name of its binding, and the parameters of the bound object.
 #include <cstring>
 
-#include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
 #include "gl/texture/texture_target.hpp"
@@ -14,18 +13,6 @@ namespace {
 /// What is saved of a unit: its environment, and of each kind the name and the parameters.
 constexpr std::size_t unit_bytes =
     sizeof(TexEnvState) + texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
-
-constexpr GLenum targets[texture_kinds] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
-
-/// Binds the name again: an object that was deleted meanwhile is made anew, as BindTexture does.
-void restore_binding(Context& context, std::size_t kind, GLuint name, const unsigned char* parameters) {
-    cmd::BindTexture(context, targets[kind], name);
-    TextureObject& bound = bound_texture(context, static_cast<TextureKind>(kind));
-    if (bound.name != name)
-        return; // no memory for a new object: the error is set, the parameters have nowhere to go
-    std::memcpy(&bound.parameters, parameters, sizeof bound.parameters);
-    texture_changed(context, bound);
-}
 
 } // namespace
 
@@ -49,23 +36,34 @@ void save_textures(const Context& context, void* to) {
     }
 }
 
-void restore_textures(Context& context, const void* from) {
-    const unsigned active = context.texture.active;
-    const auto* in = static_cast<const unsigned char*>(from);
-    for (unsigned u = 0; u < texture_units; ++u) {
-        std::memcpy(&context.texture.unit[u].env, in, sizeof(TexEnvState));
-        in += sizeof(TexEnvState);
-        context.texture.active = u;
-        for (std::size_t kind = 0; kind < texture_kinds; ++kind) {
-            GLuint name = 0;
-            std::memcpy(&name, in, sizeof name);
-            in += sizeof name;
-            if (texture_kind_is_there[kind])
-                restore_binding(context, kind, name, in);
-            in += sizeof(TextureParameters);
-        }
+bool restore_textures(Context& context, const void* from) {
+    const auto* const units = static_cast<const unsigned char*>(from);
+    const auto binding = [units](unsigned i) { // of kind i % texture_kinds: its name, then its parameters
+        return units + i / texture_kinds * unit_bytes + sizeof(TexEnvState) +
+               i % texture_kinds * (sizeof(GLuint) + sizeof(TextureParameters));
+    };
+    GLuint names[texture_bindings];
+    TextureObject* objects[texture_bindings];
+    for (unsigned i = 0; i < texture_bindings; ++i)
+        std::memcpy(&names[i], binding(i), sizeof names[i]);
+    // Objects that were deleted meanwhile are made anew. All of them are there before anything is changed.
+    if (!find_named_objects(context, names, objects))
+        return false;
+    for (unsigned u = 0; u < texture_units; ++u)
+        std::memcpy(&context.texture.unit[u].env, units + u * unit_bytes, sizeof(TexEnvState));
+    for (unsigned i = 0; i < texture_bindings; ++i) {
+        const auto kind = static_cast<TextureKind>(i % texture_kinds);
+        if (!texture_kind_is_there[i % texture_kinds])
+            continue;
+        bind_object(context, context.texture.unit[i / texture_kinds].bound[index_of(there(kind))],
+                    objects[i]);
+        if (objects[i] == nullptr && names[i] != 0)
+            continue; // the name is that of another kind of texture by now: the parameters have no object
+        TextureObject& bound = objects[i] != nullptr ? *objects[i] : context.texture.default_texture(kind);
+        std::memcpy(&bound.parameters, binding(i) + sizeof(GLuint), sizeof bound.parameters);
+        texture_changed(context, bound);
     }
-    context.texture.active = active;
+    return true;
 }
 
 } // namespace spangle::gl

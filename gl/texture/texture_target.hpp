@@ -26,6 +26,18 @@ bool find_stored_target(Context& context, GLenum token, unsigned dimensions, Ima
 /// The bound object of the active unit.
 TextureObject& bound_texture(Context& context, TextureKind kind);
 
+/// What units have bound: of each unit one name of each kind.
+inline constexpr unsigned texture_bindings = texture_units * texture_kinds;
+static_assert(texture_bindings <= 32);
+
+/// The objects of these names, in the order of units and kinds. A name without an object gets one, as
+/// BindTexture does; one of another kind, and 0, get null. False, and nothing is changed, without memory.
+bool find_named_objects(Context& context, const GLuint (&names)[texture_bindings],
+                        TextureObject* (&found)[texture_bindings]);
+
+/// A unit has this object from now on; null: the default texture.
+void bind_object(Context& context, TextureObject*& bound, TextureObject* object);
+
 /// Images or parameters of an object are others now.
 void texture_changed(Context& context, TextureObject& texture);
 

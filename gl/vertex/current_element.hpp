@@ -1,6 +1,8 @@
 // The attributes of an array element become the current ones (GL 1.3, 2.8).
 #pragma once
 
+#include <cstddef>
+
 #include "gl/context/context.hpp"
 #include "gl/vertex/array_element.hpp"
 #include "gl/vertex/color_tracking.hpp"
@@ -29,6 +31,26 @@ inline void set_color_and_texture(Context& context, const ElementReader& reader,
     }
     set_texture(current, reader, index);
 }
+
+/// The current attributes, put back at the end: draws of arrays leave these as they were. GL leaves those of
+/// enabled arrays undefined (GL 1.3, 2.8); drivers keep all of them, and programs rely on that. Materials
+/// that follow the colour come back with it.
+class KeptAttributes {
+  public:
+    explicit KeptAttributes(Context& context) : context_(context) {
+        __builtin_memcpy(kept_, &context.current, sizeof kept_);
+    }
+    ~KeptAttributes() {
+        __builtin_memcpy(static_cast<void*>(&context_.current), kept_, sizeof kept_);
+        follow_color(context_);
+    }
+    KeptAttributes(const KeptAttributes&) = delete;
+    KeptAttributes& operator=(const KeptAttributes&) = delete;
+
+  private:
+    Context& context_;
+    alignas(Real) unsigned char kept_[offsetof(CurrentState, raster)]; ///< all that vertices have
+};
 
 /// Of the arrays in ElementReader::seldom.
 void set_seldom(CurrentState& current, const ArraysState& arrays, std::uint32_t index);

@@ -91,11 +91,6 @@ inline void Pipeline<M, L>::kept_elements(Context& context, const ElementReader&
                 reader, indices.at(i), normals, textured,
                 [this](Vertex& cached) -> Vertex& { return place_of(cached); },
                 [this](Vertex& v, const std::uint8_t* words) { process_usual(v, words); }));
-    if (count == 0)
-        return;
-    if (reader.normal.on())
-        reader.normal.read(indices.at(count - 1), current.normal);
-    set_texture(current, reader, indices.at(count - 1));
 }
 
 /// Cached vertices do not say how many components their arrays had, nor which normal and colour, current

@@ -40,11 +40,22 @@ GLuint bound_vertex_array(const Context& context) {
     return context.array_bindings.vertex_array;
 }
 
-void bind_vertex_array(Context& context, GLuint name) {
-    if (place_of(context.array_bindings, name) != nullptr)
-        cmd::BindVertexArray(context, name);
-    else
-        cmd::BindVertexArray(context, 0);
+/// What is bound is in the context, where draws find it; the others lie in the arena.
+bool bind_vertex_array(Context& context, GLuint name) {
+    ArrayBindings& bindings = context.array_bindings;
+    void **const from = place_of(bindings, bindings.vertex_array), **to = place_of(bindings, name);
+    if (to == nullptr) {
+        name = 0;
+        to = place_of(bindings, name);
+    }
+    if (from == to)
+        return true;
+    if (!make(context, *from) || !make(context, *to))
+        return false;
+    *static_cast<ArraysState*>(*from) = context.arrays;
+    context.arrays = *static_cast<ArraysState*>(*to);
+    bindings.vertex_array = name;
+    return true;
 }
 
 void release_vertex_arrays(Context& context) {
@@ -82,20 +93,12 @@ GLboolean IsVertexArray(Context& context, GLuint array) {
     return slot != nullptr && *slot != nullptr ? GL_TRUE : GL_FALSE;
 }
 
-/// What is bound is in the context, where draws find it; the others lie in the arena.
 void BindVertexArray(Context& context, GLuint array) {
-    ArrayBindings& bindings = context.array_bindings;
-    void **const from = place_of(bindings, bindings.vertex_array), **const to = place_of(bindings, array);
-    if (to == nullptr)
+    if (place_of(context.array_bindings, array) == nullptr)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glBindVertexArray: no name of glGenVertexArrays"));
-    if (from == to)
-        return;
-    if (!make(context, *from) || !make(context, *to))
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBindVertexArray: no room in the arena"));
-    *static_cast<ArraysState*>(*from) = context.arrays;
-    context.arrays = *static_cast<ArraysState*>(*to);
-    bindings.vertex_array = array;
+    if (!bind_vertex_array(context, array))
+        error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBindVertexArray: no room in the arena"));
 }
 
 } // namespace cmd
@@ -109,7 +112,9 @@ namespace spangle::gl {
 GLuint bound_vertex_array(const Context&) {
     return 0;
 }
-void bind_vertex_array(Context&, GLuint) {}
+bool bind_vertex_array(Context&, GLuint) {
+    return true;
+}
 void release_vertex_arrays(Context& context) {
     release_arrays(context);
 }

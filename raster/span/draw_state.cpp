@@ -17,14 +17,17 @@ namespace {
 
 using numeric::Real;
 
-/// Fog coordinates of vertices (FogConstants). END = START is undefined: the saturated quotient does no harm.
+/// Fog coordinates of vertices (FogConstants). GL divides by END - START (GL 1.3, 3.10). Where both are equal
+/// the divisor is 1, as Mesa has it: fog begins a unit before END. The limit of the formula for a START below
+/// END is a step at END, which is the same outside of this unit.
 FogConstants fog_constants(const FragmentState& state) {
     constexpr Real log2_e{0x3FB8AA3B}, sqrt_log2_e{0x3F99BE60};
     FogConstants fog;
     Real scale = numeric::from_float_bits(state.fog_density);
     if (state.fog_mode == FogMode::linear) {
         const Real end = numeric::from_float_bits(state.fog_end);
-        scale = numeric::div(numeric::one, numeric::sub(numeric::from_float_bits(state.fog_start), end));
+        const Real range = numeric::sub(numeric::from_float_bits(state.fog_start), end);
+        scale = numeric::is_zero(range) ? -numeric::one : numeric::div(numeric::one, range);
         const auto offset = numeric::detail::unpack(numeric::mul(-end, scale));
         const int up = offset.exponent + 24;
         const auto magnitude = numeric::times_two_to(offset.mantissa, up < 36 ? up : 36);

@@ -108,7 +108,7 @@ inline double reference_fog(const FragmentState& state, double distance) {
     case FogMode::exp2:
         return clamp01(std::exp(-density * distance * density * distance));
     case FogMode::linear:
-        return clamp01((end - distance) / (end - start));
+        return clamp01((end - distance) / (end != start ? end - start : 1)); // FogConstants say why
     }
     return 1;
 }

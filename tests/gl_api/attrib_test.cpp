@@ -638,6 +638,107 @@ TEST_F(Attrib, ATextureDeletedMeanwhileIsMadeAnew) {
     EXPECT_EQ(wrap, GL_CLAMP);
 }
 
+/// Without memory for what was deleted meanwhile PopAttrib is an error, and errors have no other effect
+/// (GL 1.3, 2.5): nothing is popped, no object is made, whatever number of objects there is room for.
+TEST_F(Attrib, APopWithoutMemoryChangesNothing) {
+    constexpr GLuint names[] = {5, 6, 7};
+    const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D,
+                              SPANGLE_FEATURE_TEXTURE_CUBE_MAP ? GLenum{GL_TEXTURE_CUBE_MAP} : GL_TEXTURE_2D};
+    for (int i = 0; i < 3; ++i) {
+        glActiveTexture(i == 1 ? GL_TEXTURE1 : GL_TEXTURE0);
+        glBindTexture(targets[i], names[i]);
+        glTexParameteri(targets[i], GL_TEXTURE_WRAP_S, GL_CLAMP);
+    }
+    glLineWidth(3);
+    glPushAttrib(GL_TEXTURE_BIT | GL_LINE_BIT);
+    glDeleteTextures(3, names);
+    glActiveTexture(GL_TEXTURE0);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
+    glLineWidth(5);
+    std::vector<void*> taken;
+    for (std::size_t bytes = arena_bytes; bytes >= 8; bytes /= 2)
+        for (void* block = arena.allocate(bytes); block != nullptr; block = arena.allocate(bytes))
+            taken.push_back(block);
+    const auto before = snapshot();
+    int refused = 0;
+    for (;; ++refused) {
+        glPopAttrib();
+        const GLenum code = std::exchange(context->error_code, GLenum{GL_NO_ERROR});
+        if (code == GL_NO_ERROR)
+            break;
+        ASSERT_EQ(code, GLenum{GL_OUT_OF_MEMORY});
+        EXPECT_EQ(snapshot(), before) << refused;
+        for (const GLuint name : names)
+            EXPECT_FALSE(glIsTexture(name)) << refused;
+        ASSERT_FALSE(taken.empty());
+        arena.free(taken.back()); // the smallest first
+        taken.pop_back();
+    }
+    EXPECT_GT(refused, 3);
+    EXPECT_EQ(value(GL_LINE_WIDTH)[0], 3);
+    EXPECT_EQ(value(GL_ATTRIB_STACK_DEPTH)[0], 0);
+    glActiveTexture(GL_TEXTURE1);
+    EXPECT_EQ(value(GL_TEXTURE_BINDING_2D)[0], 6);
+    for (void* block : taken)
+        arena.free(block);
+}
+
+/// A name that was given to another kind of texture meanwhile cannot be bound: the default texture is, and
+/// that is no error of PopAttrib.
+TEST_F(Attrib, ANameOfAnotherKindIsNotBoundAgain) {
+#if SPANGLE_FEATURE_TEXTURE_1D
+    glBindTexture(GL_TEXTURE_2D, 5);
+    glLineWidth(3);
+    glPushAttrib(GL_TEXTURE_BIT | GL_LINE_BIT);
+    const GLuint name = 5;
+    glDeleteTextures(1, &name);
+    glBindTexture(GL_TEXTURE_1D, 5);
+    glLineWidth(5);
+    glPopAttrib();
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    EXPECT_EQ(value(GL_TEXTURE_BINDING_2D)[0], 0);
+    EXPECT_EQ(value(GL_TEXTURE_BINDING_1D)[0], 0);
+    EXPECT_EQ(value(GL_LINE_WIDTH)[0], 3);
+#endif
+}
+
+#if SPANGLE_FEATURE_VERTEX_ARRAY_OBJECTS
+TEST_F(Attrib, AClientPopWithoutMemoryChangesNothing) {
+    GLuint name, again;
+    glGenVertexArrays(1, &name);
+    glBindVertexArray(name);
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glBindVertexArray(0);
+    glDeleteVertexArrays(1, &name);
+    glGenVertexArrays(1, &again); // a name without an object
+    ASSERT_EQ(name, again);
+    std::vector<void*> taken;
+    for (std::size_t bytes = arena_bytes; bytes >= 8; bytes /= 2)
+        for (void* block = arena.allocate(bytes); block != nullptr; block = arena.allocate(bytes))
+            taken.push_back(block);
+    const auto before = snapshot();
+    bool refused = false;
+    for (;;) {
+        glPopClientAttrib();
+        const GLenum code = std::exchange(context->error_code, GLenum{GL_NO_ERROR});
+        if (code == GL_NO_ERROR)
+            break;
+        refused = true;
+        ASSERT_EQ(code, GLenum{GL_OUT_OF_MEMORY});
+        EXPECT_EQ(snapshot(), before);
+        ASSERT_FALSE(taken.empty());
+        arena.free(taken.back());
+        taken.pop_back();
+    }
+    EXPECT_TRUE(refused);
+    EXPECT_EQ(value(GL_PACK_ALIGNMENT)[0], 4);
+    EXPECT_EQ(value(GL_VERTEX_ARRAY_BINDING)[0], static_cast<double>(name));
+    for (void* block : taken)
+        arena.free(block);
+}
+#endif
+
 TEST_F(Attrib, ParametersOfTexturesNotBoundStay) {
     glBindTexture(GL_TEXTURE_2D, 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -550,16 +550,39 @@ TEST_F(State, AbsentSystemsAreNamed) {
     on_message(nullptr);
 }
 
-TEST_F(State, ClientArraysAreQueriedButNotEnabledAsCapabilities) {
+/// Programs enable arrays either way; a list holds what came as a capability.
+TEST_F(State, ClientArraysAreCapabilities) {
     for (GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY}) {
         glEnable(array);
-        EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
-        EXPECT_FALSE(glIsEnabled(array));
-        glEnableClientState(array);
         EXPECT_TRUE(glIsEnabled(array));
         glDisableClientState(array);
         EXPECT_FALSE(glIsEnabled(array));
+        glEnableClientState(array);
+        EXPECT_TRUE(glIsEnabled(array));
+        glDisable(array);
+        EXPECT_FALSE(glIsEnabled(array));
     }
+    glClientActiveTexture(GL_TEXTURE1); // whose array it is, whatever unit ActiveTexture has chosen
+    glEnable(GL_TEXTURE_COORD_ARRAY);
+    EXPECT_TRUE(glIsEnabled(GL_TEXTURE_COORD_ARRAY));
+    glClientActiveTexture(GL_TEXTURE0);
+    EXPECT_FALSE(glIsEnabled(GL_TEXTURE_COORD_ARRAY));
+    glEnable(GL_VERTEX_ARRAY);
+#if SPANGLE_FEATURE_ATTRIB_STACKS
+    glPushAttrib(GL_ENABLE_BIT); // which does not hold what is the client's
+    glDisable(GL_VERTEX_ARRAY);
+    glPopAttrib();
+    EXPECT_FALSE(glIsEnabled(GL_VERTEX_ARRAY));
+#endif
+#if SPANGLE_FEATURE_LISTS
+    glNewList(1, GL_COMPILE);
+    glEnable(GL_NORMAL_ARRAY);
+    glEndList();
+    EXPECT_FALSE(glIsEnabled(GL_NORMAL_ARRAY));
+    glCallList(1);
+    EXPECT_TRUE(glIsEnabled(GL_NORMAL_ARRAY));
+#endif
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 TEST_F(State, ArrayPointers) {

@@ -234,6 +234,81 @@ TEST_F(Attributes, ArrayElementSetsCurrentValues) {
     EXPECT_TRUE(recorder.primitives.empty()) << "without vertices there is no geometry";
 }
 
+/// Drivers keep the current values when arrays are drawn, and programs rely on that: each enabled array,
+/// every command that draws arrays, at once or out of a list, with a material that follows the colour or
+/// without.
+TEST_F(Attributes, DrawnArraysLeaveCurrentValues) {
+    const GLfloat four[3][4] = {{0.1f, 0.2f, 0.3f, 0.4f}, {0.5f, 0.6f, 0.7f, 0.8f}, {0.9f, 1, 0, 0.5f}};
+    const GLubyte flags[3] = {0, 0, 0};
+    for (GLint unit = 0; unit < 2; ++unit) {
+        glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glTexCoordPointer(4, GL_FLOAT, 0, four);
+        glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    }
+    glVertexPointer(3, GL_FLOAT, 16, four);
+    glNormalPointer(GL_FLOAT, 16, four);
+    glColorPointer(4, GL_FLOAT, 0, four);
+    glSecondaryColorPointer(3, GL_FLOAT, 16, four);
+    glFogCoordPointer(GL_FLOAT, 16, four);
+    glIndexPointer(GL_FLOAT, 16, four);
+    glEdgeFlagPointer(0, flags);
+    const GLubyte indices[3] = {0, 1, 2};
+    const void* const many[] = {indices};
+    const GLint first = 0;
+    const GLsizei count = 3;
+    const auto draw = [&](int how) {
+        how == 0   ? glDrawArrays(GL_TRIANGLES, 0, 3)
+        : how == 1 ? glDrawElements(GL_LINE_LOOP, 3, GL_UNSIGNED_BYTE, indices)
+        : how == 2 ? glDrawRangeElements(GL_POINTS, 0, 2, 3, GL_UNSIGNED_BYTE, indices)
+        : how == 3 ? glMultiDrawArrays(GL_POLYGON, &first, &count, 1)
+                   : glMultiDrawElements(GL_TRIANGLE_STRIP, &count, GL_UNSIGNED_BYTE,
+                                         const_cast<const void**>(many), 1);
+    };
+    constexpr GLenum arrays[] = {GL_NORMAL_ARRAY,         GL_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY,
+                                 GL_FOG_COORDINATE_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY};
+    for (unsigned on = 0; on < 64 * 4; ++on) {
+        (on & 64 ? glEnable : glDisable)(GL_LIGHTING);
+        (on & 128 ? glEnable : glDisable)(GL_COLOR_MATERIAL);
+        for (unsigned i = 0; i < 6; ++i)
+            (on >> i & 1 ? glEnableClientState : glDisableClientState)(arrays[i]);
+        glEnableClientState(GL_VERTEX_ARRAY);
+        glColor4f(0.25f, 0.5f, 0.75f, 1);
+        glSecondaryColor3f(0.125f, 0.25f, 0.5f);
+        glNormal3f(0, -1, 0);
+        glIndexf(7);
+        glFogCoordf(3);
+        glEdgeFlag(GL_TRUE);
+        glMultiTexCoord4f(GL_TEXTURE0, 1, 2, 3, 4);
+        glMultiTexCoord4f(GL_TEXTURE1, 5, 6, 7, 8);
+        const int how = static_cast<int>(on % 5);
+        if (on % 3 == 0) {
+            draw(how);
+        } else {
+            glNewList(1, on % 3 == 1 ? GL_COMPILE : GL_COMPILE_AND_EXECUTE);
+            draw(how);
+            glEndList();
+            glCallList(1);
+        }
+        current_is("colour", GL_CURRENT_COLOR, {0.25, 0.5, 0.75, 1});
+        current_is("secondary colour", GL_CURRENT_SECONDARY_COLOR, {0.125, 0.25, 0.5, 1});
+        current_is("normal", GL_CURRENT_NORMAL, {0, -1, 0});
+        current_is("index", GL_CURRENT_INDEX, {7});
+        current_is("fog coordinate", GL_CURRENT_FOG_COORDINATE, {3});
+        current_is("edge flag", GL_EDGE_FLAG, {1});
+        current_is("texture coordinates", GL_CURRENT_TEXTURE_COORDS, {1, 2, 3, 4});
+        glActiveTexture(GL_TEXTURE1);
+        current_is("texture coordinates", GL_CURRENT_TEXTURE_COORDS, {5, 6, 7, 8});
+        glActiveTexture(GL_TEXTURE0);
+        if (on & 128) {
+            GLfloat diffuse[4];
+            glGetMaterialfv(GL_FRONT, GL_DIFFUSE, diffuse);
+            EXPECT_EQ(diffuse[2], 0.75f) << "the material follows the colour";
+        }
+        ASSERT_FALSE(HasFailure()) << on;
+    }
+    glDisable(GL_COLOR_MATERIAL);
+}
+
 /// A vertex has the colour of its time, to the last component.
 TEST_F(Attributes, EachComponentOfTheColorCounts) {
     GLubyte rgba[4] = {10, 20, 30, 40};

@@ -157,6 +157,21 @@ TEST_F(FogCoordinate, FactorsOfAllModes) {
         EXPECT_NEAR(left(c), 255 * std::exp(-0.25 * c * c), 0.51) << c;
 }
 
+/// Nothing is divided by 0: what lies before END is clear, what lies behind it is fog (the limit of the
+/// formula), and the unit before END is a ramp, as in Mesa.
+TEST_F(FogCoordinate, LinearFogThatStartsWhereItEnds) {
+    glFogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    glDisable(GL_DITHER);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    for (const GLfloat end : {0.0f, 3.0f, -7.5f, 1000.0f, 1e6f}) {
+        glFogf(GL_FOG_START, end);
+        glFogf(GL_FOG_END, end);
+        for (const GLfloat before : {1e9f, 2.0f, 1.0f, 0.5f, 0.25f, 0.0f, -0.5f, -100.0f, -1e9f})
+            EXPECT_NEAR(left(end - before), 255 * std::fmin(1, std::fmax(0, before)), 0.51)
+                << end << ' ' << before;
+    }
+}
+
 #if SPANGLE_FEATURE_RASTER_POS
 TEST_F(FogCoordinate, RasterPosition) {
     const auto distance = [] {
