@@ -263,7 +263,8 @@ RunResult run(const RunOptions& options) {
         ++report.frames;
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        result.error = fmt::format("{} raised GL error 0x{:04X}", program.name, error);
+        result.error = fmt::format("{} raised GL error 0x{:04X}{}{}", program.name, error,
+                                   Session::complaint().empty() ? "" : ": ", Session::complaint());
         return result;
     }
 

@@ -72,6 +72,8 @@ std::string Screen::open_display(const RunOptions& options) {
         stand_.emplace(*counted_, attached_.board.display);
         display_ = &stand_->display();
     }
+    if (SPANGLE_EXTENTS == 0)
+        display_ = &whole_.emplace(*display_);
     return "";
 }
 

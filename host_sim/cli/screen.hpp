@@ -16,6 +16,7 @@
 #include "host_sim/cli/options.hpp"
 #include "host_sim/cli/report.hpp"
 #include "host_sim/cli/session.hpp"
+#include "host_sim/cli/whole_frames.hpp"
 
 namespace spangle::cli {
 
@@ -45,6 +46,7 @@ class Screen {
     bringup::Attached attached_;
     std::optional<bringup::CountedBus> counted_;
     std::optional<bringup::Stand> stand_; ///< of a real panel
+    std::optional<WholeFrames> whole_;    ///< where this build does not tell what was drawn
     hal::Display* display_ = nullptr;
     Counts before_;
     Clock::time_point started_, finished_;

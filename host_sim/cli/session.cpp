@@ -14,10 +14,23 @@ namespace spangle::cli {
 
 namespace {
 
-/// The last sentence the library said, for error messages.
+/// The first and the last sentence the library said, for error messages.
+std::string& first_message() {
+    static std::string text;
+    return text;
+}
 std::string& last_message() {
     static std::string text;
     return text;
+}
+
+void listen() {
+    first_message().clear();
+    on_message([](unsigned, const char* text) {
+        last_message() = text;
+        if (first_message().empty())
+            first_message() = text;
+    });
 }
 
 std::string egl_problem(const char* call) {
@@ -84,7 +97,7 @@ std::string Session::open(EGLConfig config, const EGLint* window, const EGLint* 
 }
 
 std::string Session::open_display(hal::Display& display, Precision precision, const BandOptions& bands) {
-    on_message([](unsigned, const char* text) { last_message() = text; });
+    listen();
     display_ = eglGetDisplay(native(display));
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
@@ -94,12 +107,19 @@ std::string Session::open_display(hal::Display& display, Precision precision, co
 }
 
 std::string Session::open_picture(int width, int height, Precision precision) {
-    on_message([](unsigned, const char* text) { last_message() = text; });
+    listen();
     display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
+    if (display_ == EGL_NO_DISPLAY)
+        return "this build has no display beside the board's (SPANGLE_DISPLAYS); --size draws without a "
+               "board";
+    if (!eglInitialize(display_, nullptr, nullptr))
         return egl_problem("eglInitialize");
     const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
     return open(choose(precision, false), nullptr, size);
+}
+
+const std::string& Session::complaint() {
+    return first_message();
 }
 
 bool Session::make_current() const {

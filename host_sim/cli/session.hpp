@@ -29,6 +29,8 @@ class Session {
     /// Draws a frame and presents it, in bands by a call for each; false with `error()` when that failed.
     bool frame(const std::function<void()>& draw);
     const std::string& error() const { return error_; }
+    /// The first sentence that the library said since a session was opened; empty: it had no reason to.
+    static const std::string& complaint();
     int width() const { return width_; }
     int height() const { return height_; }
     /// Bytes of Spangle's memory (spangle::memory) that the surface and the context took.

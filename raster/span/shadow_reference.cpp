@@ -79,12 +79,15 @@ template <class N> class Fragment {
         if (!state.needs.rgb)
             return static_cast<void>(run<White<N>, White<Reference>>());
         const bool alpha = state.needs.alpha;
-        if (fixed_.kind == Kind::full)
-            alpha ? run<GouraudQ<N, true>, GouraudQ<Reference, true>>()
-                  : run<GouraudQ<N, false>, GouraudQ<Reference, false>>();
-        else
-            alpha ? run<Gouraud<N, true>, Gouraud<Reference, true>>()
-                  : run<Gouraud<N, false>, Gouraud<Reference, false>>();
+        // Where no colour is divided, spans have no planes of colours over w.
+        if constexpr (has_full)
+            if (fixed_.kind == Kind::full) {
+                alpha ? run<GouraudQ<N, true>, GouraudQ<Reference, true>>()
+                      : run<GouraudQ<N, false>, GouraudQ<Reference, false>>();
+                return colors(ShadowStage::primary);
+            }
+        alpha ? run<Gouraud<N, true>, Gouraud<Reference, true>>()
+              : run<Gouraud<N, false>, Gouraud<Reference, false>>();
         colors(ShadowStage::primary);
     }
 

@@ -11,9 +11,11 @@
 
 #include "host_sim/bringup/attach.hpp"
 #include "host_sim/bringup/card.hpp"
+#include "host_sim/bringup/counted_bus.hpp"
 #include "host_sim/bringup/probe.hpp"
 #include "host_sim/bringup/wizard.hpp"
 #include "host_sim/bringup/wrong.hpp"
+#include "tests/panel_pattern.hpp"
 
 namespace {
 
@@ -399,6 +401,23 @@ TEST(Wrong, EachLooksLikeNoOther) {
             EXPECT_FALSE(seen[i] == seen.back()) << wrong.name << " looks like number " << i;
     }
     EXPECT_EQ(bringup::find_wrong("nothing"), nullptr);
+}
+
+/// What a real bus is given is what a simulated one counts at its wires: whole frames, and windows of some
+/// columns.
+TEST(CountedBus, CountsWhatTheWiresCarry) {
+    sim::SimBoard sim(boards::st7735_128x160);
+    bringup::CountedBus counted(sim.bus());
+    bringup::Stand stand(counted, boards::st7735_128x160.display);
+    ASSERT_TRUE(stand.display().init().ok());
+    EXPECT_EQ(counted.bytes(), sim.counters().bytes);
+    EXPECT_EQ(counted.commands(), sim.counters().commands);
+    for (const Rect area : {Rect{0, 0, 128, 160}, Rect{5, 7, 20, 30}, Rect{64, 1, 1, 1}}) {
+        ASSERT_TRUE(test::draw_pattern(stand.display(), 3, area));
+        ASSERT_TRUE(stand.display().present().ok());
+        EXPECT_EQ(counted.bytes(), sim.counters().bytes);
+        EXPECT_EQ(counted.commands(), sim.counters().commands);
+    }
 }
 
 } // namespace

@@ -152,15 +152,20 @@ TEST(I2cDump, Replays) {
         std::string line;
         Time now = 0;
         bool scl = true, sda = true;
+        int starts = 0, stops = 0; // the line falls or rises while the clock is high
         while (std::getline(file, line)) {
             if (line[0] == '#')
                 now = std::stoull(line.substr(1));
             else if (line == "0k" || line == "1k" || line == "0s" || line == "1s") {
+                if (line[1] == 's' && scl && now != 0)
+                    ++(line[0] == '0' ? starts : stops);
                 (line[1] == 'k' ? scl : sda) = line[0] == '1';
                 pins.set(scl, sda, now);
             } else if (line == "0r" || line == "1r")
                 again->reset(line[0] == '0', now);
         }
+        EXPECT_GT(starts, 2) << board->name;
+        EXPECT_EQ(stops, starts) << board->name << ": each message ends";
         EXPECT_EQ(pins.strays(), 0u) << board->name;
         EXPECT_EQ(again->violations_text(), "") << board->name;
         EXPECT_EQ(again->cells(), sent->cells()) << board->name;
