@@ -34,14 +34,15 @@ template <class L> class LinesTogether {
         vertex_ = vertex;
         step_ = step;
         count_ = step == 1 ? n - 1 : n / 2;
-        const Int low = {area.x, area.y, 0, 0};
-        const Int last = {static_cast<std::int32_t>(area.w) - 1, static_cast<std::int32_t>(area.h) - 1, 0, 0};
-        Int outside{};
-        for (int i = 0; i < n; ++i) { // lanes 2 and 3 are anything
-            const Int from_low = row(*vertex[i]) - low;
+        // Lanes 2 and 3 hold words of any size, so all are counted without signs, which may wrap.
+        const Word low = {static_cast<std::uint32_t>(area.x), static_cast<std::uint32_t>(area.y), 0, 0};
+        const Word last = {area.w - 1, area.h - 1, 0, 0};
+        Word outside{};
+        for (int i = 0; i < n; ++i) {
+            const Word from_low = std::bit_cast<Word>(row(*vertex[i])) - low;
             outside |= from_low | (last - from_low);
         }
-        return (outside[0] | outside[1]) >= 0;
+        return (outside[0] | outside[1]) >> 31 == 0;
     }
 
     /// The first or second end of line i, after take().

@@ -346,8 +346,11 @@ Program viewports() {
     return {"viewports", start_program, [](int f) {
                 clear(0.2F, 0.1F, 0);
                 glPushAttrib(GL_VIEWPORT_BIT | GL_LINE_BIT | GL_POINT_BIT | GL_POLYGON_BIT);
-                for (int n = 0; n < 3; ++n) {
-                    glViewport(7 + 45 * n + f, 5 + 7 * n, 37, 41);
+                for (int n = 0; n < 4; ++n) {
+                    if (n < 3)
+                        glViewport(7 + 45 * n + f, 5 + 7 * n, 37, 41);
+                    else // holds some bands whole
+                        glViewport(0, 29, 160, 40);
                     glPushMatrix();
                     glScalef(3.F, 2.F, 1.F);
                     glTranslatef(-60.F, -20.F, 0.F);

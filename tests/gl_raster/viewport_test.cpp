@@ -138,6 +138,12 @@ TEST_F(Viewport, HoldsOrMissesTheWindow) {
         set(box);
         expect_box(covered(quad), {0, 0, size, size});
     }
+    // It ends within the window on one side alone.
+    for (const Box& box :
+         {Box{0, 0, 10, size}, {50, 0, size - 50, size}, {0, 0, size, 7}, {0, 40, size, size - 40}}) {
+        set(box);
+        expect_box(covered(quad), box);
+    }
     set({-64, -64, 64 + 10, 64 + 5});
     expect_box(covered(quad), {0, 0, 10, 5});
     for (const Box& box :
@@ -238,6 +244,8 @@ TEST_F(Viewport, LinesAreClippedAsLines) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     expect_box(drawn(-50, 12.5, 150, 12.5), {20, 9, 25, 7});
     expect_box(drawn(-50, 9.5, 150, 9.5), {20, 6, 25, 7});
+    glLineWidth(1); // and yet two pixels have a part of it
+    expect_box(drawn(-50, 9.25, 150, 9.25), {20, 8, 25, 2});
 }
 
 /// Lines of one pixel have the fragments of the line in the whole window that lie in the viewport, but for
