@@ -121,6 +121,10 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
     context->gl = gl;
     context->next = display->contexts;
     display->contexts = context;
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().created != nullptr)
+        platforms().created(*gl);
+#endif
     succeed();
     return context;
 }

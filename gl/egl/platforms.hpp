@@ -6,6 +6,10 @@
 #include <spangle/hal/display.hpp>
 #include <spangle/hal/window_system.hpp>
 
+namespace spangle::gl {
+struct Context;
+}
+
 namespace spangle::egl {
 
 /// What a program's native display is: a window system, or one panel, or, with neither, a place for pbuffers.
@@ -25,6 +29,8 @@ struct Platforms {
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
     /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
+    /// Sees each new context.
+    void (*created)(gl::Context& context) = nullptr;
 };
 /// Must come before the first EGL call.
 void use_platforms(const Platforms& platforms);
