@@ -53,6 +53,9 @@ struct Drawable {
     bool double_buffered = false, read_double_buffered = false;
     std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
     void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
+#if SPANGLE_HAS_PLATFORMS
+    void (*follow)() = nullptr; ///< takes the size that its window has by now; null: it never changes
+#endif
 #if SPANGLE_HAS_RECORDS
     const Recording* recording = nullptr; ///< null: what is drawn is drawn at once
 #else

@@ -48,7 +48,7 @@ void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows) {
     Band& band = surface.band;
     if (band.colors) {
-        const hal::Result<hal::Frame> frame = display.native->acquire_band(first, rows);
+        const hal::Result<hal::Frame> frame = native_of(display, surface).acquire_band(first, rows);
         if (!frame.ok())
             return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
         if (!take(surface, frame.value()))
@@ -95,15 +95,15 @@ bool send_band(Display& display, Surface& surface) {
     raster::resolve(pixels_of(surface));
     if (!surface.band.colors)
         gather_extents(surface);
-    else if (const hal::Result<void> sent = display.native->present_band(); !sent.ok())
+    else if (const hal::Result<void> sent = native_of(display, surface).present_band(); !sent.ok())
         return fail(EGL_BAD_NATIVE_WINDOW, sent.error().rule) != EGL_FALSE;
     return true;
 }
 
 namespace {
 
-bool present_whole(Display& display) {
-    const hal::Result<void> shown = display.native->present();
+bool present_whole(Display& display, Surface& surface) {
+    const hal::Result<void> shown = native_of(display, surface).present();
     return shown.ok() || fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
 }
 
@@ -119,7 +119,7 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
                    EGL_FALSE;
         return send_band(display, surface);
     });
-    return drawn && (surface.band.colors || present_whole(display));
+    return drawn && (surface.band.colors || present_whole(display, surface));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "gl/context/error.hpp"
 #include "gl/context/limits.hpp"
+#include "gl/egl/platforms.hpp"
 #include "gl/vertex/engine.hpp"
 
 namespace spangle::egl {
@@ -59,10 +60,25 @@ struct Attribute {
 /// display's WireFormat, or 0 where they travel as they are.
 EGLint visual_of(const Display& display, const Config& c) {
     const auto layout = static_cast<EGLint>(c.format);
+#if SPANGLE_HAS_PLATFORMS
+    if (display.system != nullptr)
+        return fits_window(display, c) ? display.system->visual_id(c.format) : 0;
+#endif
     if (!fits_window(display, c))
         return layout;
     const hal::WireFormat wire = display.native->info().wire;
     return wire == hal::WireFormat::none ? layout : layout | (1 + static_cast<EGLint>(wire)) << 8;
+}
+
+/// What beside pbuffers may have this configuration. Where there is one window there are many, and pixmaps.
+EGLint shown_bits(const Display& display, const Config& c) {
+    if (!fits_window(display, c))
+        return 0;
+#if SPANGLE_HAS_PLATFORMS
+    if (display.system != nullptr)
+        return EGL_WINDOW_BIT | EGL_PIXMAP_BIT;
+#endif
+    return EGL_WINDOW_BIT;
 }
 
 /// EGL 1.4, table 3.1.
@@ -95,7 +111,7 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_INDEX_SIZE_SPANGLE:
         return {true, info.index_bits};
     case EGL_SURFACE_TYPE:
-        return {true, EGL_PBUFFER_BIT | (fits_window(display, c) ? EGL_WINDOW_BIT : 0)};
+        return {true, EGL_PBUFFER_BIT | shown_bits(display, c)};
     case EGL_RENDERABLE_TYPE:
         return {true, EGL_OPENGL_BIT};
     case EGL_CONFORMANT:
@@ -110,6 +126,11 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_MAX_SWAP_INTERVAL:
         return {true, most_swap_interval};
     case EGL_NATIVE_VISUAL_TYPE:
+#if SPANGLE_HAS_PLATFORMS
+        if (display.system != nullptr && fits_window(display, c))
+            return {true, display.system->visual_type()};
+#endif
+        return {true, EGL_NONE};
     case EGL_TRANSPARENT_TYPE:
         return {true, EGL_NONE};
     case EGL_SAMPLES:
@@ -233,7 +254,7 @@ bool matches(const Display& display, const Config& config, const Wishes& wishes)
 }
 
 /// Configs differ in depth and precision alone: before() has the order of ids.
-constexpr bool in_order = (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
+constexpr bool in_order = !SPANGLE_HAS_PLATFORMS && (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
 
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
 /// then the smaller buffers, then the id.
@@ -258,12 +279,23 @@ bool before(const Display& display, const Wishes& wishes, const Config& a, const
     }
     // Of two that differ in nothing else the display's own byte order comes first.
     const bool own_a = fits_window(display, a), own_b = fits_window(display, b);
-    return own_a != own_b ? own_a : a.id < b.id;
+    if (own_a != own_b)
+        return own_a;
+#if SPANGLE_HAS_PLATFORMS
+    if (a.precision != b.precision &&
+        (a.precision == platforms().precision || b.precision == platforms().precision))
+        return a.precision == platforms().precision;
+#endif
+    return a.id < b.id;
 }
 
 } // namespace
 
 bool fits_window(const Display& display, const Config& config) {
+#if SPANGLE_HAS_PLATFORMS
+    if (display.system != nullptr)
+        return display.system->shows(config.format);
+#endif
     return display.native != nullptr && display.native->info().format == config.format;
 }
 

@@ -3,6 +3,7 @@
 #include "gl/context/error.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
+#include "gl/egl/platforms.hpp"
 #include "gl/vertex/engine.hpp"
 
 #include <new>
@@ -15,6 +16,15 @@ namespace {
 bool compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
+
+#if !SPANGLE_HAS_PLATFORMS
+
+/// OpenGL contexts take no attributes in EGL 1.4.
+EGLint context_problem(const EGLint* list) {
+    return list == nullptr || *list == EGL_NONE ? EGL_SUCCESS : EGL_BAD_ATTRIBUTE;
+}
+
+#endif
 
 /// Whether another thread has it.
 bool elsewhere(const Surface* surface) {
@@ -31,9 +41,25 @@ void attach_surfaces() {
     set_pixels(*t.read, drawable.read);
     drawable.read_double_buffered = t.read->back_buffered;
     drawable.show = show_window;
+#if SPANGLE_HAS_PLATFORMS
+    drawable.follow = t.draw->system != nullptr ? follow_current_window : nullptr;
+#endif
     gl::make_current(*t.context->gl);
     attach_record(*t.draw);
 }
+
+#if SPANGLE_HAS_PLATFORMS
+
+void follow_current_window() {
+    const Thread& t = thread();
+    const EGLint before = t.error;
+    const std::int32_t width = t.draw->width, height = t.draw->height;
+    if (follow_window(*t.draw) && (t.draw->width != width || t.draw->height != height))
+        attach_surfaces();
+    thread().error = before;
+}
+
+#endif
 
 void release_current() {
     Thread& t = thread();
@@ -74,8 +100,9 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
     Context* const share = share_context == EGL_NO_CONTEXT ? nullptr : find_context(*display, share_context);
     if (share_context != EGL_NO_CONTEXT && share == nullptr)
         return EGL_NO_CONTEXT;
-    if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
-        fail(EGL_BAD_ATTRIBUTE); // OpenGL contexts take none in EGL 1.4
+    const EGLint problem = context_problem(attrib_list);
+    if (problem != EGL_SUCCESS) {
+        fail(problem);
         return EGL_NO_CONTEXT;
     }
     const Precision precision = precision_of(found.precision);
@@ -94,6 +121,10 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
     context->gl = gl;
     context->next = display->contexts;
     display->contexts = context;
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().created != nullptr)
+        platforms().created(*gl);
+#endif
     succeed();
     return context;
 }

@@ -5,6 +5,7 @@
 #include "gl/api/names.hpp"
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
+#include "gl/egl/platforms.hpp"
 
 namespace spangle {
 
@@ -119,6 +120,29 @@ void free_destroyed(Display& display) {
     sweep(display);
 }
 
+EGLDisplay display_of(hal::Display* native, [[maybe_unused]] hal::WindowSystem* system) {
+    const auto is_it = [&](const Display& display) {
+#if SPANGLE_HAS_PLATFORMS
+        if (display.system != system)
+            return false;
+#endif
+        return display.native == native;
+    };
+    for (Display& display : displays)
+        if (display.used && is_it(display))
+            return &display;
+    for (Display& display : displays)
+        if (!display.used) {
+            display.used = true;
+            display.native = native;
+#if SPANGLE_HAS_PLATFORMS
+            display.system = system;
+#endif
+            return &display;
+        }
+    return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)
+}
+
 } // namespace egl
 
 void memory(void* begin, std::size_t bytes) {
@@ -143,17 +167,11 @@ EGLint eglGetError() {
 }
 
 EGLDisplay eglGetDisplay(EGLNativeDisplayType display_id) {
-    auto* const native = static_cast<spangle::hal::Display*>(display_id);
-    for (Display& display : displays)
-        if (display.used && display.native == native)
-            return &display;
-    for (Display& display : displays)
-        if (!display.used) {
-            display.used = true;
-            display.native = native;
-            return &display;
-        }
-    return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().find != nullptr)
+        return platform_display(EGL_NONE, display_id);
+#endif
+    return display_of(static_cast<spangle::hal::Display*>(display_id), nullptr);
 }
 
 EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
@@ -165,6 +183,13 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
             if (!up.ok())
                 return fail(EGL_NOT_INITIALIZED, up.error().rule);
         }
+#if SPANGLE_HAS_PLATFORMS
+        if (!display.initialized && display.system != nullptr) {
+            const spangle::hal::Result<void> up = display.system->init();
+            if (!up.ok())
+                return fail(EGL_NOT_INITIALIZED, up.error().rule);
+        }
+#endif
         display.initialized = true;
         if (major != nullptr)
             *major = 1;
@@ -195,6 +220,10 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
 }
 
 const char* eglQueryString(EGLDisplay dpy, EGLint name) {
+#if SPANGLE_HAS_PLATFORMS
+    if (dpy == EGL_NO_DISPLAY && name == EGL_EXTENSIONS)
+        return client_extensions();
+#endif
     if (find_display(dpy) == nullptr)
         return nullptr;
     succeed();
@@ -207,6 +236,9 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
         return "OpenGL";
     case EGL_EXTENSIONS:
         return "EGL_EXT_buffer_age EGL_SPANGLE_precision"
+#if SPANGLE_HAS_PLATFORMS
+               " EGL_KHR_create_context EGL_KHR_get_all_proc_addresses"
+#endif
 #if SPANGLE_FEATURE_BANDS
                " EGL_SPANGLE_bands"
 #endif

@@ -6,6 +6,7 @@
 #include <spangle/EGL/egl.h>
 #include <spangle/format.hpp>
 #include <spangle/hal/display.hpp>
+#include <spangle/hal/window_system.hpp>
 
 #include "gl/context/arena.hpp"
 #include "gl/context/create.hpp"
@@ -51,7 +52,13 @@ struct Surface {
     Config config;
     std::int32_t width = 0, height = 0;
     bool destroyed = false; ///< no handle any more, and freed once nothing holds it
-    bool window = false;
+    bool window = false; ///< shown somewhere: a window, or a pixmap of a window system
+#if SPANGLE_HAS_PLATFORMS
+    hal::WindowSystem* system = nullptr; ///< that opened `native` for this surface, and closes it
+    hal::Display* native = nullptr;
+    std::uintptr_t native_handle = 0; ///< of the window or pixmap there
+    bool pixmap = false;
+#endif
     bool wants_single = false;  ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
     bool back_buffered = false; ///< SwapBuffers shows what was drawn; else Flush does
     unsigned bindings = 0;      ///< contexts it is current to
@@ -75,7 +82,10 @@ struct Context {
 };
 
 struct Display {
-    hal::Display* native = nullptr; ///< null: off-screen only
+    hal::Display* native = nullptr; ///< the panel; null: none
+#if SPANGLE_HAS_PLATFORMS
+    hal::WindowSystem* system = nullptr; ///< with neither there are pbuffers only
+#endif
     bool used = false, initialized = false;
     Surface* surfaces = nullptr;
     Context* contexts = nullptr;
@@ -98,6 +108,11 @@ Thread& thread();
 EGLBoolean fail(EGLint error, const char* text = nullptr);
 EGLBoolean succeed();
 
+/// The entry of a panel or of a window system, a new one where there is none; EGL_NO_DISPLAY when all are used.
+EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);
+/// Whether a native display may be asked for: what eglGetDisplay and eglGetPlatformDisplay give.
+EGLDisplay platform_display(EGLenum platform, void* native);
+
 /// The display behind a handle, or null with BAD_DISPLAY or NOT_INITIALIZED recorded.
 Display* find_display(EGLDisplay handle);
 Surface* find_surface(Display& display, EGLSurface handle);
@@ -108,6 +123,14 @@ gl::Arena& arena();
 
 /// A surface's memory.
 void free_surface(Surface* surface);
+
+/// A window of a window system that changed its size since its buffer was given gets planes and a buffer of
+/// its new size. False, with an error recorded, where these cannot be had: it stays as it is.
+bool follow_window(Surface& surface);
+
+/// A window of this display, or a pixmap: what eglCreateWindowSurface and eglCreatePixmapSurface make.
+EGLSurface create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle, bool pixmap,
+                        const EGLint* attrib_list);
 
 /// What is marked as destroyed is freed as soon as nothing holds it.
 void free_destroyed(Display& display);
@@ -126,7 +149,17 @@ void attach_surfaces();
 /// The display gave this buffer. False: it asks what is drawn there, which this build does not tell.
 bool take(Surface& surface, const hal::Frame& frame);
 
-/// Asks the display for the buffer of the next frame.
+/// Where a window is shown: on the display's panel, unless it is one of a window system.
+inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Surface& surface) {
+#if SPANGLE_HAS_PLATFORMS
+    if (surface.native != nullptr)
+        return *surface.native;
+#endif
+    return *display.native;
+}
+
+/// Asks the display for the buffer of the next frame. A window of a window system that has another size by now
+/// gets planes of that size, too.
 bool next_frame(Display& display, Surface& surface);
 
 /// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.

@@ -21,6 +21,6 @@ extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EG
     if (first < 0 || count < 0 || first > spangle::hal::palette_size ||
         count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
         return fail(EGL_BAD_PARAMETER);
-    const auto result = display->native->set_palette(first, count, rgb);
+    const auto result = native_of(*display, *surface).set_palette(first, count, rgb);
     return result.ok() ? succeed() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);
 }

@@ -55,6 +55,20 @@ __eglMustCastToProperFunctionPointerType find_egl(const char* name) {
         ENTRY(eglSetPaletteSPANGLE),
         ENTRY(eglSwapBuffers),
         ENTRY(eglGetProcAddress),
+        ENTRY(eglSurfaceAttrib),
+        ENTRY(eglBindTexImage),
+        ENTRY(eglReleaseTexImage),
+        ENTRY(eglCreatePbufferFromClientBuffer),
+#if SPANGLE_HAS_PLATFORMS
+        ENTRY(eglCreatePixmapSurface),
+        ENTRY(eglCopyBuffers),
+        ENTRY(eglGetPlatformDisplay),
+        ENTRY(eglGetPlatformDisplayEXT),
+        ENTRY(eglCreatePlatformWindowSurface),
+        ENTRY(eglCreatePlatformWindowSurfaceEXT),
+        ENTRY(eglCreatePlatformPixmapSurface),
+        ENTRY(eglCreatePlatformPixmapSurfaceEXT),
+#endif
     };
 #undef ENTRY
     for (const Entry& entry : table)

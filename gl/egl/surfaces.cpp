@@ -4,9 +4,11 @@
 #include "gl/context/limits.hpp"
 #include "gl/egl/configs.hpp"
 #include "gl/egl/objects.hpp"
+#include "gl/egl/platforms.hpp"
 
 #include <initializer_list>
 #include <new>
+#include <utility>
 
 namespace spangle::egl {
 
@@ -171,6 +173,50 @@ EGLSurface refuse_window(EGLint problem) {
     return EGL_NO_SURFACE;
 }
 
+/// The place where a new surface is shown.
+struct Shown {
+    hal::Display* native;
+
+#if SPANGLE_HAS_PLATFORMS
+    hal::WindowSystem* system = nullptr;
+
+    /// EGL_SUCCESS, or the error of that handle.
+    EGLint open(const Display& display, const Config& config, std::uintptr_t handle, bool pixmap) {
+        const EGLint wrong = pixmap ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW;
+        for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
+            if (s->window && !s->destroyed && s->native_handle == handle && s->pixmap == pixmap)
+                return EGL_BAD_ALLOC; // the glass has one window, and a window one surface
+        if (display.system == nullptr)
+            return handle != 0 || pixmap ? wrong : EGL_SUCCESS;
+        const hal::Result<hal::Display*> opened = display.system->open(handle, pixmap, config.format);
+        if (!opened.ok())
+            return wrong;
+        system = display.system;
+        native = opened.value();
+        return EGL_SUCCESS;
+    }
+    void close() const {
+        if (system != nullptr)
+            system->close(*native);
+    }
+    void give(Surface& surface, std::uintptr_t handle, bool pixmap) const {
+        surface.system = system;
+        surface.native = system != nullptr ? native : nullptr;
+        surface.native_handle = handle;
+        surface.pixmap = pixmap;
+    }
+#else
+    static EGLint open(const Display& display, const Config&, std::uintptr_t handle, bool) {
+        for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
+            if (s->window && !s->destroyed)
+                return EGL_BAD_ALLOC; // the glass has one window
+        return handle != 0 ? EGL_BAD_NATIVE_WINDOW : EGL_SUCCESS;
+    }
+    static void close() {}
+    static void give(const Surface&, std::uintptr_t, bool) {}
+#endif
+};
+
 /// Where GL row 0 would be in a plane whose first row is row `first` of so many from the top. Addresses are
 /// numbers: of a band, that row is not there.
 std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
@@ -204,8 +250,51 @@ bool take(Surface& surface, const hal::Frame& frame) {
     return true;
 }
 
+#if SPANGLE_HAS_PLATFORMS
+
+bool follow_window(Surface& surface) {
+    const hal::DisplayInfo info = surface.native->info();
+    if (surface.in_bands() || (info.width == surface.width && info.height == surface.height))
+        return true;
+    Surface* const other =
+        make(surface.config, info.width, info.height, {false, surface.accum != nullptr, {}, 0});
+    if (other == nullptr)
+        return fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for the planes of a window that became larger; "
+                                                "see spangle::memory")) != EGL_FALSE;
+    const hal::Result<hal::Frame> frame = surface.native->acquire();
+    if (frame.ok()) {
+        std::swap(surface.depth, other->depth);
+        std::swap(surface.accum, other->accum);
+        std::swap(surface.sample_colors, other->sample_colors);
+        std::swap(surface.unresolved, other->unresolved);
+        surface.samples = other->samples;
+        surface.width = info.width;
+        surface.height = info.height;
+    }
+    free_surface(other);
+    return frame.ok() ? take(surface, frame.value())
+                      : fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
+}
+
+namespace {
+
+bool changed_size(const Surface& surface) {
+    if (surface.system == nullptr || surface.in_bands())
+        return false;
+    const hal::DisplayInfo info = surface.native->info();
+    return info.width != surface.width || info.height != surface.height;
+}
+
+} // namespace
+
+#endif
+
 bool next_frame(Display& display, Surface& surface) {
-    const hal::Result<hal::Frame> frame = display.native->acquire();
+#if SPANGLE_HAS_PLATFORMS
+    if (changed_size(surface))
+        return follow_window(surface);
+#endif
+    const hal::Result<hal::Frame> frame = native_of(display, surface).acquire();
     if (!frame.ok()) {
         fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
         return false;
@@ -215,6 +304,10 @@ bool next_frame(Display& display, Surface& surface) {
 
 void free_surface(Surface* surface) {
     free_record(surface->band);
+#if SPANGLE_HAS_PLATFORMS
+    if (surface->system != nullptr)
+        surface->system->close(*surface->native);
+#endif
     std::uint8_t* const own = surface->window ? nullptr : surface->frame.pixels;
     for (void* const plane : {static_cast<void*>(own), static_cast<void*>(surface->depth),
                               static_cast<void*>(surface->accum), static_cast<void*>(surface->sample_colors),
@@ -224,7 +317,7 @@ void free_surface(Surface* surface) {
 
 bool present(Display& display, Surface& surface) {
     raster::resolve(pixels_of(surface));
-    const hal::Result<void> shown = display.native->present();
+    const hal::Result<void> shown = native_of(display, surface).present();
     if (!shown.ok()) {
         fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
         return false;
@@ -242,12 +335,30 @@ void show_window(bool finish) {
         return;
     const EGLint before = thread().error;
     if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
-        const hal::Result<void> taken = t.display->native->finish();
+        const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
         if (!taken.ok())
             fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
     }
     thread().error = before;
 }
+
+#if SPANGLE_HAS_PLATFORMS
+
+namespace {
+
+/// Hands a pbuffer's picture to who asked for those that are swapped.
+void show_pbuffer(Surface& surface) {
+    raster::resolve(pixels_of(surface));
+    hal::DisplayInfo info;
+    info.width = surface.width;
+    info.height = surface.height;
+    info.format = surface.config.format;
+    platforms().swapped(surface.frame, info);
+}
+
+} // namespace
+
+#endif
 
 void set_pixels(Surface& surface, raster::Surface& out) {
     out = {};
@@ -286,44 +397,43 @@ void set_pixels(Surface& surface, raster::Surface& out) {
 
 using namespace spangle::egl;
 
-extern "C" {
-
-EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
-                                  const EGLint* attrib_list) {
+EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle, bool pixmap,
+                                      const EGLint* attrib_list) {
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_SURFACE;
     const Config found = find_config(*display, config);
     if (found.id == 0)
         return refuse_window(EGL_BAD_CONFIG);
-    if (display->native == nullptr)
-        return refuse_window(EGL_BAD_MATCH);
-    const spangle::hal::DisplayInfo info = display->native->info();
     WindowWish wish;
     Band band;
-    EGLint problem = found.format != info.format ? EGL_BAD_MATCH
-                     : win != 0                  ? EGL_BAD_NATIVE_WINDOW
-                                                 : read_window(attrib_list, wish);
+    Shown shown = {display->native};
+    EGLint problem = !fits_window(*display, found) ? EGL_BAD_MATCH : read_window(attrib_list, wish);
     if (problem == EGL_SUCCESS)
-        problem = choose_band(info, wish.band_height, band);
-    if (problem == EGL_SUCCESS && wish.record != 0)
-        problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
-    for (const Surface* s = display->surfaces; problem == EGL_SUCCESS && s != nullptr; s = s->next)
-        if (s->window && !s->destroyed)
-            problem = EGL_BAD_ALLOC; // the glass has one window
+        problem = shown.open(*display, found, handle, pixmap);
     if (problem != EGL_SUCCESS)
         return refuse_window(problem);
+    const spangle::hal::DisplayInfo info = shown.native->info();
+    problem = choose_band(info, wish.band_height, band);
+    if (problem == EGL_SUCCESS && wish.record != 0)
+        problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
+    if (problem != EGL_SUCCESS) {
+        shown.close();
+        return refuse_window(problem);
+    }
     Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band, wish.record});
     if (surface == nullptr) {
+        shown.close();
         fail(EGL_BAD_ALLOC,
              SPANGLE_TEXT(
                  "eglCreateWindowSurface: no memory for depth, samples and the record; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     surface->window = true;
-    surface->wants_single = wish.single;
+    shown.give(*surface, handle, pixmap);
+    surface->wants_single = wish.single || pixmap;
     // A wish that a display which flips buffers cannot grant (EGL 1.4, 3.5.1).
-    surface->back_buffered = !wish.single || !info.keeps_buffer || surface->in_bands();
+    surface->back_buffered = !surface->wants_single || !info.keeps_buffer || surface->in_bands();
     if (!surface->in_bands() && !next_frame(*display, *surface)) {
         const EGLint error = thread().error;
         free_surface(surface);
@@ -331,6 +441,13 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
         return EGL_NO_SURFACE;
     }
     return keep(*display, surface);
+}
+
+extern "C" {
+
+EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
+                                  const EGLint* attrib_list) {
+    return create_shown(dpy, config, win, false, attrib_list);
 }
 
 EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list) {
@@ -419,6 +536,9 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
     case EGL_MIPMAP_LEVEL:
         *value = 0;
         break;
+    case EGL_MULTISAMPLE_RESOLVE:
+        *value = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
+        break;
     case EGL_HORIZONTAL_RESOLUTION:
     case EGL_VERTICAL_RESOLUTION:
     case EGL_PIXEL_ASPECT_RATIO:
@@ -439,7 +559,7 @@ EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
     if (thread().draw == nullptr)
         return fail(EGL_BAD_SURFACE);
     if (thread().draw->window)
-        display->native->swap_interval(interval < least_swap_interval  ? least_swap_interval
+        native_of(*thread().display, *thread().draw).swap_interval(interval < least_swap_interval  ? least_swap_interval
                                        : interval > most_swap_interval ? most_swap_interval
                                                                        : interval);
     return succeed();
@@ -452,6 +572,10 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
     Surface* const surface = find_surface(*display, handle);
     if (surface == nullptr)
         return EGL_FALSE;
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().swapped != nullptr && !surface->window)
+        show_pbuffer(*surface);
+#endif
     if (!surface->back_buffered)
         return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
     if (thread().draw != surface)

@@ -161,6 +161,10 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
     context.changed(dirty_vertex);
     if (!held_window || !viewport_holds_window(context))
         context.changed(dirty_fragment); // where polygons end
+#if SPANGLE_HAS_PLATFORMS
+    if (context.drawable.follow != nullptr)
+        context.drawable.follow(); // this is how programs answer when their window has another size
+#endif
 }
 
 void DepthRange(Context& context, Real near_val, Real far_val) {

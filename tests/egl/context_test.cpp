@@ -67,7 +67,7 @@ TEST_F(Contexts, CreationErrors) {
     EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
     EXPECT_EQ(eglCreateContext(display, config, &local, nullptr), EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_BAD_CONTEXT);
-    const EGLint list[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE}; // of OpenGL ES only
+    const EGLint list[] = {EGL_WIDTH, 1, EGL_NONE}; // of surfaces only
     EXPECT_EQ(eglCreateContext(display, config, EGL_NO_CONTEXT, list), EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_BAD_ATTRIBUTE);
 }

@@ -28,6 +28,7 @@ typedef void* EGLContext;
 typedef void* EGLDisplay;
 typedef void* EGLSurface;
 typedef void* EGLClientBuffer;
+typedef intptr_t EGLAttrib; /* of EGL 1.5 */
 typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 
 #define EGL_VERSION_1_0 1
@@ -139,9 +140,30 @@ typedef void (*__eglMustCastToProperFunctionPointerType)(void);
 #define EGL_CONTEXT_CLIENT_TYPE 0x3097
 #define EGL_CONTEXT_CLIENT_VERSION 0x3098
 #define EGL_MULTISAMPLE_RESOLVE 0x3099
+#define EGL_MULTISAMPLE_RESOLVE_DEFAULT 0x309A
+#define EGL_MULTISAMPLE_RESOLVE_BOX 0x309B
 #define EGL_OPENGL_ES_API 0x30A0
 #define EGL_OPENVG_API 0x30A1
 #define EGL_OPENGL_API 0x30A2
+
+/* EGL_EXT_platform_base, EGL_MESA_platform_surfaceless, EGL_KHR_platform_x11 */
+#define EGL_PLATFORM_X11_KHR 0x31D5
+#define EGL_PLATFORM_X11_EXT 0x31D5
+#define EGL_PLATFORM_SURFACELESS_MESA 0x31DD
+
+/* EGL_KHR_create_context */
+#define EGL_CONTEXT_MAJOR_VERSION_KHR 0x3098
+#define EGL_CONTEXT_MINOR_VERSION_KHR 0x30FB
+#define EGL_CONTEXT_FLAGS_KHR 0x30FC
+#define EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR 0x30FD
+#define EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR 0x31BD
+#define EGL_NO_RESET_NOTIFICATION_KHR 0x31BE
+#define EGL_LOSE_CONTEXT_ON_RESET_KHR 0x31BF
+#define EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR 0x0001
+#define EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR 0x0002
+#define EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR 0x0004
+#define EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR 0x0001
+#define EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT_KHR 0x0002
 
 /* EGL_EXT_buffer_age */
 #define EGL_BUFFER_AGE_EXT 0x313D
@@ -200,6 +222,16 @@ EGLAPI EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig c
                                                      EGLNativeWindowType win, const EGLint* attrib_list);
 EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
                                                       const EGLint* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config,
+                                                     EGLNativePixmapType pixmap, const EGLint* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum buftype,
+                                                               EGLClientBuffer buffer, EGLConfig config,
+                                                               const EGLint* attrib_list);
+EGLAPI EGLBoolean EGLAPIENTRY eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
+                                               EGLint value);
+EGLAPI EGLBoolean EGLAPIENTRY eglBindTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
+EGLAPI EGLBoolean EGLAPIENTRY eglReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer);
+EGLAPI EGLBoolean EGLAPIENTRY eglCopyBuffers(EGLDisplay dpy, EGLSurface surface, EGLNativePixmapType target);
 EGLAPI EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface);
 EGLAPI EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute,
                                               EGLint* value);
@@ -226,6 +258,24 @@ EGLAPI EGLBoolean EGLAPIENTRY eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface su
                                                    EGLint count, const uint8_t* rgb);
 EGLAPI EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface);
 EGLAPI __eglMustCastToProperFunctionPointerType EGLAPIENTRY eglGetProcAddress(const char* procname);
+
+/* EGL_EXT_platform_base, and the names that EGL 1.5 has for it; hosts only. */
+EGLAPI EGLDisplay EGLAPIENTRY eglGetPlatformDisplayEXT(EGLenum platform, void* native_display,
+                                                       const EGLint* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config,
+                                                                void* native_window,
+                                                                const EGLint* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config,
+                                                                void* native_pixmap,
+                                                                const EGLint* attrib_list);
+EGLAPI EGLDisplay EGLAPIENTRY eglGetPlatformDisplay(EGLenum platform, void* native_display,
+                                                    const EGLAttrib* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config,
+                                                             void* native_window,
+                                                             const EGLAttrib* attrib_list);
+EGLAPI EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config,
+                                                             void* native_pixmap,
+                                                             const EGLAttrib* attrib_list);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,231 @@
+// Displays by platform (EGL_EXT_platform_base), attributes of contexts (EGL_KHR_create_context), and surfaces that stand
+// for windows and pixmaps of a window system.
+#include "gl/egl/platforms.hpp"
+
+#include "gl/context/error.hpp"
+#include "gl/context/gl_version.hpp"
+#include "gl/egl/objects.hpp"
+
+#if SPANGLE_HAS_PLATFORMS
+
+namespace spangle::egl {
+
+namespace {
+
+constinit Platforms known;
+constexpr std::size_t longest_extensions = 512;
+constinit char extensions[longest_extensions] = "";
+
+/// Appends a string where it fits.
+void append(char* to, const char* text) {
+    std::size_t end = 0;
+    while (to[end] != '\0')
+        ++end;
+    for (; *text != '\0' && end + 1 < longest_extensions; ++text)
+        to[end++] = *text;
+    to[end] = '\0';
+}
+
+/// Versions that exist below the build's own are compatible with it (EGL_KHR_create_context). Of unknown ones
+/// nobody could say so.
+bool has_version(EGLint major, EGLint minor) {
+    return major == 1 && minor >= 0 && minor <= gl::gl_minor;
+}
+
+} // namespace
+
+void use_platforms(const Platforms& platforms) {
+    known = platforms;
+}
+
+const Platforms& platforms() {
+    return known;
+}
+
+const char* client_extensions() {
+    succeed();
+    if (extensions[0] == '\0') {
+        append(extensions, "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless "
+                           "EGL_KHR_client_get_all_proc_addresses");
+        append(extensions, known.extensions);
+    }
+    return extensions;
+}
+
+EGLint context_problem(const EGLint* list) {
+    EGLint major = 1, minor = 0;
+    constexpr EGLint flags = EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR |
+                             EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR |
+                             EGL_CONTEXT_OPENGL_ROBUST_ACCESS_BIT_KHR;
+    bool beyond = false;
+    for (; list != nullptr && *list != EGL_NONE; list += 2) {
+        const EGLint value = list[1];
+        switch (list[0]) {
+        case EGL_CONTEXT_MAJOR_VERSION_KHR:
+            major = value;
+            break;
+        case EGL_CONTEXT_MINOR_VERSION_KHR:
+            minor = value;
+            break;
+        case EGL_CONTEXT_FLAGS_KHR:
+            if ((value & ~flags) != 0)
+                return EGL_BAD_ATTRIBUTE;
+            // Forward compatible contexts begin with OpenGL 3.0, robust ones ask for an extension of OpenGL.
+            beyond = beyond || (value & ~EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR) != 0;
+            break;
+        case EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR:
+            break; // means nothing below OpenGL 3.2
+        case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR:
+            if (value != EGL_NO_RESET_NOTIFICATION_KHR && value != EGL_LOSE_CONTEXT_ON_RESET_KHR)
+                return EGL_BAD_ATTRIBUTE;
+            beyond = beyond || value != EGL_NO_RESET_NOTIFICATION_KHR;
+            break;
+        default:
+            return EGL_BAD_ATTRIBUTE;
+        }
+    }
+    return beyond || !has_version(major, minor) ? EGL_BAD_MATCH : EGL_SUCCESS;
+}
+
+EGLDisplay platform_display(EGLenum platform, void* native) {
+    if (platform == EGL_PLATFORM_SURFACELESS_MESA) {
+        if (native == EGL_DEFAULT_DISPLAY)
+            return display_of(nullptr, nullptr);
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglGetPlatformDisplay: EGL_PLATFORM_SURFACELESS_MESA has the "
+                                             "display EGL_DEFAULT_DISPLAY alone"));
+        return EGL_NO_DISPLAY;
+    }
+    const NativeDisplay found = known.find != nullptr ? known.find(platform, native) : NativeDisplay{};
+    if (found.known)
+        return display_of(found.panel, found.windows);
+    if (platform != EGL_NONE)
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglGetPlatformDisplay: there is no such platform here"));
+    return EGL_NO_DISPLAY;
+}
+
+namespace {
+
+/// The attributes of EGL 1.5 are as wide as pointers; false when there are more than any surface has.
+constexpr std::size_t most_attributes = 32;
+bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
+    std::size_t n = 0;
+    for (; list != nullptr && list[n] != EGL_NONE; n += 2) {
+        if (n == 2 * most_attributes)
+            return false;
+        out[n] = static_cast<EGLint>(list[n]);
+        out[n + 1] = static_cast<EGLint>(list[n + 1]);
+    }
+    out[n] = EGL_NONE;
+    return true;
+}
+
+/// The platforms of X11 give a pointer to the handle of a window or pixmap (EGL_EXT_platform_x11).
+EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
+                          const EGLint* list) {
+    if (handle == nullptr) {
+        fail(pixmap ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW);
+        return EGL_NO_SURFACE;
+    }
+    return create_shown(dpy, config, *static_cast<const unsigned long*>(handle), pixmap, list);
+}
+
+EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
+                          const EGLAttrib* list) {
+    EGLint narrowed[2 * most_attributes + 1];
+    if (!narrow(list, narrowed)) {
+        fail(EGL_BAD_ATTRIBUTE);
+        return EGL_NO_SURFACE;
+    }
+    return create_pointed(dpy, config, handle, pixmap, narrowed);
+}
+
+/// Copies what both have, from the top left corner on.
+void copy_rows(const Surface& from, const hal::Frame& to, const hal::DisplayInfo& info) {
+    const std::int32_t width = from.width < info.width ? from.width : info.width,
+                       height = from.height < info.height ? from.height : info.height,
+                       bytes = row_bytes(from.config.format, width);
+    for (std::int32_t y = 0; y < height; ++y) {
+        const std::uint8_t* const source = from.frame.pixels + std::ptrdiff_t{y} * from.frame.stride;
+        std::uint8_t* const target = to.pixels + std::ptrdiff_t{y} * to.stride;
+        for (std::int32_t i = 0; i < bytes; ++i)
+            target[i] = source[i];
+    }
+}
+
+} // namespace
+
+} // namespace spangle::egl
+
+using namespace spangle::egl;
+
+extern "C" {
+
+EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native_display, const EGLint* attrib_list) {
+    if (attrib_list != nullptr && *attrib_list != EGL_NONE && platform != EGL_PLATFORM_X11_KHR) {
+        fail(EGL_BAD_ATTRIBUTE);
+        return EGL_NO_DISPLAY;
+    }
+    return platform_display(platform, native_display);
+}
+
+EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native_display, const EGLAttrib* attrib_list) {
+    const EGLint given[] = {attrib_list != nullptr && *attrib_list != EGL_NONE ? EGL_UNKNOWN : EGL_NONE,
+                            EGL_NONE, EGL_NONE};
+    return eglGetPlatformDisplayEXT(platform, native_display, given);
+}
+
+EGLSurface eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_window,
+                                             const EGLint* attrib_list) {
+    return create_pointed(dpy, config, native_window, false, attrib_list);
+}
+
+EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void* native_window,
+                                          const EGLAttrib* attrib_list) {
+    return create_pointed(dpy, config, native_window, false, attrib_list);
+}
+
+EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
+                                             const EGLint* attrib_list) {
+    return create_pointed(dpy, config, native_pixmap, true, attrib_list);
+}
+
+EGLSurface eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
+                                          const EGLAttrib* attrib_list) {
+    return create_pointed(dpy, config, native_pixmap, true, attrib_list);
+}
+
+EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType pixmap,
+                                  const EGLint* attrib_list) {
+    return create_shown(dpy, config, pixmap, true, attrib_list);
+}
+
+EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType target) {
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    Surface* const surface = find_surface(*display, handle);
+    if (surface == nullptr)
+        return EGL_FALSE;
+    if (display->system == nullptr)
+        return fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("eglCopyBuffers: this display has no pixmaps"));
+    if (!display->system->shows(surface->config.format) || surface->in_bands())
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglCopyBuffers: a pixmap of this display has another format "
+                                                "than the surface"));
+    const auto opened = display->system->open(target, true, surface->config.format);
+    if (!opened.ok())
+        return fail(EGL_BAD_NATIVE_PIXMAP, opened.error().rule);
+    spangle::hal::Display& pixmap = *opened.value();
+    spangle::raster::resolve(pixels_of(*surface));
+    const spangle::hal::DisplayInfo info = pixmap.info();
+    const auto frame = pixmap.acquire();
+    bool shown = frame.ok();
+    if (shown) {
+        copy_rows(*surface, frame.value(), info);
+        shown = pixmap.present().ok();
+    }
+    display->system->close(pixmap);
+    return shown ? succeed() : fail(EGL_BAD_NATIVE_PIXMAP);
+}
+}
+
+#endif

@@ -1,0 +1,48 @@
+// What programs written for PCs ask of EGL beyond 1.4: platforms with windows of their own (EGL_EXT_platform_base). Boards
+// have one display and leave this out.
+#pragma once
+
+#include <spangle/EGL/egl.h>
+#include <spangle/hal/display.hpp>
+#include <spangle/hal/window_system.hpp>
+
+namespace spangle::gl {
+struct Context;
+}
+
+namespace spangle::egl {
+
+/// What a program's native display is: a window system, or one panel, or, with neither, a place for pbuffers.
+struct NativeDisplay {
+    bool known = false;
+    hal::Display* panel = nullptr;
+    hal::WindowSystem* windows = nullptr;
+};
+
+/// What a host that is more than a board's display tells EGL.
+struct Platforms {
+    /// Client extensions of the platforms that `find` knows, each with a blank before it.
+    const char* extensions = "";
+    /// Resolves eglGetPlatformDisplay; with platform EGL_NONE eglGetDisplay.
+    NativeDisplay (*find)(EGLenum platform, void* native) = nullptr;
+    /// Of configs that differ in nothing else, the one that eglChooseConfig gives first has this precision.
+    EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
+    /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here.
+    void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
+    /// Sees each new context.
+    void (*created)(gl::Context& context) = nullptr;
+};
+/// Must come before the first EGL call.
+void use_platforms(const Platforms& platforms);
+const Platforms& platforms();
+
+/// What eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS) gives.
+const char* client_extensions();
+
+/// EGL_SUCCESS, or what eglCreateContext says to these attributes (EGL_KHR_create_context).
+EGLint context_problem(const EGLint* attrib_list);
+
+/// glViewport is what programs say when their window has another size: the surface this thread draws to follows.
+void follow_current_window();
+
+} // namespace spangle::egl

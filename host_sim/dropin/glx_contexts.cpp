@@ -1,0 +1,338 @@
+// Contexts of GLX, which one is current, and swapping (GLX 1.4, 3.3.7 to 3.3.10).
+#include <set>
+
+#include <spangle/GL/gl.h>
+
+#include "gl/context/context.hpp"
+#include "host_sim/dropin/glx_drawables.hpp"
+
+using namespace spangle::dropin::glx;
+
+struct SpangleGlxContext {
+    Display* display = nullptr;
+    GLXFBConfig config = nullptr;
+    EGLContext egl = EGL_NO_CONTEXT;
+    GLXContextID id = 0;
+    bool destroyed = false; ///< freed when it is current no more
+    int users = 0;          ///< threads it is current to: one at most
+};
+
+namespace {
+
+/// What is current on this thread.
+struct Current {
+    GLXContext context = nullptr;
+    Display* display = nullptr;
+    GLXDrawable draw = 0, read = 0;
+    std::shared_ptr<Target> draw_to, read_from;
+};
+thread_local Current current;
+
+std::set<GLXContext>& contexts() {
+    static auto* const all = new std::set<GLXContext>;
+    return *all;
+}
+
+bool exists(GLXContext context) {
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    return contexts().count(context) != 0 && !context->destroyed;
+}
+
+void free_if_unused(GLXContext context) {
+    if (!context->destroyed || context->users != 0)
+        return;
+    eglDestroyContext(egl_display(context->display), context->egl);
+    contexts().erase(context);
+    delete context;
+}
+
+/// The error that a refusal of EGL is called in GLX.
+void report_refusal(Display* display, Request request, GLXDrawable drawable) {
+    switch (eglGetError()) {
+    case EGL_BAD_ACCESS:
+        return spangle::gl::current_context() != nullptr &&
+                       spangle::gl::current_context()->inside_begin_end()
+                   ? report(display, Problem::context_state, request, 0)
+                   : report_core(display, BadAccess, request, 0);
+    case EGL_BAD_ALLOC:
+        return report_core(display, BadAlloc, request, 0);
+    case EGL_BAD_MATCH:
+        return report_core(display, BadMatch, request, drawable);
+    default:
+        return report(display, Problem::drawable, request, drawable);
+    }
+}
+
+GLXContext create(Display* display, GLXFBConfig config, GLXContext share, const EGLint* attributes,
+                  Request request, Problem refusal) {
+    if (share != nullptr && !exists(share)) {
+        report(display, Problem::context, request, 0);
+        return nullptr;
+    }
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    const EGLContext egl = eglCreateContext(egl_display(display), config->egl,
+                                            share == nullptr ? EGL_NO_CONTEXT : share->egl, attributes);
+    if (egl == EGL_NO_CONTEXT) {
+        if (eglGetError() == EGL_BAD_ALLOC)
+            report_core(display, BadAlloc, request, 0);
+        else
+            report(display, refusal, request, 0);
+        return nullptr;
+    }
+    static GLXContextID last = 0;
+    auto* const context = new SpangleGlxContext;
+    context->display = display;
+    context->config = config;
+    context->egl = egl;
+    context->id = ++last;
+    contexts().insert(context);
+    return context;
+}
+
+Bool release() {
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    if (current.context == nullptr)
+        return True;
+    if (eglMakeCurrent(egl_display(current.display), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) ==
+        EGL_FALSE) {
+        report_refusal(current.display, Request::make_current, 0);
+        return False;
+    }
+    const GLXContext old = current.context;
+    --old->users;
+    current = {};
+    free_if_unused(old);
+    return True;
+}
+
+Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context, Request request) {
+    if (context == nullptr && draw == 0 && read == 0)
+        return release();
+    if (context == nullptr || draw == 0 || read == 0) {
+        report_core(display, BadMatch, request, draw);
+        return False;
+    }
+    if (!exists(context)) {
+        report(display, Problem::context, request, 0);
+        return False;
+    }
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    const std::shared_ptr<Target> draw_to = drawable_of(display, draw),
+                                    read_from = read == draw ? draw_to : drawable_of(display, read);
+    const EGLSurface draw_surface = surface_of(display, *draw_to, context->config);
+    const EGLSurface read_surface =
+        draw_surface == EGL_NO_SURFACE ? EGL_NO_SURFACE : surface_of(display, *read_from, context->config);
+    if (read_surface == EGL_NO_SURFACE) {
+        const GLXDrawable wrong = draw_surface == EGL_NO_SURFACE ? draw : read;
+        const Target& without = draw_surface == EGL_NO_SURFACE ? *draw_to : *read_from;
+        if (without.made && without.config->egl != context->config->egl)
+            report_core(display, BadMatch, request, wrong);
+        else
+            report_refusal(display, request, wrong);
+        return False;
+    }
+    if (eglMakeCurrent(egl_display(display), draw_surface, read_surface, context->egl) == EGL_FALSE) {
+        report_refusal(display, request, draw);
+        return False;
+    }
+    const GLXContext old = current.context;
+    ++context->users;
+    current = {context, display, draw, read, draw_to, read_from};
+    if (old != nullptr) {
+        --old->users;
+        free_if_unused(old);
+    }
+    return True;
+}
+
+} // namespace
+
+extern "C" {
+
+GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_type, GLXContext share,
+                                     Bool) {
+    const GLXFBConfig found = checked(display, config);
+    if (found == nullptr) {
+        report(display, Problem::fb_config, Request::create_new_context, 0);
+        return nullptr;
+    }
+    if (render_type != RGBA_TYPE) {
+        report_core(display, BadValue, Request::create_new_context, 0);
+        return nullptr;
+    }
+    return create(display, found, share, nullptr, Request::create_new_context, Problem::fb_config);
+}
+
+GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext share, Bool) {
+    const GLXFBConfig config =
+        visual == nullptr ? nullptr : of_visual(display, visual->screen, visual->visualid);
+    if (config == nullptr) {
+        report_core(display, BadValue, Request::create_context, 0);
+        return nullptr;
+    }
+    return create(display, config, share, nullptr, Request::create_context, Problem::fb_config);
+}
+
+GLXContext glXCreateContextWithConfigSGIX(Display* display, GLXFBConfig config, int render_type,
+                                                GLXContext share, Bool direct) {
+    return glXCreateNewContext(display, config, render_type, share, direct);
+}
+
+GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXContext share, Bool,
+                                            const int* list) {
+    const GLXFBConfig found = checked(display, config);
+    if (found == nullptr) {
+        report(display, Problem::fb_config, Request::create_context_attribs, 0);
+        return nullptr;
+    }
+    EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION_KHR, 1, EGL_CONTEXT_MINOR_VERSION_KHR, 0,
+                           EGL_CONTEXT_FLAGS_KHR,         0, EGL_NONE};
+    for (; list != nullptr && *list != 0; list += 2) {
+        if (list[0] == CONTEXT_MAJOR_VERSION)
+            attributes[1] = list[1];
+        else if (list[0] == CONTEXT_MINOR_VERSION)
+            attributes[3] = list[1];
+        else if (list[0] == CONTEXT_FLAGS)
+            attributes[5] = list[1];
+        else if (list[0] == RENDER_TYPE && list[1] != RGBA_TYPE) {
+            report_core(display, BadMatch, Request::create_context_attribs, 0);
+            return nullptr;
+        } else if (list[0] != RENDER_TYPE && list[0] != CONTEXT_PROFILE_MASK) {
+            report_core(display, BadValue, Request::create_context_attribs, 0);
+            return nullptr;
+        }
+    }
+    return create(display, found, share, attributes, Request::create_context_attribs, Problem::fb_config);
+}
+
+void glXDestroyContext(Display* display, GLXContext context) {
+    if (context == nullptr)
+        return;
+    if (!exists(context))
+        return report(display, Problem::context, Request::create_context, 0);
+    const std::lock_guard<std::recursive_mutex> guard(lock());
+    context->destroyed = true;
+    free_if_unused(context);
+}
+
+Bool glXMakeCurrent(Display* display, GLXDrawable drawable, GLXContext context) {
+    return make_current(display, drawable, drawable, context, Request::make_current);
+}
+
+Bool glXMakeContextCurrent(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+    return make_current(display, draw, read, context, Request::make_context_current);
+}
+
+Bool glXMakeCurrentReadSGI(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+    return glXMakeContextCurrent(display, draw, read, context);
+}
+
+/// EGL has no way to copy state from one context to another, and neither has Spangle.
+void glXCopyContext(Display* display, GLXContext, GLXContext, unsigned long) {
+    report_core(display, BadImplementation, Request::copy_context, 0);
+}
+
+Bool glXIsDirect(Display* display, GLXContext context) {
+    if (exists(context))
+        return True;
+    report(display, Problem::context, Request::create_context, 0);
+    return False;
+}
+
+int glXQueryContext(Display* display, GLXContext context, int name, int* value) {
+    if (!exists(context)) {
+        report(display, Problem::context, Request::create_context, 0);
+        return BAD_CONTEXT;
+    }
+    switch (name) {
+    case FBCONFIG_ID:
+        *value = context->config->id;
+        return Success;
+    case RENDER_TYPE:
+        *value = RGBA_TYPE;
+        return Success;
+    case SCREEN:
+        *value = context->config->screen;
+        return Success;
+    default:
+        return BAD_ATTRIBUTE;
+    }
+}
+
+GLXContext glXGetCurrentContext() {
+    return current.context;
+}
+
+GLXDrawable glXGetCurrentDrawable() {
+    return current.draw;
+}
+
+GLXDrawable glXGetCurrentReadDrawable() {
+    return current.read;
+}
+
+GLXDrawable glXGetCurrentReadDrawableSGI() {
+    return current.read;
+}
+
+Display* glXGetCurrentDisplay() {
+    return current.display;
+}
+
+void glXSwapBuffers(Display* display, GLXDrawable id) {
+    if (current.context != nullptr && current.display == display && current.draw == id) {
+        if (eglSwapBuffers(egl_display(display), current.draw_to->surface) == EGL_FALSE)
+            report(display, Problem::current_window, Request::swap_buffers, id);
+        return;
+    }
+    // Of a drawable that is not current there is nothing new to show; only its name can be wrong.
+    if (made_drawable(display, id) == nullptr)
+        report(display, Problem::drawable, Request::swap_buffers, id);
+}
+
+void glXWaitGL() {
+    if (current.context != nullptr)
+        eglWaitClient();
+}
+
+void glXWaitX() {
+    if (current.context != nullptr)
+        XSync(current.display, False);
+}
+
+void glXSwapIntervalEXT(Display* display, GLXDrawable, int interval) {
+    if (current.context == nullptr)
+        return;
+    if (interval < 0)
+        return report_core(display, BadValue, Request::swap_buffers, 0);
+    eglSwapInterval(egl_display(current.display), interval);
+}
+
+int glXSwapIntervalSGI(int interval) {
+    if (interval <= 0)
+        return BAD_VALUE;
+    if (current.context == nullptr)
+        return BAD_CONTEXT;
+    eglSwapInterval(egl_display(current.display), interval);
+    return 0;
+}
+}
+
+namespace {
+thread_local unsigned mesa_interval = 0;
+}
+
+extern "C" {
+
+int glXSwapIntervalMESA(unsigned int interval) {
+    if (current.context == nullptr)
+        return BAD_CONTEXT;
+    mesa_interval = interval;
+    eglSwapInterval(egl_display(current.display), static_cast<EGLint>(interval != 0));
+    return 0;
+}
+
+int glXGetSwapIntervalMESA() {
+    return static_cast<int>(mesa_interval);
+}
+}

@@ -1,0 +1,124 @@
+#include "host_sim/dropin/options.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <spangle/boards/boards.hpp>
+
+namespace spangle::dropin {
+
+namespace {
+
+constexpr int bad_input = 2;
+constexpr std::size_t megabyte = 1u << 20;
+constexpr long usual_memory = 1024, most_memory = 1 << 16; ///< megabytes; pages are taken as they are used
+
+[[noreturn]] void refuse(const char* variable, const char* value, const char* takes) {
+    std::fprintf(stderr, "spangle: %s=%s: it takes %s\n", variable, value, takes);
+    std::_Exit(bad_input);
+}
+
+/// The variable's value; null where it is not set, or empty.
+const char* value_of(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value == nullptr || *value == '\0' ? nullptr : value;
+}
+
+std::string text_of(const char* variable) {
+    const char* const value = value_of(variable);
+    return value == nullptr ? "" : value;
+}
+
+long number_of(const char* variable, long least, long most, long usual) {
+    const char* const value = value_of(variable);
+    if (value == nullptr)
+        return usual;
+    char* end = nullptr;
+    const long number = std::strtol(value, &end, 10);
+    if (*end != '\0' || number < least || number > most) {
+        char takes[64];
+        std::snprintf(takes, sizeof takes, "a number from %ld to %ld", least, most);
+        refuse(variable, value, takes);
+    }
+    return number;
+}
+
+bool flag_of(const char* variable) {
+    return number_of(variable, 0, 1, 0) == 1;
+}
+
+EGLint precision_of(const char* variable) {
+    struct Name {
+        const char* text;
+        EGLint token;
+    };
+    constexpr Name names[] = {{"exact", EGL_PRECISION_EXACT_SPANGLE},
+                              {"balanced", EGL_PRECISION_BALANCED_SPANGLE},
+                              {"fast", EGL_PRECISION_FAST_SPANGLE},
+                              {"double", EGL_PRECISION_DOUBLE_SPANGLE}};
+    const char* const value = value_of(variable);
+    if (value == nullptr)
+        return EGL_PRECISION_EXACT_SPANGLE;
+    for (const Name& name : names)
+        if (std::strcmp(value, name.text) == 0)
+            return name.token;
+    refuse(variable, value, "exact, balanced, fast or double");
+}
+
+const hal::Board* board_of(const char* variable) {
+    const char* const value = value_of(variable);
+    if (value == nullptr)
+        return nullptr;
+    const std::size_t length = std::strlen(value);
+    for (const hal::Board* board : boards::all)
+        if (std::strcmp(board->name, value) == 0 ||
+            (std::strncmp(board->name, value, length) == 0 && board->name[length] == '-'))
+            return board;
+    refuse(variable, value, "the name of a board; `spangle boards` lists them");
+}
+
+void read_size(const char* variable, Options& out) {
+    const char* const value = value_of(variable);
+    char rest = 0;
+    if (value != nullptr && (std::sscanf(value, "%dx%d%c", &out.width, &out.height, &rest) != 2 ||
+                             out.width < 1 || out.height < 1 || out.width > 2048 || out.height > 2048))
+        refuse(variable, value, "WIDTHxHEIGHT, each 1 to 2048");
+}
+
+bool panel_format(const char* variable) {
+    const char* const value = value_of(variable);
+    if (value == nullptr || std::strcmp(value, "rgba") == 0)
+        return false;
+    if (std::strcmp(value, "panel") != 0)
+        refuse(variable, value, "rgba or panel");
+    return true;
+}
+
+Options read() {
+    Options out;
+    out.board = board_of("SPANGLE_BOARD");
+    if (out.board != nullptr) {
+        const hal::Extent glass = hal::picture_size(out.board->display);
+        out.width = glass.width;
+        out.height = glass.height;
+    }
+    read_size("SPANGLE_SIZE", out);
+    out.precision = precision_of("SPANGLE_PRECISION");
+    out.panel_format = panel_format("SPANGLE_FORMAT") && out.board != nullptr;
+    out.shot = text_of("SPANGLE_SHOT");
+    out.report = text_of("SPANGLE_REPORT");
+    out.frames = number_of("SPANGLE_FRAMES", 1, 1000000000, 0);
+    out.memory = static_cast<std::size_t>(number_of("SPANGLE_MEMORY", 1, most_memory, usual_memory)) * megabyte;
+    out.messages = flag_of("SPANGLE_MESSAGES");
+    return out;
+}
+
+} // namespace
+
+const Options& options() {
+    static const Options read_once = read();
+    return read_once;
+}
+
+} // namespace spangle::dropin

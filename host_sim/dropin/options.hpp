@@ -1,0 +1,26 @@
+// What the environment asks of the drop-in pair: docs/programs.md lists the variables.
+#pragma once
+
+#include <string>
+
+#include <spangle/EGL/egl.h>
+#include <spangle/hal/board.hpp>
+
+namespace spangle::dropin {
+
+struct Options {
+    const hal::Board* board = nullptr; ///< SPANGLE_BOARD; null: none
+    EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
+    int width = 0, height = 0; ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
+    bool panel_format = false; ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
+    std::string shot;          ///< SPANGLE_SHOT: PNG of the last picture
+    std::string report;        ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
+    long frames = 0;           ///< SPANGLE_FRAMES: the program ends after so many; 0: by itself
+    std::size_t memory = 0;    ///< bytes
+    bool messages = false;     ///< SPANGLE_MESSAGES: Spangle's sentences go to standard error
+};
+
+/// Read once. A value that means nothing ends the program with a sentence that says so.
+const Options& options();
+
+} // namespace spangle::dropin

@@ -1,0 +1,218 @@
+#include "host_sim/dropin/stage.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+
+#include "host_sim/dropin/options.hpp"
+#include "host_sim/dropin/pictures.hpp"
+
+namespace spangle::dropin {
+
+namespace {
+
+constexpr int bad_end = 1;
+
+/// The wire of a board whose surface has the bytes of its wire.
+hal::Wire wire_of(hal::WireFormat format) {
+    switch (format) {
+    case hal::WireFormat::rgb565:
+        return hal::wires::rgb565;
+    case hal::WireFormat::rgb666:
+        return hal::wires::rgb666;
+    case hal::WireFormat::rgb444:
+        return hal::wires::rgb444;
+    case hal::WireFormat::rgb332:
+        return hal::wires::rgb332;
+    case hal::WireFormat::grey4:
+        return hal::wires::grey4;
+    case hal::WireFormat::mono:
+        return hal::wires::mono;
+    default:
+        return {};
+    }
+}
+
+/// The board with surfaces of eight bits a component: a present turns them into what the panel takes.
+hal::Board with_full_colors(hal::Board board) {
+    hal::PanelConfig& display = board.display;
+    if (!display.wire.converts())
+        display.wire = wire_of(hal::wire_format(display));
+    display.format = PixelFormat::rgba8888;
+    display.buffers = 1;
+    display.scan_order = false;
+    return board;
+}
+
+/// The columns of a row that differ, from first to last; empty where none does.
+RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t width, std::int32_t step) {
+    const auto bytes = static_cast<std::size_t>(step);
+    const auto differs = [&](std::int32_t x) { return std::memcmp(a + x * step, b + x * step, bytes) != 0; };
+    std::int32_t first = 0, last = width;
+    while (first < width && !differs(first))
+        ++first;
+    while (last > first && !differs(last - 1))
+        --last;
+    return first < last ? RowSpan{static_cast<std::int16_t>(first), static_cast<std::int16_t>(last)} : RowSpan{};
+}
+
+void widen(RowSpan& span, const RowSpan& by) {
+    span.begin = std::min(span.begin, by.begin);
+    span.end = std::max(span.end, by.end);
+}
+
+/// Where a picture lies on a glass of another size: in the middle; what is larger is cut on both sides.
+struct Side {
+    std::int32_t from, to, length;
+};
+Side middle(std::int32_t picture, std::int32_t glass) {
+    return {std::max((picture - glass) / 2, 0), std::max((glass - picture) / 2, 0), std::min(picture, glass)};
+}
+
+/// Copies the picture, tells which columns changed.
+void copy(const sim::Image& picture, const hal::DisplayInfo& glass, const hal::Frame& to) {
+    const Side across = middle(picture.width, glass.width), down = middle(picture.height, glass.height);
+    const std::int32_t step = format_info(glass.format).bytes_per_pixel;
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(glass.width * step));
+    for (std::int32_t y = 0; y < glass.height; ++y) {
+        constexpr std::uint8_t black[4] = {0, 0, 0, 255};
+        for (std::int32_t x = 0; x < glass.width; ++x) {
+            const bool inside = y >= down.to && y < down.to + down.length && x >= across.to &&
+                                x < across.to + across.length;
+            put_pixel(glass.format,
+                      inside ? picture.at(x - across.to + across.from, y - down.to + down.from) : black,
+                      row.data() + x * step);
+        }
+        std::uint8_t* const target = to.pixels + std::ptrdiff_t{y} * to.stride;
+        const RowSpan changed = to.age == 0 ? RowSpan{0, static_cast<std::int16_t>(glass.width)}
+                                            : differing(row.data(), target, glass.width, step);
+        std::memcpy(target, row.data(), row.size());
+        if (to.extents != nullptr && to.extents->rows != nullptr && changed.begin < changed.end)
+            widen(to.extents->rows[y], changed);
+    }
+}
+
+[[noreturn]] void stop(const char* why) {
+    std::fprintf(stderr, "spangle: %s\n", why);
+    std::_Exit(bad_end);
+}
+
+} // namespace
+
+namespace {
+std::once_flag made;
+Stage* the_stage = nullptr; // lives as long as the program may draw
+} // namespace
+
+Stage& Stage::get() {
+    std::call_once(made, [] { the_stage = new Stage; });
+    return *the_stage;
+}
+
+void Stage::finish_if_any() {
+    if (the_stage != nullptr)
+        the_stage->finish();
+}
+
+Stage::Stage() {
+    const Options& wish = options();
+    if (wish.board == nullptr)
+        return;
+    hal::Board board = wish.panel_format ? *wish.board : with_full_colors(*wish.board);
+    if (const char* const rule = hal::flaw(board); rule != nullptr)
+        stop(rule);
+    if (!is_copied(board.display.format))
+        stop("SPANGLE_FORMAT=panel: pixels of this panel share bytes; leave it out");
+    board_ = std::make_unique<sim::SimBoard>(board);
+    format_ = board.display.format;
+    if (const auto up = board_->display().init(); !up.ok())
+        stop(up.error().rule);
+    before_ = board_->counters();
+}
+
+void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
+    if (finished_ || !is_copied(info.format))
+        return;
+    if (options().frames != 0 || board_ != nullptr || !options().shot.empty() || !options().report.empty()) {
+        if (board_ != nullptr)
+            send(frame, info);
+        else if (!options().shot.empty() || !options().report.empty())
+            last_ = picture_of(frame, info);
+    }
+    triangles_ += counters_.triangles;
+    fragments_ += counters_.fragments;
+    counters_.triangles = counters_.fragments = 0;
+    if (++frames_ == options().frames) {
+        finish();
+        std::_Exit(0);
+    }
+}
+
+void Stage::send(const hal::Frame& frame, const hal::DisplayInfo& info) {
+    hal::Display& display = board_->display();
+    const auto buffer = display.acquire();
+    if (!buffer.ok())
+        stop(buffer.error().rule);
+    copy(picture_of(frame, info), display.info(), buffer.value());
+    if (const auto shown = display.present(); !shown.ok())
+        stop(shown.error().rule);
+}
+
+sim::Image Stage::picture() const {
+    return board_ != nullptr ? board_->glass() : last_;
+}
+
+void Stage::finish() {
+    if (finished_ || frames_ == 0)
+        return;
+    finished_ = true;
+    if (board_ != nullptr)
+        if (const auto shown = board_->display().finish(); !shown.ok())
+            stop(shown.error().rule);
+    const Options& wish = options();
+    if (wish.shot.empty() && wish.report.empty())
+        return;
+    if (!wish.report.empty())
+        write_report();
+    if (!wish.shot.empty())
+        if (const std::string problem = sim::write_png(picture(), wish.shot); !problem.empty())
+            stop(problem.c_str());
+}
+
+/// One figure a line: name, blank, value.
+void Stage::write_report() const {
+    const std::string part = options().report + ".part";
+    std::FILE* const file = std::fopen(part.c_str(), "w");
+    if (file == nullptr)
+        stop("SPANGLE_REPORT: the file cannot be written");
+    const auto number = [file](const char* name, std::uint64_t value) {
+        std::fprintf(file, "%s %llu\n", name, static_cast<unsigned long long>(value));
+    };
+    number("frames", static_cast<std::uint64_t>(frames_));
+    number("triangles", triangles_);
+    number("fragments", fragments_);
+    if (board_ != nullptr) {
+        const sim::BoardCounters after = board_->counters();
+        const hal::DisplayInfo glass = board_->display().info();
+        number("bus_bytes", after.bytes - before_.bytes);
+        number("bus_commands", after.commands - before_.commands);
+        number("busy_ns", static_cast<std::uint64_t>(after.busy_ns - before_.busy_ns));
+        number("width", static_cast<std::uint64_t>(glass.width));
+        number("height", static_cast<std::uint64_t>(glass.height));
+        number("wire_bits", hal::wire_info(hal::wire_format(options().board->display)).bits);
+        std::fprintf(file, "board %s\n", options().board->name);
+    } else {
+        number("width", static_cast<std::uint64_t>(last_.width));
+        number("height", static_cast<std::uint64_t>(last_.height));
+    }
+    std::fprintf(file, "picture_hash %s\n", sim::hash(picture()).c_str());
+    if (board_ != nullptr && !board_->violations_text().empty())
+        std::fprintf(file, "violations\n%s", board_->violations_text().c_str());
+    const bool written = std::ferror(file) == 0;
+    if (std::fclose(file) != 0 || !written || std::rename(part.c_str(), options().report.c_str()) != 0)
+        stop("SPANGLE_REPORT: the file cannot be written");
+}
+
+} // namespace spangle::dropin

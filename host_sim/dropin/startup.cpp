@@ -1,0 +1,82 @@
+// What the pair tells EGL when it is loaded: memory, platforms, where pictures go.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <sys/mman.h>
+
+#include <spangle/message.hpp>
+#include <spangle/native.hpp>
+
+#include "gl/egl/platforms.hpp"
+#include "gl/egl/reference.hpp"
+#include "gl/pixel/fragment_setup.hpp"
+#include "host_sim/dropin/options.hpp"
+#include "host_sim/dropin/stage.hpp"
+#include "host_sim/dropin/x_windows.hpp"
+
+namespace spangle::dropin {
+
+namespace {
+
+/// Pages of it are taken from the machine when something is stored there.
+void give_memory() {
+    void* const begin = mmap(nullptr, options().memory, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (begin != MAP_FAILED)
+        memory(begin, options().memory);
+}
+
+/// EGL_PLATFORM says what EGL_DEFAULT_DISPLAY means, as Mesa has it; else there is X where DISPLAY names one.
+bool default_is_x11() {
+    const char* const platform = std::getenv("EGL_PLATFORM");
+    if (platform != nullptr && *platform != '\0')
+        return std::strcmp(platform, "x11") == 0;
+    return std::getenv("DISPLAY") != nullptr;
+}
+
+egl::NativeDisplay find(EGLenum platform, void* native) {
+    const bool x11 = platform == EGL_PLATFORM_X11_KHR || native != EGL_DEFAULT_DISPLAY || default_is_x11();
+    if (platform != EGL_PLATFORM_X11_KHR && platform != EGL_NONE)
+        return {};
+    if (!x11)
+        return {true, nullptr, nullptr};
+    hal::WindowSystem* const windows = XWindows::of(static_cast<_XDisplay*>(native));
+    return {windows != nullptr, nullptr, windows};
+}
+
+void swapped(const hal::Frame& picture, const hal::DisplayInfo& info) {
+    Stage::get().show(picture, info);
+}
+
+void count(gl::Context& context) {
+    gl::observe(context, Stage::get().counters(), false);
+}
+
+void say(unsigned code, const char* text) {
+    std::fprintf(stderr, "spangle: 0x%04X %s\n", code, text);
+}
+
+[[gnu::constructor]] void start() {
+    give_memory();
+    if (options().messages)
+        on_message(say);
+    if (options().precision == EGL_PRECISION_DOUBLE_SPANGLE)
+        egl::use_reference_engines();
+    egl::Platforms platforms;
+    platforms.extensions = " EGL_EXT_platform_x11 EGL_KHR_platform_x11";
+    platforms.find = find;
+    platforms.precision = options().precision;
+    platforms.swapped = swapped;
+    if (!options().report.empty())
+        platforms.created = count;
+    egl::use_platforms(platforms);
+}
+
+[[gnu::destructor]] void end() {
+    Stage::finish_if_any();
+}
+
+} // namespace
+
+} // namespace spangle::dropin

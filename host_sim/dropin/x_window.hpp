@@ -1,0 +1,76 @@
+// One window or pixmap of X: a buffer of the size that the server says, and an image that is put there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <xcb/shm.h>
+#include <xcb/xcb.h>
+
+#include <spangle/hal/display.hpp>
+#include <spangle/sim/image.hpp>
+
+#include "host_sim/dropin/x_windows.hpp"
+
+namespace spangle::dropin {
+
+/// An image in memory that the server sees too, where it can; else it is sent.
+class XImage {
+  public:
+    XImage(xcb_connection_t* connection, bool shared);
+    ~XImage();
+    XImage(const XImage&) = delete;
+    XImage& operator=(const XImage&) = delete;
+
+    /// Room for rows of so many bytes; what was put before has been taken.
+    std::uint8_t* resize(std::size_t bytes);
+    void put(xcb_drawable_t to, xcb_gcontext_t gc, int width, int height, int depth, int row_bytes);
+
+  private:
+    void free_shared();
+
+    xcb_connection_t* connection_;
+    bool shared_;
+    xcb_shm_seg_t segment_ = 0;
+    std::uint8_t* mapped_ = nullptr;
+    std::size_t mapped_bytes_ = 0;
+    std::vector<std::uint8_t> own_;
+};
+
+class XWindow final : public hal::Display {
+  public:
+    XWindow(XWindows& windows, xcb_drawable_t drawable, bool pixmap, PixelFormat format);
+    ~XWindow();
+    XWindow(const XWindow&) = delete;
+    XWindow& operator=(const XWindow&) = delete;
+
+    /// The server knows it, and pixels of its depth can be made.
+    bool usable() const { return pixels_.bytes != 0; }
+
+    /// Asks the server for the size.
+    hal::DisplayInfo info() const override;
+    hal::Result<void> init() override { return {}; }
+    hal::Result<hal::Frame> acquire() override;
+    hal::Result<void> present() override;
+
+  private:
+    bool ask_size() const;
+    void wish_size() const;
+    /// Rows of R G B A, from the top.
+    void put(const std::uint8_t* rgba, int width, int height);
+
+    XWindows& windows_;
+    xcb_drawable_t drawable_;
+    bool pixmap_;
+    PixelFormat format_;
+    int depth_ = 0;
+    XPixels pixels_;
+    xcb_gcontext_t gc_ = 0;
+    mutable std::int32_t width_ = 1, height_ = 1; ///< as the server said last
+    std::int32_t buffer_width_ = 0, buffer_height_ = 0;
+    std::vector<std::uint8_t> buffer_;
+    bool presented_ = false;
+    XImage image_;
+};
+
+} // namespace spangle::dropin
