@@ -77,8 +77,8 @@
 #define SPANGLE_FEATURE_GET_PROC_ADDRESS 1
 #endif
 
-/// Platforms, windows of a window system and attributes of contexts, which programs written for PCs ask of EGL. Hosts have
-/// them; a board has one display, and none of this code.
+/// Platforms, windows of a window system and attributes of contexts, which programs written for PCs ask of
+/// EGL. Hosts have them; a board has one display, and none of this code.
 #ifndef SPANGLE_HAS_PLATFORMS
 #ifdef SPANGLE_FIRMWARE
 #define SPANGLE_HAS_PLATFORMS 0

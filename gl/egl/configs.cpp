@@ -254,7 +254,8 @@ bool matches(const Display& display, const Config& config, const Wishes& wishes)
 }
 
 /// Configs differ in depth and precision alone: before() has the order of ids.
-constexpr bool in_order = !SPANGLE_HAS_PLATFORMS && (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
+constexpr bool in_order = !SPANGLE_HAS_PLATFORMS &&
+                          (raster::color_formats & (raster::color_formats - 1)) == 0 && !raster::has_samples;
 
 /// EGL 1.4, 3.4.1.2: those without a caveat first, then more colour bits where colour bits were asked for,
 /// then the smaller buffers, then the id.

@@ -52,7 +52,7 @@ struct Surface {
     Config config;
     std::int32_t width = 0, height = 0;
     bool destroyed = false; ///< no handle any more, and freed once nothing holds it
-    bool window = false; ///< shown somewhere: a window, or a pixmap of a window system
+    bool window = false;    ///< shown somewhere: a window, or a pixmap of a window system
 #if SPANGLE_HAS_PLATFORMS
     hal::WindowSystem* system = nullptr; ///< that opened `native` for this surface, and closes it
     hal::Display* native = nullptr;
@@ -70,7 +70,9 @@ struct Surface {
     hal::Frame frame; ///< a window's belongs to the display
     [[no_unique_address]] Band band;
 
-    bool in_bands() const { return SPANGLE_FEATURE_BANDS && band.height != 0; }
+    bool in_bands() const {
+        return SPANGLE_FEATURE_BANDS && band.height != 0;
+    }
 };
 
 struct Context {
@@ -108,7 +110,8 @@ Thread& thread();
 EGLBoolean fail(EGLint error, const char* text = nullptr);
 EGLBoolean succeed();
 
-/// The entry of a panel or of a window system, a new one where there is none; EGL_NO_DISPLAY when all are used.
+/// The entry of a panel or of a window system, a new one where there is none; EGL_NO_DISPLAY when all are
+/// used.
 EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);
 /// Whether a native display may be asked for: what eglGetDisplay and eglGetPlatformDisplay give.
 EGLDisplay platform_display(EGLenum platform, void* native);
@@ -158,8 +161,8 @@ inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Su
     return *display.native;
 }
 
-/// Asks the display for the buffer of the next frame. A window of a window system that has another size by now
-/// gets planes of that size, too.
+/// Asks the display for the buffer of the next frame. A window of a window system that has another size by
+/// now gets planes of that size, too.
 bool next_frame(Display& display, Surface& surface);
 
 /// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.

@@ -1,5 +1,5 @@
-// Displays by platform (EGL_EXT_platform_base), attributes of contexts (EGL_KHR_create_context), and surfaces that stand
-// for windows and pixmaps of a window system.
+// Displays by platform (EGL_EXT_platform_base), attributes of contexts (EGL_KHR_create_context), and surfaces
+// that stand for windows and pixmaps of a window system.
 #include "gl/egl/platforms.hpp"
 
 #include "gl/context/error.hpp"

@@ -1,5 +1,5 @@
-// What programs written for PCs ask of EGL beyond 1.4: platforms with windows of their own (EGL_EXT_platform_base). Boards
-// have one display and leave this out.
+// What programs written for PCs ask of EGL beyond 1.4: platforms with windows of their own
+// (EGL_EXT_platform_base). Boards have one display and leave this out.
 #pragma once
 
 #include <spangle/EGL/egl.h>
@@ -42,7 +42,8 @@ const char* client_extensions();
 /// EGL_SUCCESS, or what eglCreateContext says to these attributes (EGL_KHR_create_context).
 EGLint context_problem(const EGLint* attrib_list);
 
-/// glViewport is what programs say when their window has another size: the surface this thread draws to follows.
+/// glViewport is what programs say when their window has another size: the surface this thread draws to
+/// follows.
 void follow_current_window();
 
 } // namespace spangle::egl

@@ -1,5 +1,5 @@
-// Attributes that surfaces are given later, and kinds of surfaces that only other client APIs have (EGL 1.4, 3.5.3, 3.5.6,
-// 3.6).
+// Attributes that surfaces are given later, and kinds of surfaces that only other client APIs have
+// (EGL 1.4, 3.5.3, 3.5.6, 3.6).
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
 

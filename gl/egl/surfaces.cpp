@@ -559,9 +559,10 @@ EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
     if (thread().draw == nullptr)
         return fail(EGL_BAD_SURFACE);
     if (thread().draw->window)
-        native_of(*thread().display, *thread().draw).swap_interval(interval < least_swap_interval  ? least_swap_interval
-                                       : interval > most_swap_interval ? most_swap_interval
-                                                                       : interval);
+        native_of(*thread().display, *thread().draw)
+            .swap_interval(interval < least_swap_interval  ? least_swap_interval
+                           : interval > most_swap_interval ? most_swap_interval
+                                                           : interval);
     return succeed();
 }
 

@@ -1,4 +1,5 @@
-// GLX 1.4 as the pair has it: types and tokens, which are those of every GLX (Khronos' registry), for its own sources.
+// GLX 1.4 as the pair has it: types and tokens, which are those of every GLX (Khronos' registry), for its own
+// sources.
 #pragma once
 
 #include <X11/Xlib.h>

@@ -1,4 +1,5 @@
-// Choosing and asking: visuals and framebuffer configurations (GLX 1.4, 3.3.3), versions and extensions (3.3.1, 3.3.2).
+// Choosing and asking: visuals and framebuffer configurations (GLX 1.4, 3.3.3), versions and extensions
+// (3.3.1, 3.3.2).
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>

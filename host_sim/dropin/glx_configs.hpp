@@ -1,4 +1,5 @@
-// The framebuffer configurations of GLX: what EGL's configs say, times what GLX counts in: one or two buffers, accumulation.
+// The framebuffer configurations of GLX: what EGL's configs say, times what GLX counts in: one or two
+// buffers, accumulation.
 #pragma once
 
 #include <vector>
@@ -29,7 +30,8 @@ const std::vector<SpangleFbConfig>& configs(Display* display, int screen);
 /// The value of an attribute; false where there is no such attribute.
 bool attribute(const SpangleFbConfig& config, int name, int& value);
 
-/// The configuration that windows of this visual have: the one that was last chosen for it, where several share it.
+/// The configuration that windows of this visual have: the one that was last chosen for it, where several
+/// share it.
 GLXFBConfig of_visual(Display* display, int screen, VisualID visual);
 void remember_choice(const SpangleFbConfig& config);
 

@@ -50,8 +50,7 @@ void free_if_unused(GLXContext context) {
 void report_refusal(Display* display, Request request, GLXDrawable drawable) {
     switch (eglGetError()) {
     case EGL_BAD_ACCESS:
-        return spangle::gl::current_context() != nullptr &&
-                       spangle::gl::current_context()->inside_begin_end()
+        return spangle::gl::current_context() != nullptr && spangle::gl::current_context()->inside_begin_end()
                    ? report(display, Problem::context_state, request, 0)
                    : report_core(display, BadAccess, request, 0);
     case EGL_BAD_ALLOC:
@@ -118,7 +117,7 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
     }
     const std::lock_guard<std::recursive_mutex> guard(lock());
     const std::shared_ptr<Target> draw_to = drawable_of(display, draw),
-                                    read_from = read == draw ? draw_to : drawable_of(display, read);
+                                  read_from = read == draw ? draw_to : drawable_of(display, read);
     const EGLSurface draw_surface = surface_of(display, *draw_to, context->config);
     const EGLSurface read_surface =
         draw_surface == EGL_NO_SURFACE ? EGL_NO_SURFACE : surface_of(display, *read_from, context->config);
@@ -150,7 +149,7 @@ Bool make_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXConte
 extern "C" {
 
 GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_type, GLXContext share,
-                                     Bool) {
+                               Bool) {
     const GLXFBConfig found = checked(display, config);
     if (found == nullptr) {
         report(display, Problem::fb_config, Request::create_new_context, 0);
@@ -174,19 +173,24 @@ GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext sh
 }
 
 GLXContext glXCreateContextWithConfigSGIX(Display* display, GLXFBConfig config, int render_type,
-                                                GLXContext share, Bool direct) {
+                                          GLXContext share, Bool direct) {
     return glXCreateNewContext(display, config, render_type, share, direct);
 }
 
 GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXContext share, Bool,
-                                            const int* list) {
+                                      const int* list) {
     const GLXFBConfig found = checked(display, config);
     if (found == nullptr) {
         report(display, Problem::fb_config, Request::create_context_attribs, 0);
         return nullptr;
     }
-    EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION_KHR, 1, EGL_CONTEXT_MINOR_VERSION_KHR, 0,
-                           EGL_CONTEXT_FLAGS_KHR,         0, EGL_NONE};
+    EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                           1,
+                           EGL_CONTEXT_MINOR_VERSION_KHR,
+                           0,
+                           EGL_CONTEXT_FLAGS_KHR,
+                           0,
+                           EGL_NONE};
     for (; list != nullptr && *list != 0; list += 2) {
         if (list[0] == CONTEXT_MAJOR_VERSION)
             attributes[1] = list[1];

@@ -27,8 +27,7 @@ bool same_planes(const SpangleFbConfig& a, const SpangleFbConfig& b) {
 
 EGLSurface create(Display* display, const Target& drawable, const SpangleFbConfig& config) {
     const EGLDisplay egl = egl_display(display);
-    const EGLint window[] = {EGL_RENDER_BUFFER,
-                             config.double_buffered ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER,
+    const EGLint window[] = {EGL_RENDER_BUFFER, config.double_buffered ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER,
                              EGL_ACCUM_SIZE_SPANGLE, config.accum, EGL_NONE};
     const EGLint pbuffer[] = {EGL_WIDTH,
                               drawable.width,

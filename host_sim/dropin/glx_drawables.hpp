@@ -1,4 +1,5 @@
-// What GLX draws to: windows, pixmaps and pbuffers, and the EGL surface that each has once something is drawn there.
+// What GLX draws to: windows, pixmaps and pbuffers, and the EGL surface that each has once something is drawn
+// there.
 #pragma once
 
 #include <memory>

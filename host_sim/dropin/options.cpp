@@ -109,7 +109,8 @@ Options read() {
     out.shot = text_of("SPANGLE_SHOT");
     out.report = text_of("SPANGLE_REPORT");
     out.frames = number_of("SPANGLE_FRAMES", 1, 1000000000, 0);
-    out.memory = static_cast<std::size_t>(number_of("SPANGLE_MEMORY", 1, most_memory, usual_memory)) * megabyte;
+    out.memory =
+        static_cast<std::size_t>(number_of("SPANGLE_MEMORY", 1, most_memory, usual_memory)) * megabyte;
     out.messages = flag_of("SPANGLE_MESSAGES");
     return out;
 }

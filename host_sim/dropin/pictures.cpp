@@ -45,7 +45,8 @@ sim::Image picture_of(const hal::Frame& frame, const hal::DisplayInfo& info) {
 
 void put_pixel(PixelFormat format, const std::uint8_t* rgb, std::uint8_t* to) {
     const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
-    const std::uint8_t high = byte((rgb[0] & 0xF8) | rgb[1] >> 5), low = byte((rgb[1] << 3 & 0xE0) | rgb[2] >> 3);
+    const std::uint8_t high = byte((rgb[0] & 0xF8) | rgb[1] >> 5),
+                       low = byte((rgb[1] << 3 & 0xE0) | rgb[2] >> 3);
     switch (format) {
     case PixelFormat::rgb565_be:
         to[0] = high;

@@ -55,7 +55,8 @@ RowSpan differing(const std::uint8_t* a, const std::uint8_t* b, std::int32_t wid
         ++first;
     while (last > first && !differs(last - 1))
         --last;
-    return first < last ? RowSpan{static_cast<std::int16_t>(first), static_cast<std::int16_t>(last)} : RowSpan{};
+    return first < last ? RowSpan{static_cast<std::int16_t>(first), static_cast<std::int16_t>(last)}
+                        : RowSpan{};
 }
 
 void widen(RowSpan& span, const RowSpan& by) {
@@ -79,8 +80,8 @@ void copy(const sim::Image& picture, const hal::DisplayInfo& glass, const hal::F
     for (std::int32_t y = 0; y < glass.height; ++y) {
         constexpr std::uint8_t black[4] = {0, 0, 0, 255};
         for (std::int32_t x = 0; x < glass.width; ++x) {
-            const bool inside = y >= down.to && y < down.to + down.length && x >= across.to &&
-                                x < across.to + across.length;
+            const bool inside =
+                y >= down.to && y < down.to + down.length && x >= across.to && x < across.to + across.length;
             put_pixel(glass.format,
                       inside ? picture.at(x - across.to + across.from, y - down.to + down.from) : black,
                       row.data() + x * step);

@@ -1,4 +1,5 @@
-// Where frames go: to the glass of a simulated board, or nowhere; and what is told about them when the program ends.
+// Where frames go: to the glass of a simulated board, or nowhere; and what is told about them when the
+// program ends.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,8 @@ class Stage {
     bool has_board() const { return board_ != nullptr; }
     /// Pixels that windows have.
     PixelFormat format() const { return format_; }
-    /// A frame of a window or of a pbuffer was swapped. After the last one that was asked for the program ends.
+    /// A frame of a window or of a pbuffer was swapped. After the last one that was asked for the program
+    /// ends.
     void show(const hal::Frame& frame, const hal::DisplayInfo& info);
     /// What is to be seen: the glass, or the last frame.
     sim::Image picture() const;

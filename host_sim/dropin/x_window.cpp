@@ -70,8 +70,9 @@ std::uint8_t* XImage::resize(std::size_t bytes) {
         void* const memory = id < 0 ? nullptr : shmat(id, nullptr, 0);
         if (memory != nullptr && memory != reinterpret_cast<void*>(-1)) {
             segment_ = xcb_generate_id(connection_);
-            xcb_generic_error_t* const problem = xcb_request_check(
-                connection_, xcb_shm_attach_checked(connection_, segment_, static_cast<std::uint32_t>(id), 0));
+            xcb_generic_error_t* const problem =
+                xcb_request_check(connection_, xcb_shm_attach_checked(connection_, segment_,
+                                                                      static_cast<std::uint32_t>(id), 0));
             shared_ = problem == nullptr; // a server elsewhere shares nothing
             std::free(problem);
             if (shared_) {
@@ -186,9 +187,8 @@ hal::Result<hal::Frame> XWindow::acquire() {
     if (buffer_width_ != width_ || buffer_height_ != height_) {
         buffer_width_ = width_;
         buffer_height_ = height_;
-        buffer_.assign(static_cast<std::size_t>(stride) *
-                           static_cast<std::size_t>(stored_rows(format_, height_)),
-                       0);
+        buffer_.assign(
+            static_cast<std::size_t>(stride) * static_cast<std::size_t>(stored_rows(format_, height_)), 0);
         presented_ = false;
     }
     hal::Frame frame;
@@ -222,8 +222,7 @@ hal::Result<void> XWindow::present() {
 
 void XWindow::put(const std::uint8_t* rgba, int width, int height) {
     const int row = (width * pixels_.bytes + pixels_.row_unit - 1) / pixels_.row_unit * pixels_.row_unit;
-    std::uint8_t* const to =
-        image_.resize(static_cast<std::size_t>(row) * static_cast<std::size_t>(height));
+    std::uint8_t* const to = image_.resize(static_cast<std::size_t>(row) * static_cast<std::size_t>(height));
     const bool usual = pixels_.bytes == 4 && !pixels_.big_endian && pixels_.red == 0xFF0000 &&
                        pixels_.green == 0xFF00 && pixels_.blue == 0xFF;
     const std::uint8_t* from = rgba;

@@ -1,5 +1,6 @@
-// Windows and pixmaps of an X server as displays of EGL. Requests go over the program's own connection, so that they come
-// after those that made the window, and by XCB, so that an error of a window that is gone ends no program.
+// Windows and pixmaps of an X server as displays of EGL. Requests go over the program's own connection, so
+// that they come after those that made the window, and by XCB, so that an error of a window that is gone ends
+// no program.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,8 @@ namespace spangle::test {
 /// One unit a pixel.
 void start_program(int width, int height);
 
-/// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples, viewports.
+/// dither, no dither, stipple, wide, smooth, pixels, stencil, blend, accumulation, outline, samples,
+/// viewports.
 const std::vector<Program>& programs();
 
 } // namespace spangle::test

@@ -117,7 +117,8 @@ TEST(TwelveBits, TheDriverSendsDamageOfEveryCount) {
     ASSERT_EQ(hal::flaw(board), nullptr);
     SimBoard sim(board);
     ASSERT_TRUE(sim.display().init().ok());
-    ASSERT_TRUE(sim.display().acquire().ok() && sim.display().present().ok()); // the first frame is sent whole
+    ASSERT_TRUE(sim.display().acquire().ok() &&
+                sim.display().present().ok()); // the first frame is sent whole
     unsigned seed = 1;
     for (int width = 1; width <= 7; ++width)
         for (int height = 1; height <= 5; ++height)

@@ -1,4 +1,5 @@
-// A system of windows as EGL sees it: every window and pixmap is a display of its own, opened and closed by its handle.
+// A system of windows as EGL sees it: every window and pixmap is a display of its own, opened and closed by
+// its handle.
 #pragma once
 
 #include <cstdint>
