@@ -315,8 +315,17 @@ void free_surface(Surface* surface) {
         arena().free(plane);
 }
 
-bool present(Display& display, Surface& surface) {
+namespace {
+
+/// Makes one colour of the samples of each pixel that was drawn since the surface was last shown.
+void resolve_samples(Surface& surface) {
     raster::resolve(pixels_of(surface));
+}
+
+} // namespace
+
+bool present(Display& display, Surface& surface) {
+    resolve_samples(surface);
     const hal::Result<void> shown = native_of(display, surface).present();
     if (!shown.ok()) {
         fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
@@ -348,7 +357,7 @@ namespace {
 
 /// Hands a pbuffer's picture to who asked for those that are swapped.
 void show_pbuffer(Surface& surface) {
-    raster::resolve(pixels_of(surface));
+    resolve_samples(surface);
     hal::DisplayInfo info;
     info.width = surface.width;
     info.height = surface.height;
