@@ -17,6 +17,13 @@ bool compatible(const Config& a, const Config& b) {
     return a.format == b.format && a.depth == b.depth && a.multisampled == b.multisampled;
 }
 
+/// Whether another thread has it.
+bool elsewhere(const Surface* surface) {
+    return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
+}
+
+} // namespace
+
 #if !SPANGLE_HAS_PLATFORMS
 
 /// OpenGL contexts take no attributes in EGL 1.4.
@@ -25,13 +32,6 @@ EGLint context_problem(const EGLint* list) {
 }
 
 #endif
-
-/// Whether another thread has it.
-bool elsewhere(const Surface* surface) {
-    return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
-}
-
-} // namespace
 
 void attach_surfaces() {
     const Thread& t = thread();
