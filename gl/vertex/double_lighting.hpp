@@ -70,7 +70,7 @@ class DoubleLighting {
         out.color[3] = clamp(real(material.diffuse[3]));
     }
 
-    static void mix(const Input& a, const Input& b, double t, Input& out) {
+    static void mix(const Input& a, const Input& b, const DoubleMath::Parameter& t, Input& out) {
         for (int c = 0; c < 3; ++c)
             out.normal[c] = DoubleMath::mix(a.normal[c], b.normal[c], t);
     }

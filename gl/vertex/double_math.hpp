@@ -16,7 +16,12 @@ struct DoubleMath {
     };
     using Eye = Clip;
     using Depth = double;
-    using Parameter = double;
+    using Point = Clip;
+    /// A place on an edge: so far from its nearer end, in parts of the edge.
+    struct Parameter {
+        double part;
+        bool from_second;
+    };
     struct Matrix {
         double m[4][4]; ///< row, column
     };
@@ -85,12 +90,17 @@ struct DoubleMath {
     static Depth depth(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v).v[2]; }
     static Clip to_clip(const Transforms& t, const Real (&v)[4]) { return times(t.to_clip, v); }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) { return times(t.to_eye, v); }
+    static Point clip_point(const Transforms& t, const Real (&v)[4]) { return to_clip(t, v); }
+    static Point eye_point(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v); }
+    static Clip narrow(const Point& v) { return v; }
+    static bool is_far(const Clip&) { return false; }
 
     static constexpr int guard_band = 4;
     static double distance(const Clip& c, int plane, int band) {
         const double w = plane < 4 ? band * c.v[3] : c.v[3];
         return (plane & 1) != 0 ? w - c.v[plane >> 1] : w + c.v[plane >> 1];
     }
+    static bool beyond(const Clip& c, int plane, int band) { return distance(c, plane, band) < 0.0; }
     static bool in_front(const Clip& c) { return c.v[3] > 0.0; }
 
     struct Plane {
@@ -117,19 +127,36 @@ struct DoubleMath {
     static bool turned(const Plane& p) { return p.turned; }
     static bool outside(const Plane& p, Distance d) { return p.turned ? d > 0.0 : d < 0.0; }
 
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        return intersect(distance(inside, plane, band), distance(outside, plane, band));
+    static Parameter intersect(Distance a, Distance b) {
+        a = std::fabs(a);
+        b = std::fabs(b);
+        return {std::fmin(a, b) / (a + b), b < a};
     }
-    static Parameter intersect(Distance a, Distance b) { return a / (a - b); }
+    /// Where the edge from a, inside, to b meets a plane of the view volume: sums of minors, as integers have
+    /// it.
+    static Point cut(const Point& a, const Point& b, int plane, int band, const Parameter&) {
+        const int c = plane >> 1;
+        const double s = (plane & 1) != 0 ? -1.0 : 1.0, k = plane < 4 ? band : 1;
+        const double sum = distance(a, plane, band) - distance(b, plane, band);
+        const auto minor = [&](int i, int j) { return (a.v[i] * b.v[j] - b.v[i] * a.v[j]) / sum; };
+        Point out;
+        for (int j = 0; j < 3; ++j)
+            out.v[j] = k * minor(3, j) + s * minor(c, j);
+        out.v[3] = s * minor(c, 3);
+        out.v[c] = -s * k * out.v[3];
+        return out;
+    }
 
-    static double mix(double a, double b, double t) { return a + (b - a) * t; }
-    static Clip mix(const Clip& a, const Clip& b, Parameter t) {
+    static double mix(double a, double b, const Parameter& t) {
+        return t.from_second ? b + (a - b) * t.part : a + (b - a) * t.part;
+    }
+    static Clip mix(const Clip& a, const Clip& b, const Parameter& t) {
         Clip out;
         for (int i = 0; i < 4; ++i)
             out.v[i] = mix(a.v[i], b.v[i], t);
         return out;
     }
-    static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
+    static void mix(const Window& a, const Window& b, const Parameter& t, unsigned units, Window& out) {
         mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
             if ((units >> u & 1) == 0)
@@ -141,7 +168,7 @@ struct DoubleMath {
         }
     }
 
-    template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
+    template <class V> static void mix_color(const V& a, const V& b, const Parameter& t, V& out) {
         for (int c = 0; c < 4; ++c)
             out.color[c] = mix(a.color[c], b.color[c], t);
         for (int c = 0; c < 3; ++c)

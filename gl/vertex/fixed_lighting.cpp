@@ -427,7 +427,7 @@ void FixedLighting::set_index(const Fold& fold, const Sum (&primary)[3], const S
     FixedMath::set_index(FixedMath::real(beyond ? sm.v : c.v), index_bits_, out);
 }
 
-void FixedLighting::mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out) {
+void FixedLighting::mix(const Input& a, const Input& b, const FixedMath::Parameter& t, Input& out) {
     for (int c = 0; c < 3; ++c)
         out.normal[c] = numeric::to_real(
             FixedMath::mix(numeric::to_block(a.normal[c]), numeric::to_block(b.normal[c]), t));

@@ -47,7 +47,7 @@ class FixedLighting {
     }
 
     /// A vertex made by clipping.
-    static void mix(const Input& a, const Input& b, FixedMath::Parameter t, Input& out);
+    static void mix(const Input& a, const Input& b, const FixedMath::Parameter& t, Input& out);
 
   private:
     using Sum = std::int64_t; ///< 44 fraction bits

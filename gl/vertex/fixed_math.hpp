@@ -8,6 +8,7 @@
 
 #include "gl/context/context.hpp"
 #include "gl/pixel/index.hpp"
+#include "gl/vertex/fixed_clipping.hpp"
 #include "raster/numeric/block.hpp"
 #include "raster/numeric/block_matrix.hpp"
 #include "raster/numeric/matrix_build.hpp"
@@ -17,12 +18,11 @@
 
 namespace spangle::gl {
 
-struct FixedMath {
+struct FixedMath : FixedClipping {
     using Window = raster::FixedVertex;
     using Clip = numeric::Block4; ///< homogeneous, own exponent per vertex: tests and x/w do not see it
     using Eye = numeric::Block4;
     using Depth = numeric::Block;
-    using Parameter = std::int32_t; ///< of a clip intersection, Q0.30
 
     /// 32 bits in a word: where that has 64 none is extended at every use.
     using Factor = std::conditional_t<numeric::wide_words, std::int64_t, std::int32_t>;
@@ -150,6 +150,20 @@ struct FixedMath {
     }
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return numeric::transform(t.to_eye, v);
+    }
+    /// The same of a vertex that is clipped.
+    static Point clip_point(const Transforms& t, const Real (&v)[4]) {
+        return numeric::transform_wide(t.to_clip, v);
+    }
+    static Point eye_point(const Transforms& t, const Real (&v)[4]) {
+        return numeric::transform_wide(t.to_eye, v);
+    }
+    static Clip narrow(const Point& v) {
+        return numeric::to_block(v);
+    }
+    /// Beside the other components too few bits of w are left to tell where the vertex is.
+    static bool is_far(const numeric::Block4& v) {
+        return numeric::abs_u32(v.m[3]) < 1u << 22;
     }
 
     /// N vertices on their way from the position to the window: perspective division, viewport, depth range
@@ -314,12 +328,14 @@ struct FixedMath {
 
     // --- clipping (GL 1.3, 2.11). Planes 0..5: left, right, bottom, top, near, far.
 
-    static constexpr int guard_band = 4; ///< x the viewport
-    /// w plus or minus a coordinate, in the vertex's own exponent: < 0 is outside of `band` x the viewport;
-    /// near and far have no band.
-    static std::int64_t distance(const Clip& c, int plane, int band) {
+    using FixedClipping::beyond;
+    using FixedClipping::distance;
+    using FixedClipping::mix;
+    /// w plus or minus a coordinate, in the vertex's own exponent, is negative: outside of `band` x the
+    /// viewport; near and far have no band.
+    static bool beyond(const Clip& c, int plane, int band) {
         const std::int64_t w = plane < 4 ? std::int64_t{c.m[3]} * band : c.m[3], v = c.m[plane >> 1];
-        return (plane & 1) != 0 ? w - v : w + v;
+        return (plane & 1) != 0 ? w < v : w < -v;
     }
     /// w <= 0 after the near and far planes: the degenerate corner of the volume, never drawn.
     static bool in_front(const Clip& c) {
@@ -332,7 +348,6 @@ struct FixedMath {
         numeric::Block4 at{};
         bool turned = false;
     };
-    using Distance = numeric::Block;
 
     static Plane plane(const Real (&equation)[4]) {
         bool turned = false;
@@ -345,41 +360,22 @@ struct FixedMath {
         const auto at = [&](int i) { return turned ? -equation[i] : equation[i]; };
         return {numeric::to_block(at(0), at(1), at(2), at(3)), turned};
     }
-    static Distance distance(const Plane& p, const Eye& eye) {
+    static numeric::Block distance(const Plane& p, const Eye& eye) {
+        return numeric::dot(p.at, eye);
+    }
+    static numeric::Wide distance(const Plane& p, const Point& eye) {
         return numeric::dot(p.at, eye);
     }
     static bool turned(const Plane& p) {
         return p.turned;
     }
-    static bool outside(const Plane& p, Distance d) {
+    template <class Distance> static bool outside(const Plane& p, const Distance& d) {
         return p.turned ? d.m > 0 : d.m < 0;
-    }
-
-    /// Where the edge from `inside` to `outside` meets a plane.
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        return intersect(numeric::make_block(distance(inside, plane, band), inside.e),
-                         numeric::make_block(distance(outside, plane, band), outside.e));
-    }
-    /// The same from distances of different signs.
-    static Parameter intersect(Distance a, Distance b) {
-        const std::int32_t t = numeric::to_fixed(numeric::div(a, numeric::sub(a, b)), 30);
-        return numeric::clamp<std::int32_t>(t, 0, 1 << 30);
-    }
-
-    static numeric::Block mix(numeric::Block a, numeric::Block b, Parameter t) {
-        return numeric::add(a, numeric::mul(numeric::sub(b, a), numeric::make_block(t, -30)));
-    }
-
-    static Clip mix(const Clip& a, const Clip& b, Parameter t) {
-        numeric::Block out[4];
-        for (int i = 0; i < 4; ++i)
-            out[i] = mix(numeric::component(a, i), numeric::component(b, i), t);
-        return numeric::to_block(out[0], out[1], out[2], out[3]);
     }
 
     /// Associated data of a new vertex (GL 1.3, 2.13.8); bit u of `units`: texture coordinates u are in use,
     /// bit u + third_coordinate: their r, too.
-    static void mix(const Window& a, const Window& b, Parameter t, unsigned units, Window& out) {
+    static void mix(const Window& a, const Window& b, const Parameter& t, unsigned units, Window& out) {
         mix_color(a, b, t, out);
         for (int u = 0; u < texture_units; ++u) {
             if ((units >> u & 1) == 0)
@@ -394,10 +390,10 @@ struct FixedMath {
         }
     }
 
-    template <class V> static void mix_color(const V& a, const V& b, Parameter t, V& out) {
-        mix_unsigned(4, a.color, b.color, t, out.color);
+    template <class V> static void mix_color(const V& a, const V& b, const Parameter& t, V& out) {
+        mix_words(4, a.color, b.color, t, out.color);
 #if SPANGLE_SECONDARY_COLORS
-        mix_unsigned(3, a.secondary, b.secondary, t, out.secondary);
+        mix_words(3, a.secondary, b.secondary, t, out.secondary);
 #endif
     }
 
@@ -733,16 +729,6 @@ struct FixedMath {
     static std::int32_t limit(std::int64_t v) {
         constexpr std::int64_t most = 4 * 2048 * raster::subpixel_one - 1;
         return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, -most, most));
-    }
-
-    SPANGLE_RUN_INLINE static void mix_unsigned(int n, const std::uint32_t* a, const std::uint32_t* b,
-                                                Parameter t, std::uint32_t* out) {
-        out = numeric::opaque(out);
-        for (int c = 0; c < n; ++c) {
-            const auto d = static_cast<std::int32_t>(b[c] - a[c]); // 28 bits, times 30
-            out[c] = static_cast<std::uint32_t>(static_cast<std::int64_t>(a[c]) +
-                                                ((numeric::mul_s32(d, t) + (1 << 29)) >> 30));
-        }
     }
 
     // A build without these has no place for them (raster/vertex.hpp).

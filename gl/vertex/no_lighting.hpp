@@ -18,7 +18,7 @@ template <class M> class NoLighting {
     static Input input(const Real (&)[3]) { return {}; }
     template <class Normal>
     void light(const Context&, const Normal&, const typename M::Eye&, int, typename M::Window&) {}
-    static void mix(const Input&, const Input&, typename M::Parameter, Input&) {}
+    static void mix(const Input&, const Input&, const typename M::Parameter&, Input&) {}
 };
 
 } // namespace spangle::gl

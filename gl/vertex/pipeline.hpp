@@ -127,12 +127,12 @@ template <class M, class L> class Pipeline {
     };
     /// A vertex while it is clipped, or one that clipping made: what the others compute when they need it.
     struct Cut : Vertex {
-        typename M::Clip clip{};
+        typename M::Point clip{};
 #if SPANGLE_FEATURE_FOG
         typename M::Depth eye_z{}; ///< with its sign, or the fog coordinate: clipping mixes it
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
-        typename M::Eye eye{};
+        typename M::Point eye{};
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
         typename M::Eye texture{}; ///< while primitives are fed back
@@ -447,7 +447,7 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void generated(const CurrentState& current, Vertex& v, int unit);
     [[gnu::noinline]] void textures(const CurrentState& current, Vertex& v);
     [[gnu::noinline]] unsigned undivided_flags(const Vertex& v) const;
-    [[gnu::noinline]] static unsigned flags_of(const typename M::Clip& clip);
+    template <class Point> [[gnu::noinline]] static unsigned flags_of(const Point& clip);
     [[gnu::noinline]] void light(const Vertex& v, int side, Window& out);
     [[gnu::noinline]] void given(const CurrentState& current, Vertex& v);
     [[gnu::noinline]] unsigned outside(const Vertex& v) const;

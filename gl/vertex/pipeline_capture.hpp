@@ -40,7 +40,8 @@ template <class M, class L> void Pipeline<M, L>::feed(const Corner& corner) {
     const Vertex& v = corner.vertex;
     const bool cut = (v.flags & is_cut) != 0;
     FeedbackVertex out;
-    M::window_of(transforms_, cut ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position),
+    M::window_of(transforms_,
+                 cut ? M::narrow(static_cast<const Cut&>(v).clip) : M::to_clip(transforms_, v.position),
                  out.window);
     if (indexed())
         out.color[0] = M::index_of(corner.window);

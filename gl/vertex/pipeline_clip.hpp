@@ -15,15 +15,15 @@ template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
 template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_cut(Vertex& v, Cut& out) {
     color(v);
     static_cast<Vertex&>(out) = v;
+    out.clip = M::clip_point(transforms_, v.position);
     out.flags |= is_cut;
-    out.clip = M::to_clip(transforms_, v.position);
 #if SPANGLE_FEATURE_FOG
     if (fog_)
         out.eye_z = fog_given_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
-        out.eye = M::to_eye(transforms_, v.position);
+        out.eye = M::eye_point(transforms_, v.position);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
     if (captures())
@@ -37,7 +37,7 @@ template <class M, class L> typename Pipeline<M, L>::Cut& Pipeline<M, L>::to_be_
     return out;
 }
 
-/// A vertex at t of the edge from a to b.
+/// All but the place of a vertex at t of the edge from a to b.
 template <class M, class L>
 void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter& t, Cut& out) {
     const auto mix_part = [&](auto Cut::*part)
@@ -60,7 +60,6 @@ void Pipeline<M, L>::mix(const Cut& a, const Cut& b, const typename M::Parameter
     if (captures())
         mix_part(&Cut::texture);
 #endif
-    mix_part(&Cut::clip);
     out.flags = flags_of(out.clip) | is_cut;
 #if SPANGLE_TWO_SIDES
     L::mix(a.light, b.light, t, out.light);
@@ -84,7 +83,7 @@ template <class M, class L> inline bool Pipeline<M, L>::keeps(int plane, const C
         return !M::outside(user, M::distance(user, v.eye));
     }
 #endif
-    return M::distance(v.clip, plane, band()) >= 0;
+    return !M::beyond(v.clip, plane, band());
 }
 
 /// A new vertex on the edge from inside to outside; the same integers whichever polygon asks.
@@ -94,7 +93,10 @@ inline void Pipeline<M, L>::cut(int plane, const Cut& inside, const Cut& outside
     if (plane >= user_shift)
         return cut_by_user(planes_[plane - user_shift], inside, outside, out);
 #endif
-    mix(inside, outside, M::intersect(inside.clip, outside.clip, plane, band()), out);
+    const auto t =
+        M::intersect(M::distance(inside.clip, plane, band()), M::distance(outside.clip, plane, band()));
+    out.clip = M::cut(inside.clip, outside.clip, plane, band(), t);
+    mix(inside, outside, t, out);
     // Rounding must not leave it outside of the plane it lies on.
     out.flags &= ~(1u << plane | 1u << (static_cast<unsigned>(plane) + beyond_shift));
 }
@@ -107,7 +109,9 @@ template <class M, class L>
 inline void Pipeline<M, L>::cut_by_user(const typename M::Plane& plane, const Cut& inside, const Cut& outside,
                                         Cut& out) {
     const Cut &a = M::turned(plane) ? outside : inside, &b = M::turned(plane) ? inside : outside;
-    mix(a, b, M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye)), out);
+    const auto t = M::intersect(M::distance(plane, a.eye), M::distance(plane, b.eye));
+    out.clip = M::mix(a.clip, b.clip, t);
+    mix(a, b, t, out);
 }
 
 #endif

@@ -44,7 +44,7 @@ template <class M, class L> Real Pipeline<M, L>::attenuated(const Vertex& v) con
     Real size = p.point_size;
     if (a != numeric::one || b != numeric::zero || c != numeric::zero) {
         Real eye[4], squares = numeric::zero;
-        M::reals((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).eye
+        M::reals((v.flags & is_cut) != 0 ? M::narrow(static_cast<const Cut&>(v).eye)
                                          : M::to_eye(transforms_, v.position),
                  eye);
         for (int i = 0; i < 3; ++i) {

@@ -86,7 +86,9 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
     if constexpr (!raster::has_perspective) // whatever is beside the window was divided
         return unprojected;
-    return flags_of(M::to_clip(transforms_, v.position));
+    const typename M::Clip clip = M::to_clip(transforms_, v.position);
+    return has_clipping && M::is_far(clip) ? flags_of(M::clip_point(transforms_, v.position))
+                                           : flags_of(clip);
 }
 
 /// What is current goes with the vertex.
@@ -152,13 +154,13 @@ template <class M, class L> void Pipeline<M, L>::textures(const CurrentState& cu
 }
 
 /// Flags of a vertex that is to be projected only if it is seen.
-template <class M, class L> unsigned Pipeline<M, L>::flags_of(const typename M::Clip& clip) {
+template <class M, class L> template <class Point> unsigned Pipeline<M, L>::flags_of(const Point& clip) {
     unsigned flags = unprojected;
     for (unsigned plane = 0; plane < 6; ++plane) {
         const int p = static_cast<int>(plane);
-        flags |= M::distance(clip, p, 1) < 0 ? 1u << plane : 0u;
+        flags |= M::beyond(clip, p, 1) ? 1u << plane : 0u;
         if constexpr (has_clipping) // else it is refused as it is
-            flags |= M::distance(clip, p, M::guard_band) < 0 ? 1u << (plane + beyond_shift) : 0u;
+            flags |= M::beyond(clip, p, M::guard_band) ? 1u << (plane + beyond_shift) : 0u;
     }
     return flags;
 }
@@ -168,7 +170,7 @@ template <class M, class L> void Pipeline<M, L>::light(const Vertex& v, int side
 #if SPANGLE_TWO_SIDES
     if ((v.flags & is_cut) != 0) {
         const Cut& cut = static_cast<const Cut&>(v);
-        return lighting_.light(*context_, cut.light, cut.eye, side, out);
+        return lighting_.light(*context_, cut.light, M::narrow(cut.eye), side, out);
     }
 #endif
     typename M::Eye eye{};
@@ -198,7 +200,8 @@ template <class M, class L> void Pipeline<M, L>::given(const CurrentState& curre
 
 /// The user's planes that a vertex, as it was given, is outside of.
 template <class M, class L> unsigned Pipeline<M, L>::outside(const Vertex& v) const {
-    return planes_.outside(M::to_eye(transforms_, v.position));
+    const typename M::Eye eye = M::to_eye(transforms_, v.position);
+    return M::is_far(eye) ? planes_.outside(M::eye_point(transforms_, v.position)) : planes_.outside(eye);
 }
 
 template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {
@@ -240,8 +243,9 @@ template <class M, class L> inline void Pipeline<M, L>::back_of(const Vertex& v,
 template <class M, class L> bool Pipeline<M, L>::project(Vertex& v) {
     if (!has_clipping || (v.flags & unprojected) == 0) // others are refused
         return true;
-    const typename M::Clip clip =
-        (v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip : M::to_clip(transforms_, v.position);
+    // The same place whether a polygon that it belongs to is clipped or not.
+    const typename M::Clip clip = M::narrow((v.flags & is_cut) != 0 ? static_cast<const Cut&>(v).clip
+                                                                    : M::clip_point(transforms_, v.position));
     if (!M::in_front(clip))
         return false;
     M::project(transforms_, clip, v.window);

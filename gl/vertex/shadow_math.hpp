@@ -18,6 +18,7 @@ struct ShadowMath {
     using Clip = Both<FixedMath::Clip, DoubleMath::Clip>;
     using Eye = Both<FixedMath::Eye, DoubleMath::Eye>;
     using Depth = Both<FixedMath::Depth, DoubleMath::Depth>;
+    using Point = Both<FixedMath::Point, DoubleMath::Point>;
     using Parameter = Both<FixedMath::Parameter, DoubleMath::Parameter>;
     using Transforms = Both<FixedMath::Transforms, DoubleMath::Transforms>;
 
@@ -56,32 +57,58 @@ struct ShadowMath {
     static Eye to_eye(const Transforms& t, const Real (&v)[4]) {
         return {FixedMath::to_eye(t.fixed, v), DoubleMath::to_eye(t.twin, v)};
     }
+    static Point clip_point(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::clip_point(t.fixed, v), DoubleMath::clip_point(t.twin, v)};
+    }
+    static Point eye_point(const Transforms& t, const Real (&v)[4]) {
+        return {FixedMath::eye_point(t.fixed, v), DoubleMath::eye_point(t.twin, v)};
+    }
+    static Clip narrow(const Point& v) { return {FixedMath::narrow(v.fixed), v.twin}; }
+    static bool is_far(const Clip& v) { return FixedMath::is_far(v.fixed); }
 
     // What is decided, the integers decide.
     static constexpr int guard_band = FixedMath::guard_band;
-    static std::int64_t distance(const Clip& c, int plane, int band) {
-        return FixedMath::distance(c.fixed, plane, band);
+    template <class C> static bool beyond(const C& c, int plane, int band) {
+        return FixedMath::beyond(c.fixed, plane, band);
     }
     static bool in_front(const Clip& c) { return FixedMath::in_front(c.fixed); }
 
     using Plane = Both<FixedMath::Plane, DoubleMath::Plane>;
-    using Distance = Both<FixedMath::Distance, DoubleMath::Distance>;
+    using Distance = Both<numeric::Wide, DoubleMath::Distance>;
 
     static Plane plane(const Real (&equation)[4]) {
         return {FixedMath::plane(equation), DoubleMath::plane(equation)};
     }
-    static Distance distance(const Plane& p, const Eye& eye) {
+    static Distance distance(const Point& c, int plane, int band) {
+        return {FixedMath::distance(c.fixed, plane, band), DoubleMath::distance(c.twin, plane, band)};
+    }
+    static Distance distance(const Plane& p, const Point& eye) {
+        return {FixedMath::distance(p.fixed, eye.fixed), DoubleMath::distance(p.twin, eye.twin)};
+    }
+    static Both<numeric::Block, double> distance(const Plane& p, const Eye& eye) {
         return {FixedMath::distance(p.fixed, eye.fixed), DoubleMath::distance(p.twin, eye.twin)};
     }
     static bool turned(const Plane& p) { return p.fixed.turned; }
-    static bool outside(const Plane& p, const Distance& d) { return FixedMath::outside(p.fixed, d.fixed); }
-
-    static Parameter intersect(const Clip& inside, const Clip& outside, int plane, int band) {
-        return both(FixedMath::intersect(inside.fixed, outside.fixed, plane, band),
-                    DoubleMath::intersect(inside.twin, outside.twin, plane, band));
+    template <class D> static bool outside(const Plane& p, const D& d) {
+        return FixedMath::outside(p.fixed, d.fixed);
     }
+
+    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
     static Parameter intersect(const Distance& a, const Distance& b) {
-        return both(FixedMath::intersect(a.fixed, b.fixed), DoubleMath::intersect(a.twin, b.twin));
+        const FixedMath::Parameter fixed = FixedMath::intersect(a.fixed, b.fixed);
+        if ((a.twin < 0) != (b.twin < 0))
+            return {fixed, DoubleMath::intersect(a.twin, b.twin)};
+        return {fixed, {std::ldexp(static_cast<double>(fixed.part.m), fixed.part.e), fixed.from_second}};
+    }
+    static Point cut(const Point& a, const Point& b, int plane, int band, const Parameter& t) {
+        const bool crosses =
+            !DoubleMath::beyond(a.twin, plane, band) && DoubleMath::beyond(b.twin, plane, band);
+        return {FixedMath::cut(a.fixed, b.fixed, plane, band, t.fixed),
+                crosses ? DoubleMath::cut(a.twin, b.twin, plane, band, t.twin)
+                        : DoubleMath::mix(a.twin, b.twin, t.twin)};
+    }
+    static Point mix(const Point& a, const Point& b, const Parameter& t) {
+        return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
     }
     static Clip mix(const Clip& a, const Clip& b, const Parameter& t) {
         return {FixedMath::mix(a.fixed, b.fixed, t.fixed), DoubleMath::mix(a.twin, b.twin, t.twin)};
@@ -236,11 +263,6 @@ struct ShadowMath {
     }
 
   private:
-    /// Where the twin does not cross the plane, being another number, it takes the integers' place.
-    static Parameter both(FixedMath::Parameter fixed, double twin) {
-        return {fixed, twin >= 0.0 && twin <= 1.0 ? twin : fixed * 0x1p-30};
-    }
-
     static double inverse_w(const raster::FixedVertex& v) {
         return std::ldexp(static_cast<double>(v.w_mantissa), v.w_exponent);
     }
