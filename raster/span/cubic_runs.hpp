@@ -15,16 +15,27 @@ struct Differences {
         second += third;
     }
     SPANGLE_INLINE bool straight() const { return (second | third) == 0; }
-    /// v, n pixels on or back; few of them.
-    SPANGLE_INLINE std::uint32_t ahead(std::uint32_t v, std::int32_t n) const {
-        const std::int32_t pairs = n * (n - 1) / 2, triples = pairs * (n - 2) / 3;
-        return v + static_cast<std::uint32_t>(n) * first + static_cast<std::uint32_t>(pairs) * second +
-               static_cast<std::uint32_t>(triples) * third;
+    /// v, n pixels on or back. A row that is one run may be wider than the square of n fits a word: all is
+    /// mod 2^32.
+    SPANGLE_INLINE constexpr std::uint32_t ahead(std::uint32_t v, std::int32_t n) const {
+        return v + static_cast<std::uint32_t>(n) * first + pairs(n) * second + triples(n) * third;
     }
-    void jump(std::uint32_t& v, std::int32_t n) {
+    constexpr void jump(std::uint32_t& v, std::int32_t n) {
         v = ahead(v, n);
-        first += static_cast<std::uint32_t>(n) * second + static_cast<std::uint32_t>(n * (n - 1) / 2) * third;
+        first += static_cast<std::uint32_t>(n) * second + pairs(n) * third;
         second += static_cast<std::uint32_t>(n) * third;
+    }
+
+  private:
+    /// n (n - 1) / 2: the even factor is halved before it is multiplied.
+    SPANGLE_INLINE static constexpr std::uint32_t pairs(std::int32_t n) {
+        const std::int32_t odd = n & 1;
+        return static_cast<std::uint32_t>(n >> (1 - odd)) * static_cast<std::uint32_t>((n - 1) >> odd);
+    }
+    /// n (n - 1) (n - 2) / 6. The product of pairs(n) and n - 2 is three times that; mod 2^32 a division by 3
+    /// is a product with the inverse of 3, 0xAAAAAAAB.
+    SPANGLE_INLINE static constexpr std::uint32_t triples(std::int32_t n) {
+        return pairs(n) * static_cast<std::uint32_t>(n - 2) * 0xAAAAAAABu;
     }
 };
 
@@ -104,6 +115,11 @@ class CubicRuns {
         }
     };
 
+    /// Mod 2^64, as to_repeats() has coordinates that are far outside of the texture.
+    SPANGLE_INLINE static std::int64_t difference(std::int64_t a, std::int64_t b) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+    }
+
     [[gnu::noinline]] std::int32_t start_run(std::int32_t x) {
         const auto& unit = span_->unit[unit_];
         const bool first = log2_ < 0;
@@ -119,13 +135,13 @@ class CubicRuns {
         t = static_cast<std::uint32_t>(start.t);
         if (whole) {
             const Inverse steps(length);
-            ds = {detail::slope(last_.s - start.s, length, steps), 0, 0};
-            dt = {detail::slope(last_.t - start.t, length, steps), 0, 0};
+            ds = {detail::slope(difference(last_.s, start.s), length, steps), 0, 0};
+            dt = {detail::slope(difference(last_.t, start.t), length, steps), 0, 0};
             next_ = span_->length;
         } else {
             const std::int32_t dq = last_.q - start.q, e0 = start.ratio(dq), e1 = last_.ratio(dq);
-            ds = through(last_.s - start.s, e0, e1);
-            dt = through(last_.t - start.t, e0, e1);
+            ds = through(difference(last_.s, start.s), e0, e1);
+            dt = through(difference(last_.t, start.t), e0, e1);
             next_ = from + length;
         }
         if (const std::int32_t skipped = x - from; skipped != 0) {

@@ -13,20 +13,22 @@ template <class L, std::uint32_t Sum> struct RowWeights {
     SPANGLE_INLINE explicit RowWeights(typename L::U16 b)
         : near(L::splat(Sum) - L::mul_256(b, L::splat(Sum))), far(L::mul_256(b, L::splat(Sum))) {}
     /// Sum of weight * value, at most Sum times the largest value; a: of column i + 1, in 256ths.
-    template <class V> SPANGLE_INLINE V mix(V c00, V c10, V c01, V c11, typename L::U16 a) const {
+    /// Less: what is added to that.
+    template <class V> SPANGLE_INLINE V mix(V c00, V c10, V c01, V c11, typename L::U16 a, V less) const {
         const typename L::U16 w10 = L::mul_256(a, near), w11 = L::mul_256(a, far);
-        return c00 * (near - w10) + c10 * w10 + c01 * (far - w11) + c11 * w11;
+        return less + c00 * (near - w10) + c10 * w10 + c01 * (far - w11) + c11 * w11;
     }
 };
 
 /// Words R5 G6 B5 to 255ths with 8 fraction bits. The weights make them: 31 2105 and 63 1036 are 255 less a
-/// 10th, 16 bits hold every sum, and four texels alike stay what they are. With one lane red and blue share a
-/// word.
+/// 10th and a 20th, of which half is added to every sum: 16 bits hold it, and four texels alike stay what
+/// they are, as 8 bits too. With one lane red and blue share a word.
 template <int Count> struct Filter565 {
     using L = Lanes<Count>;
     using N = Balanced<Count>;
     using U16 = typename L::U16;
-    static constexpr std::uint32_t sum5 = 2105, sum6 = 1036;
+    static constexpr std::uint32_t sum5 = 2105, sum6 = 1036, less5 = (N::one - 31 * sum5) / 2,
+                                   less6 = (N::one - 63 * sum6) / 2;
     RowWeights<L, sum5> five;
     RowWeights<L, sum6> six;
     SPANGLE_INLINE explicit Filter565(U16 b) : five(b), six(b) {}
@@ -35,17 +37,17 @@ template <int Count> struct Filter565 {
         const auto green = [](U16 c) { return (c >> 5) & 63; };
         if constexpr (Count == 1 && numeric::three_operands) // four texels first, then what they become
             numeric::begin_here();
-        U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a);
+        U16 g = six.mix(green(c00), green(c10), green(c01), green(c11), a, L::splat(less6));
         if constexpr (Count == 1) {
             if constexpr (!numeric::three_operands) // nor red and blue before green: few registers
                 g = numeric::factor32(g);
             const auto both = [](U16 c) { return numeric::with_bits<16, 5>(c >> 11, c); };
-            const std::uint32_t rb =
-                numeric::factor32(five.mix(both(c00), both(c10), both(c01), both(c11), a));
+            const std::uint32_t rb = numeric::factor32(
+                five.mix(both(c00), both(c10), both(c01), both(c11), a, less5 << 16 | less5));
             return {rb & 0xFFFF, g, rb >> 16, N::one};
         } else {
-            return {five.mix(c00 >> 11, c10 >> 11, c01 >> 11, c11 >> 11, a), g,
-                    five.mix(c00 & 31, c10 & 31, c01 & 31, c11 & 31, a), L::splat(N::one)};
+            return {five.mix(c00 >> 11, c10 >> 11, c01 >> 11, c11 >> 11, a, L::splat(less5)), g,
+                    five.mix(c00 & 31, c10 & 31, c01 & 31, c11 & 31, a, L::splat(less5)), L::splat(N::one)};
         }
     }
 };

@@ -14,13 +14,13 @@ namespace detail {
 /// What is stored of n = sum of weight k, weights adding up to 2^16, k / (2^Bits - 1) the components of
 /// texels.
 ///
-/// The chain adds weight c(k), c(k) being k C / (2^Bits - 1) to half a unit, C = 255 2^20: its sum is off n C
-/// / (2^Bits - 1) by 2^15 at most. Step j is stored from a sum of T = j 2^(44 - Bits) - 2^35 on, so from n =
-/// T (2^Bits - 1) / C on: a multiple of 1/255 (1/85 for 6 bits). It is an integer, or no integer is nearer
-/// than that, and 2^15 (2^Bits - 1) / C are 1/263 (1/129): n decides, but where it is the integer. There is
-/// one, half of the largest n.
+/// The chain adds weight c(k), c(k) being k C / (2^Bits - 1) rounded up, C = 255 2^20, and rounds the sum up
+/// (Exact::weighted): n C / (2^Bits - 1) or less than 2^17 more. Step j is stored from a sum of T = j 2^(44 -
+/// Bits) - 2^35 on, so from n = T (2^Bits - 1) / C on: a multiple of 1/255 (1/85 for 6 bits). What the chain
+/// has too much is less than 1/63 (1/32) of n. Of 5 bits no n is so near below a step, so n decides; of 6
+/// bits the last n below a step may be, and is left to the chain.
 template <int Bits> struct StoredSteps {
-    static constexpr std::uint32_t most = (1u << Bits) - 1, tie = most << 15;
+    static constexpr std::uint32_t most = (1u << Bits) - 1;
     std::uint32_t from[most + 1]; ///< the least n of step j + 1
     constexpr StoredSteps() : from{} {
         constexpr std::uint64_t one = color_one;
@@ -37,11 +37,15 @@ template <int Bits> struct StoredSteps {
         const std::uint32_t step = n * factor >> down;
         return step + (n >= from[step] ? 1u : 0u);
     }
+    /// n, of which at() makes this step, is left to the chain.
+    SPANGLE_INLINE constexpr bool open(std::uint32_t n, std::uint32_t step) const {
+        return Bits == 6 && n + 1 == from[step];
+    }
 };
 template <int Bits> inline constexpr StoredSteps<Bits> stored_steps;
 
 /// The same from n / 2^(Bits + 2) rounded down: at least that many steps, with 15 - Bits fraction bits, and
-/// at most `range` of them more. Nothing is rounded up, so that the tie is between both.
+/// at most `range` of them more. Nothing is rounded up, so that what is left to the chain is between both.
 template <int Bits> struct GuessedSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1, range = 4;
     /// Of a quarter of that n, in 2^-16; and what half a unit is.
@@ -64,39 +68,30 @@ template <> struct FilterWords<1> {
     /// a: of column i + 1, in 256ths.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a) const {
-        using Five = detail::StoredSteps<5>;
-        using Six = detail::StoredSteps<6>;
         const Sums n = sums(c00, c10, c01, c11, a);
-        if (n.r == Five::tie || n.g == Six::tie || n.b == Five::tie) [[unlikely]]
+        const std::uint32_t g = detail::stored_steps<6>.at(n.g);
+        if (detail::stored_steps<6>.open(n.g, g)) [[unlikely]]
             return added(c00, c10, c01, c11, a, b);
-        return detail::stored_steps<5>.at(n.r) << 11 | detail::stored_steps<6>.at(n.g) << 5 |
-               detail::stored_steps<5>.at(n.b);
+        return detail::stored_steps<5>.at(n.r) << 11 | g << 5 | detail::stored_steps<5>.at(n.b);
     }
-    /// Dithered: n are steps, with 16 fraction bits. What the chain adds up is less than 2^-7 of them away,
-    /// so that a sum with the threshold decides unless it is a whole step. Thresholds being odd, no exact
-    /// step becomes one.
+    /// Dithered: n are steps, with 16 fraction bits. What the chain adds up is never less, and less than
+    /// 2^-20 of a step more: they decide. A sum with the threshold that is a whole step is that step.
     SPANGLE_INLINE std::uint32_t operator()(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
                                             std::uint32_t c11, std::uint32_t a,
                                             std::uint32_t threshold32) const {
         const Sums n = sums(c00, c10, c01, c11, a);
-        const std::uint32_t t = threshold32 << 11, r = n.r + t, g = n.g + t, blue = n.b + t;
-        if (r << 16 == 0 || g << 16 == 0 || blue << 16 == 0) [[unlikely]]
-            return added(c00, c10, c01, c11, a, b, threshold32);
-        return r >> 16 << 11 | g >> 16 << 5 | blue >> 16;
+        const std::uint32_t t = threshold32 << 11;
+        return (n.r + t) >> 16 << 11 | (n.g + t) >> 16 << 5 | (n.b + t) >> 16;
     }
 
-    /// As the chain does; dithered where there is a threshold.
+    /// As the chain does.
     [[gnu::noinline]] static std::uint32_t added(std::uint32_t c00, std::uint32_t c10, std::uint32_t c01,
-                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b,
-                                                 std::uint32_t threshold32 = 0) {
+                                                 std::uint32_t c11, std::uint32_t a, std::uint32_t b) {
         const auto color = [](std::uint32_t c) {
-            return Exact::Color{Exact::from5(c >> 11), Exact::from6((c >> 5) & 63), Exact::from5(c & 31),
+            return Exact::Color{Exact::texel5(c >> 11), Exact::texel6((c >> 5) & 63), Exact::texel5(c & 31),
                                 color_one};
         };
         const Exact::Color mixed = bilinear<Exact>(color(c00), color(c10), color(c01), color(c11), a, b);
-        if (threshold32 != 0)
-            return Exact::dithered<5>(mixed.r, threshold32) << 11 |
-                   Exact::dithered<6>(mixed.g, threshold32) << 5 | Exact::dithered<5>(mixed.b, threshold32);
         return (Exact::to8(mixed.r) & 0xF8) << 8 | (Exact::to8(mixed.g) & 0xFC) << 3 |
                Exact::to8(mixed.b) >> 3;
     }
@@ -138,19 +133,15 @@ template <> struct FilterWords<8> {
             return least >> (15 - Bits);
         };
         const U16 word = joined(c00, c10, c01, c11, a, steps);
-        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b, L::splat(0)) : word;
+        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b) : word;
     }
-    /// Dithered. Whole steps among the top bits may not be whole ones: they are open, too.
+    /// Dithered: thresholds count in the bits that are left, so that those that are not say nothing.
     SPANGLE_INLINE U16 operator()(U16 c00, U16 c10, U16 c01, U16 c11, U16 a, U16 threshold32) const {
-        U16 open = L::splat(0);
         const auto steps = [&]<int Bits>(std::integral_constant<int, Bits>, U16 n)
             __attribute__((always_inline)) {
-            const U16 sum = n + (threshold32 << (9 - Bits));
-            open |= L::equal(sum << (Bits + 2), L::splat(0));
-            return sum >> (14 - Bits);
+            return (n + (threshold32 << (9 - Bits))) >> (14 - Bits);
         };
-        const U16 word = joined(c00, c10, c01, c11, a, steps);
-        return L::any(open) ? redone(word, open, {c00, c10, c01, c11}, a, b, threshold32) : word;
+        return joined(c00, c10, c01, c11, a, steps);
     }
 
   private:
@@ -177,10 +168,10 @@ template <> struct FilterWords<8> {
         return r << 11 | g << 5 | blue;
     }
     [[gnu::noinline, gnu::cold]] static U16 redone(U16 word, const U16& open, const Texels& c, const U16& a,
-                                                   const U16& b, const U16& threshold32) {
+                                                   const U16& b) {
         each_open(open, [&](int i) {
             word[i] = static_cast<std::uint16_t>(
-                FilterWords<1>::added(c.c00[i], c.c10[i], c.c01[i], c.c11[i], a[i], b[i], threshold32[i]));
+                FilterWords<1>(b[i])(c.c00[i], c.c10[i], c.c01[i], c.c11[i], a[i]));
         });
         return word;
     }

@@ -21,4 +21,12 @@ SPANGLE_RUN_CALL inline std::int32_t log2_fraction8(std::uint64_t v) {
     return ((63 - zeros) << 8) + ((fraction + 128) >> 8);
 }
 
+/// Lambda with 8 fraction bits, from up to four logarithms, which are off by less than 3/256 together. One
+/// that is no further from 0 is 0 by definition, in every policy: an image drawn one texel to a pixel takes
+/// nothing of the level behind its own.
+SPANGLE_INLINE constexpr std::int32_t level_of_detail(std::int32_t sum) {
+    constexpr std::int32_t lost = 3;
+    return sum < -lost || sum > lost ? sum : 0;
+}
+
 } // namespace spangle::raster

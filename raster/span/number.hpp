@@ -23,13 +23,13 @@ template <class V, class T> SPANGLE_INLINE void set_lane(Rgba<V>& v, int i, cons
 /// fraction bits, saturated.
 template <class T, int Count> struct TexCoords { T s[Count], t[Count]; };
 
-/// k / (Count - 1) in colour units.
-template <std::uint32_t Count> struct ColorSteps {
+/// k / (Count - 1) in colour units, to nearest or rounded up.
+template <std::uint32_t Count, bool Up = false> struct ColorSteps {
     std::uint32_t at[Count];
     constexpr ColorSteps() : at{} {
-        constexpr std::uint32_t most = Count - 1;
+        constexpr std::uint32_t most = Count - 1, more = Up ? most - 1 : most / 2;
         for (std::uint32_t k = 0; k < Count; ++k)
-            at[k] = static_cast<std::uint32_t>((std::uint64_t{k} * color_one + most / 2) / most);
+            at[k] = static_cast<std::uint32_t>((std::uint64_t{k} * color_one + more) / most);
     }
 };
 
@@ -91,6 +91,10 @@ struct Exact {
     /// k / 31, k / 63 to a unit; 31 / 31 and 63 / 63 are one.
     SPANGLE_INLINE static constexpr T from5(L::U16 k) { return steps5.at[k]; }
     SPANGLE_INLINE static constexpr T from6(L::U16 k) { return steps6.at[k]; }
+    /// The same of texels, rounded up: what is filtered is then never below what GL 1.3, 3.8.8 asks for
+    /// (weighted()).
+    SPANGLE_INLINE static constexpr T texel5(L::U16 k) { return texels5.at[k]; }
+    SPANGLE_INLINE static constexpr T texel6(L::U16 k) { return texels6.at[k]; }
     /// A constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// An interpolated colour of a span.
@@ -119,11 +123,14 @@ struct Exact {
         const T d = Bits == 5 ? from5(k) : Bits == 6 ? from6(k) : from8(k);
         return add(mul(s, a), mul(d, one - a));
     }
-    /// Sum of value * weight / 2^16; the weights sum to 2^16.
+    /// Sum of value * weight / 2^16, rounded up; the weights sum to 2^16. Texels are rounded up, too, so that
+    /// the sum is what GL asks for or up to two units more. One that lies on a threshold, as one in 300 of
+    /// texels of 5 and 6 bits does where GL_DITHER is on, or halfway between two 255ths, is therefore never
+    /// taken for the step below.
     SPANGLE_INLINE static T weighted(T a, std::uint32_t wa, T b, std::uint32_t wb, T c, std::uint32_t wc, T d,
                                      std::uint32_t wd) {
         return static_cast<T>((numeric::mul_u32(a, wa) + numeric::mul_u32(b, wb) + numeric::mul_u32(c, wc) +
-                               numeric::mul_u32(d, wd)) >>
+                               numeric::mul_u32(d, wd) + 65535) >>
                               16);
     }
     SPANGLE_INLINE static T subtract(T a, T b) { return a > b ? a - b : 0; }
@@ -163,6 +170,8 @@ struct Exact {
     }
     static constexpr ColorSteps<32> steps5{};
     static constexpr ColorSteps<64> steps6{};
+    static constexpr ColorSteps<32, true> texels5{};
+    static constexpr ColorSteps<64, true> texels6{};
 };
 
 /// Balanced tier: 255ths with 8 fraction bits in 16 bits (0 .. 65280), the same bits with one lane and with
@@ -187,6 +196,8 @@ template <int Count> struct Balanced {
         const T top = k << 10; // of which 12 / 2^10: compilers make seven instructions of the product above
         return top + L::mul_high(top, L::splat(12u << 6)) + (top >> 13);
     }
+    SPANGLE_INLINE static constexpr T texel5(T k) { return from5(k); }
+    SPANGLE_INLINE static constexpr T texel6(T k) { return from6(k); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
     /// The half that rounds to 8.8 was added in set-up. Set-up is off by less than it, and fragments lie
     /// inside of their primitive, so that nothing is above one.

@@ -38,12 +38,15 @@ struct Reference {
     static T from8(std::uint32_t k) { return k / 255.0; }
     static T from6(std::uint32_t k) { return k / 63.0; }
     static T from5(std::uint32_t k) { return k / 31.0; }
+    static T texel5(std::uint32_t k) { return from5(k); }
+    static T texel6(std::uint32_t k) { return from6(k); }
     static T from_units(std::uint32_t c) { return static_cast<double>(c) / color_one; }
     /// Nearest k of k / 255 (GL 1.3, 2.13.9). Halves round up, also where double missed them by its own
     /// error.
     static std::uint32_t to8(T v) { return static_cast<std::uint32_t>(v * 255 + (0.5 + 1e-9)); }
+    /// What lies on a threshold is the step above it, likewise.
     template <unsigned Bits> static std::uint32_t dithered(T v, std::uint32_t threshold32) {
-        return static_cast<std::uint32_t>(v * ((1 << Bits) - 1) + threshold32 / 32.0);
+        return static_cast<std::uint32_t>(v * ((1 << Bits) - 1) + (threshold32 / 32.0 + 1e-9));
     }
     static T mul(T a, T b) { return a * b; }
     static T add(T a, T b) { return a + b < 1 ? a + b : 1; }

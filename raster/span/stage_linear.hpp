@@ -6,10 +6,10 @@
 
 namespace spangle::raster {
 
-/// Weights of the next texel have 8 bits; half a texel into the texture the first one has none.
+/// Weights of the next texel have 8 bits, to nearest; half a texel into the texture the first one has none.
 struct LinearPosition {
     static constexpr int fraction_bits = 8;
-    static constexpr std::uint32_t origin(int log2_size) { return (1u << 31) >> log2_size; }
+    static constexpr std::uint32_t origin(int log2_size) { return linear_origin(log2_size); }
 };
 
 /// T is a TextureFixed with Filter::linear. Dither: of FilterWords.

@@ -162,7 +162,7 @@ template <int Unit> struct Lod<Reference, Unit> : ReferenceStage {
             base.height * std::fmax(slope(t, unit.t.dx, unit.q.dx), slope(t, unit.t_dy, unit.q_dy));
         const bool line = span.state->fragment.unit[Unit].texture->shape == TextureShape::line;
         const double rho = std::fmin(std::fmax(line ? du : std::fmax(du, dv), 0x1p-60), 0x1p60);
-        p.lod[Unit][0] = static_cast<std::int32_t>(std::floor(256 * std::log2(rho) + 0.5));
+        p.lod[Unit][0] = level_of_detail(static_cast<std::int32_t>(std::floor(256 * std::log2(rho) + 0.5)));
         return true;
     }
 };
@@ -247,7 +247,7 @@ struct ReferenceSampler {
         const double w = depth * wrapped(texture.wrap_r, r, depth);
         if (filter == Filter::nearest)
             return slice(image, index(texture.wrap_r, w, depth), depth, filter, s, t);
-        const int fixed = static_cast<int>(std::floor((w - 0.5) * 256)), k = fixed >> 8;
+        const int fixed = place_between(w), k = fixed >> 8;
         const Color a = slice(image, k, depth, filter, s, t), b = slice(image, k + 1, depth, filter, s, t);
         const double weight = (fixed & 255) / 256.0;
         const auto mix = [&](double v, double u) { return (1 - weight) * v + weight * u; };
@@ -261,6 +261,8 @@ struct ReferenceSampler {
             k * static_cast<std::ptrdiff_t>(image.stride) * (image.height + 2 * texture.border_texels);
         return image_at(image, filter, s, t);
     }
+    /// In 256ths of a texel from the centre of the first one, to nearest.
+    static int place_between(double at) { return static_cast<int>(std::floor((at - 0.5) * 256 + 0.5)); }
     static int index(Wrap wrap, double at, int n) {
         const int i = static_cast<int>(std::floor(at + 1.0 / (1 << nearest_bias_bits)));
         const bool wraps = wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat;
@@ -278,8 +280,7 @@ struct ReferenceSampler {
             return texel(image, index(texture.wrap_s, u, image.width),
                          index(texture.wrap_t, v, image.height));
         }
-        const auto fixed = [](double at) { return static_cast<int>(std::floor((at - 0.5) * 256)); };
-        const int a = fixed(u), b = fixed(v), i = a >> 8, j = b >> 8;
+        const int a = place_between(u), b = place_between(v), i = a >> 8, j = b >> 8;
         return bilinear<Reference>(texel(image, i, j), texel(image, i + 1, j), texel(image, i, j + 1),
                                    texel(image, i + 1, j + 1), static_cast<std::uint32_t>(a & 255),
                                    static_cast<std::uint32_t>(b & 255));
@@ -370,8 +371,8 @@ Reference::Color Texture2D<Reference, Unit, HasLod>::in_volume(const TextureUnit
             rho = std::fmax(rho, texture.depth * slope(of[2], w));
     }
     const double lambda = std::log2(std::fmin(std::fmax(rho, 0x1p-60), 0x1p60));
-    return sampler.sample(
-        s, t, HasLod ? static_cast<std::int32_t>(std::floor(256 * lambda + 0.5)) + unit.lod_bias : 0);
+    const auto lod = static_cast<std::int32_t>(std::floor(256 * lambda + 0.5));
+    return sampler.sample(s, t, HasLod ? level_of_detail(lod) + unit.lod_bias : 0);
 }
 
 template <> struct CombineMath<Reference> {

@@ -21,7 +21,7 @@ class LevelOfDetail {
         const auto& unit = span_.unit[unit_];
         const std::uint64_t ds = steps(unit.s.dx, unit.s_dy, span_.state->wraps[unit_].s);
         const std::uint64_t dt = steps(unit.t.dx, unit.t_dy, span_.state->wraps[unit_].t);
-        return in_texels(ds, dt) - (32 << 8);
+        return level_of_detail(in_texels(ds, dt) - (32 << 8));
     }
 
     /// d(S/Q) = (dS Q - S dQ) / Q^2, of which only the logarithm is wanted.
@@ -37,8 +37,8 @@ class LevelOfDetail {
         };
         const std::uint64_t ds = largest(numerator(unit.s.dx, at_s, q.dx), numerator(unit.s_dy, at_s, q_dy));
         const std::uint64_t dt = largest(numerator(unit.t.dx, at_t, q.dx), numerator(unit.t_dy, at_t, q_dy));
-        return in_texels(ds, dt) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
-               (unit.exponent << 8);
+        return level_of_detail(in_texels(ds, dt) - 2 * log2_fraction8(static_cast<std::uint64_t>(at_q)) +
+                               (unit.exponent << 8));
     }
 
   private:

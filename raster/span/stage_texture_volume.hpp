@@ -77,8 +77,8 @@ class VolumeCoords {
             also(steps(t, q, base.height));
         if (volume)
             also(steps(r, q, texture_.depth));
-        place.lod = most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
-                    (cube ? -256 : at_.exponent << 8);
+        place.lod = level_of_detail(most - 2 * log2_fraction8(static_cast<std::uint64_t>(positive(q.v))) +
+                                    (cube ? -256 : at_.exponent << 8));
         return place;
     }
 

@@ -36,7 +36,7 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
         return {l, l, l, N::from8(at[1])};
     } else if constexpr (Format == TexelFormat::rgb565) {
         const std::uint32_t word = Lanes<1>::load(at);
-        return {N::from5(word >> 11), N::from6((word >> 5) & 63), N::from5(word & 31), one};
+        return {N::texel5(word >> 11), N::texel6((word >> 5) & 63), N::texel5(word & 31), one};
     } else if constexpr (Format == TexelFormat::rgb888) {
         return {N::from8(at[0]), N::from8(at[1]), N::from8(at[2]), one};
     } else {
@@ -45,7 +45,7 @@ template <class N, TexelFormat Format> SPANGLE_INLINE typename N::Color read_tex
     }
 }
 
-/// k / (2^bits - 1) to the nearest unit. Bits of 1, 2 and 4 are whole 255ths.
+/// k / (2^bits - 1), rounded up as texels are (Exact::weighted). Bits of 1, 2 and 4 are whole 255ths.
 template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(std::uint32_t k) {
     if constexpr (255 % Most == 0) {
         return N::from8(static_cast<typename N::L::U16>(k * (255 / Most)));
@@ -53,10 +53,10 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
         constexpr std::uint32_t common = Most % 255 == 0 ? 255 : 1, parts = 255 / common, of = Most / common;
         if constexpr (of >= 1u << (32 - color_fraction_bits))
             return N::from_units(
-                static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most / 2, Most)));
+                static_cast<std::uint32_t>(numeric::quotient(std::int64_t{k} * color_one + Most - 1, Most)));
         else // k parts / of: the whole ones and the rest apart, which words hold
             return N::from_units((k * parts / of << color_fraction_bits) +
-                                 ((k * parts % of << color_fraction_bits) + of / 2) / of);
+                                 ((k * parts % of << color_fraction_bits) + of - 1) / of);
     }
 }
 
@@ -71,7 +71,7 @@ template <class N>
         return {from_steps<N, 15>(word >> 12), from_steps<N, 15>(word >> 8 & 15),
                 from_steps<N, 15>(word >> 4 & 15), from_steps<N, 15>(word & 15)};
     case TexelFormat::rgba5551:
-        return {N::from5(word >> 11), N::from5(word >> 6 & 31), N::from5(word >> 1 & 31),
+        return {N::texel5(word >> 11), N::texel5(word >> 6 & 31), N::texel5(word >> 1 & 31),
                 from_steps<N, 1>(word & 1)};
     case TexelFormat::rgb332:
         return {from_steps<N, 7>(word >> 5), from_steps<N, 7>(word >> 2 & 7), from_steps<N, 3>(word & 3),
@@ -135,8 +135,14 @@ struct TexelIndex {
 SPANGLE_INLINE std::int32_t repeat_index(std::uint32_t s, int log2_size) {
     return static_cast<std::int32_t>((s >> 1) >> (31 - log2_size));
 }
+/// LINEAR rounds the place between two texels to the nearest 256th by definition, in every policy: a texel
+/// whose centre a coordinate meets, but for what arithmetic loses, has all of the weight. In half a texel
+/// less half a 256th lies the place that is rounded down to 0.
+SPANGLE_INLINE constexpr std::uint32_t linear_origin(int log2_size) {
+    return ((1u << 31) - (1u << 23)) >> log2_size;
+}
 SPANGLE_INLINE TexelIndex repeat_linear(std::uint32_t s, int log2_size) {
-    const std::uint32_t u = s - ((1u << 31) >> log2_size); // half a texel
+    const std::uint32_t u = s - linear_origin(log2_size);
     return {repeat_index(u, log2_size), (u << log2_size) >> 24};
 }
 
@@ -162,7 +168,7 @@ SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_siz
     constexpr std::int32_t one = 1 << clamped_coord_bits;
     if (wrap == Wrap::clamp) // to [0, 1] first: at the edge half of the border mixes in
         s = s < 0 ? 0 : s > one ? one : s;
-    const std::int64_t u = numeric::shifted_up(s, log2_size) - one / 2;
+    const std::int64_t u = numeric::shifted_up(s, log2_size) - (one / 2 - one / 512);
     const auto fixed = static_cast<std::int32_t>(u >> (clamped_coord_bits - 8));
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
@@ -211,7 +217,7 @@ inline std::int32_t general_nearest(Wrap wrap, std::uint32_t s, std::int32_t siz
     return wrap_texel(wrap == Wrap::clamp ? Wrap::clamp_to_edge : wrap, last ? i - 1 : i, size);
 }
 inline TexelIndex general_linear(Wrap wrap, std::uint32_t s, std::int32_t size) {
-    const auto fixed = static_cast<std::int32_t>(axis_position<8>(wrap, s, size) - 128);
+    const auto fixed = static_cast<std::int32_t>(((axis_position<9>(wrap, s, size) + 1) >> 1) - 128);
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }
 
@@ -271,6 +277,9 @@ template <class N>
 SPANGLE_INLINE typename N::Color bilinear(const typename N::Color& c00, const typename N::Color& c10,
                                           const typename N::Color& c01, const typename N::Color& c11,
                                           std::uint32_t a, std::uint32_t b) {
+    if constexpr (is_balanced<N>) // whose weights leave a bit of a texel that has all of the weight
+        if ((a | b) == 0)
+            return c00;
     const std::uint32_t w11 = a * b, w10 = a * (256 - b), w01 = (256 - a) * b,
                         w00 = weight_one<N> - w11 - w10 - w01;
     return {N::weighted(c00.r, w00, c10.r, w10, c01.r, w01, c11.r, w11),

@@ -18,9 +18,9 @@ template <class N, class Word, int Steps> struct TexelFactors {
     }
     template <unsigned Bits> SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t k) {
         if constexpr (Bits == 5)
-            return factor<5>(N::from5(k));
+            return factor<5>(N::texel5(k));
         else
-            return factor<6>(N::from6(k));
+            return factor<6>(N::texel6(k));
     }
 
   private:
@@ -93,7 +93,8 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
 
     template <class V> SPANGLE_INLINE static Color unpack(const V& v) {
         if constexpr (Is565)
-            return {N::from5(v >> 11), N::from6((v >> 5) & 63), N::from5(v & 31), N::from_units(color_one)};
+            return {N::texel5(v >> 11), N::texel6((v >> 5) & 63), N::texel5(v & 31),
+                    N::from_units(color_one)};
         else
             return {N::from8(L::byte(v, 0)), N::from8(L::byte(v, 1)), N::from8(L::byte(v, 2)),
                     Alpha ? N::from8(L::byte(v, 3)) : N::from_units(color_one)};

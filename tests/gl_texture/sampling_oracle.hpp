@@ -65,7 +65,7 @@ inline Pick pick(GLenum mode, bool linear, double s, int n) {
     const double u = n * wrapped(mode, s, n);
     Pick p{};
     if (linear) {
-        const double v = std::floor((u - 0.5) * 256) / 256;
+        const double v = std::floor((u - 0.5) * 256 + 0.5) / 256;
         p.i[0] = static_cast<int>(std::floor(v));
         p.weight = v - p.i[0];
     } else {

@@ -146,7 +146,7 @@ struct Targets : spangle::test::Drawing {
 
     /// A coordinate of which no level's texels or weights are in doubt.
     double coordinate(int size) {
-        return (static_cast<double>(random.below(static_cast<std::uint32_t>(6 * 512 * size))) + 0.5) /
+        return (static_cast<double>(random.below(static_cast<std::uint32_t>(6 * 512 * size))) + 0.25) /
                    (512.0 * size) -
                2.5;
     }

@@ -43,9 +43,9 @@ class CommandLine:
         listed = subprocess.run([self.program, "scenes"], capture_output=True, text=True, check=True).stdout
         return [line.split()[0] for line in listed.splitlines()]
 
-    def run(self, scene, precision, *words, where=("--size", "320x240")):
+    def run(self, scene, precision, *words, where=("--size", "320x240"), dither="off"):
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([self.program, "run", scene, "--precision", precision, "--dither", "off", "--frames", str(FRAMES), *where, "--json", *words],
+            done = subprocess.run([self.program, "run", scene, "--precision", precision, "--dither", dither, "--frames", str(FRAMES), *where, "--json", *words],
                                   capture_output=True, text=True, check=True, cwd=folder)
         return json.loads(done.stdout)
 
@@ -56,13 +56,15 @@ class CommandLine:
 
 
 def accuracy(cli):
+    """Every tier without GL_DITHER and with it, which is how GL begins."""
     rows = []
     for scene in cli.scenes():
-        found = {tier: cli.run(scene, tier, "--compare") for tier in TIERS}
-        exact = found["exact"]
-        rows.append([scene, *(f"{found[tier]['identical_565_percent']:.4f} % ({found[tier]['max_lsb']})" for tier in TIERS),
+        found = {(tier, dither): cli.run(scene, tier, "--compare", dither=dither) for tier in TIERS for dither in ("off", "on")}
+        exact = found["exact", "off"]
+        rows.append([scene, *(f"{r['identical_565_percent']:.4f} % ({r['max_lsb']})" for r in found.values()),
                      exact["coverage_mismatches"], f"{exact['coverage_unsnapped']} ({exact['coverage_snapping']})"])
-    return table(["scene", *TIERS, "off brute force", "off unsnapped (by n.8 alone)"], rows)
+    heads = [head for tier in TIERS for head in (tier, f"{tier}, dithered")]
+    return table(["scene", *heads, "off brute force", "off unsnapped (by n.8 alone)"], rows)
 
 
 def stages(cli):

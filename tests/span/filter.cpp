@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "raster/span/filter.hpp"
@@ -39,6 +40,28 @@ TEST(Filter, StepsOfTheExactTierAreNearest) {
         EXPECT_LE(twice_off(Exact::from6(k), k, 63), 63) << k;
 }
 
+/// Neither a texel nor a mean of four is ever less than what GL asks for, nor two units more.
+TEST(Filter, TexelsOfTheExactTierAreRoundedUp) {
+    for (std::uint32_t k = 0; k < 64; ++k) {
+        EXPECT_EQ(Exact::texel5(k & 31),
+                  static_cast<std::uint32_t>(std::ceil((k & 31) * 255.0 * 0x1p20 / 31)));
+        EXPECT_EQ(Exact::texel6(k), static_cast<std::uint32_t>(std::ceil(k * 255.0 * 0x1p20 / 63)));
+    }
+    std::mt19937 random(4);
+    for (int round = 0; round < 300'000; ++round) {
+        const auto k = static_cast<std::uint32_t>(random()), weights = static_cast<std::uint32_t>(random());
+        const std::uint32_t a = weights & 255, b = weights >> 8 & 255, w11 = a * b, w10 = a * (256 - b),
+                            w01 = (256 - a) * b, w00 = 65536 - w11 - w10 - w01;
+        const auto six = [k](int i) { return k >> (8 * i) & 63; };
+        const std::int64_t n = std::int64_t{six(0)} * w00 + six(1) * w10 + six(2) * w01 + six(3) * w11;
+        const std::uint32_t mean = Exact::weighted(Exact::texel6(six(0)), w00, Exact::texel6(six(1)), w10,
+                                                   Exact::texel6(six(2)), w01, Exact::texel6(six(3)), w11);
+        const std::int64_t more = std::int64_t{mean} * 63 * 65536 - n * color_one;
+        ASSERT_GE(more, 0) << k << ' ' << weights;
+        ASSERT_LT(more, 2LL * 63 * 65536) << k << ' ' << weights;
+    }
+}
+
 TEST(Filter, ErrorOf565) {
     const auto channel = [](int shift, auto member) {
         return [=](auto c00, auto c10, auto c01, auto c11, auto a, auto b) {
@@ -70,6 +93,9 @@ TEST(Filter, FourAlikeStay) {
             for (std::uint32_t k = 0; k < 64; ++k) {
                 const std::uint32_t word = (k & 31) << 11 | k << 5 | (k & 31);
                 const N::Color c = Filter565<1>(b)(word, word, word, word, a);
+                ASSERT_EQ(N::to8(c.r), ((k & 31) * 510 + 31) / 62);
+                ASSERT_EQ(N::to8(c.g), (k * 510 + 63) / 126);
+                ASSERT_EQ(N::to8(c.b), ((k & 31) * 510 + 31) / 62);
                 ASSERT_EQ(N::to8(c.r) >> 3, k & 31);
                 ASSERT_EQ(N::to8(c.g) >> 2, k);
                 ASSERT_EQ(N::to8(c.b) >> 3, k & 31);
@@ -129,25 +155,30 @@ TEST(Filter, EightLanesHaveTheSameBits) {
     }
 }
 
-/// Step j is stored from the n on from which the rounded sum of the least c(k), half a unit below, is.
+/// Step j is stored from the n on from which the sum that GL asks for is; the chain has up to two units more.
 template <int Bits> void check_stored_steps() {
     const detail::StoredSteps<Bits>& steps = detail::stored_steps<Bits>;
-    constexpr std::int64_t most = (1 << Bits) - 1, half = std::int64_t{1} << 15;
-    const auto stored = [](std::int64_t sum) { return ((sum >> 16) + (1 << 19)) >> (28 - Bits); };
+    constexpr std::int64_t most = (1 << Bits) - 1, two_units = 2 << 16;
+    const auto stored = [](std::int64_t sum) { return (sum + (std::int64_t{1} << 35)) >> (44 - Bits); };
+    int open = 0;
     for (std::int64_t n = 0; n <= most << 16; ++n) {
         const std::int64_t sum = n * color_one / most;
-        if (n == steps.tie)
-            continue;
-        ASSERT_EQ(steps.at(static_cast<std::uint32_t>(n)), stored(sum - half < 0 ? 0 : sum - half)) << n;
-        ASSERT_EQ(steps.at(static_cast<std::uint32_t>(n)), stored(sum + half + 1)) << n;
+        const std::uint32_t word = static_cast<std::uint32_t>(n), step = steps.at(word);
+        const auto exact = static_cast<std::uint32_t>((n * color_one + (most << 35)) / (most << (44 - Bits)));
+        ASSERT_EQ(step, exact) << n;
+        if (steps.open(word, step))
+            ++open;
+        else
+            ASSERT_EQ(step, stored(sum + two_units)) << n;
     }
+    EXPECT_EQ(open, Bits == 5 ? 0 : 63);
 }
 TEST(Filter, StoredStepsAreThoseOfEverySum) {
     check_stored_steps<5>();
     check_stored_steps<6>();
 }
 
-/// Of every sum but the tie, which must stay open: a guess decides it, or leaves it open, which few are.
+/// A guess decides every sum, or leaves it open, which few are, and those that are left to the chain.
 template <int Bits> void check_guessed_steps() {
     using Guess = detail::GuessedSteps<Bits>;
     constexpr std::uint32_t most = (1u << Bits) - 1;
@@ -161,10 +192,13 @@ template <int Bits> void check_guessed_steps() {
             const int lane = static_cast<int>(i), low = least[lane] >> (15 - Bits),
                       high = over[lane] >> (15 - Bits);
             open += low != high;
-            if (n + i == detail::StoredSteps<Bits>::tie) {
-                ASSERT_NE(low, high);
-            } else if (low == high && n + i <= most << 16) {
-                ASSERT_EQ(low, detail::stored_steps<Bits>.at(n + i)) << n + i;
+            if (n + i > most << 16)
+                continue;
+            const std::uint32_t step = detail::stored_steps<Bits>.at(n + i);
+            if (detail::stored_steps<Bits>.open(n + i, step)) {
+                ASSERT_NE(low, high) << n + i;
+            } else if (low == high) {
+                ASSERT_EQ(low, step) << n + i;
             }
         }
     }
@@ -215,8 +249,16 @@ TEST(Filter, WordsAreThoseOfTheExactTier) {
         ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a), FilterWords<1>::added(c00, c10, c01, c11, a, b))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b;
         const auto t = static_cast<std::uint32_t>(2 * (random() & 15) + 1);
-        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a, t),
-                  FilterWords<1>::added(c00, c10, c01, c11, a, b, t))
+        const auto texel = [](std::uint32_t word) {
+            const auto half = static_cast<std::uint16_t>(word);
+            std::uint8_t bytes[2];
+            std::memcpy(bytes, &half, 2);
+            return read_texel<Exact, TexelFormat::rgb565>(bytes);
+        };
+        const Exact::Color mixed = bilinear<Exact>(texel(c00), texel(c10), texel(c01), texel(c11), a, b);
+        ASSERT_EQ(FilterWords<1>(b)(c00, c10, c01, c11, a, t), Exact::dithered<5>(mixed.r, t) << 11 |
+                                                                   Exact::dithered<6>(mixed.g, t) << 5 |
+                                                                   Exact::dithered<5>(mixed.b, t))
             << c00 << ' ' << c10 << ' ' << c01 << ' ' << c11 << ' ' << a << ' ' << b << ' ' << t;
     };
     for (int round = 0; round < 1'000'000; ++round) {

@@ -114,6 +114,27 @@ TEST(Runs, AJumpIsThatManySteps) {
     }
 }
 
+/// A row that is one run may be as wide as the largest surface and begin as far to the left as the guard band
+/// reaches: products of that many pixels are more than a word holds.
+TEST(Runs, AJumpOverAWideRowIsThatManySteps) {
+    constexpr Differences start{0x9E3779B1u, 0x7F4A7C15u, 0x85EBCA6Bu};
+    Differences stepped = start;
+    std::uint32_t at = 12345;
+    for (std::int32_t n = 0; n <= 5 * 2048; ++n) {
+        Differences jumped = start;
+        std::uint32_t v = 12345;
+        jumped.jump(v, n);
+        ASSERT_EQ(v, at) << n;
+        ASSERT_EQ(start.ahead(12345, n), at) << n;
+        ASSERT_EQ(jumped.first, stepped.first) << n;
+        ASSERT_EQ(jumped.second, stepped.second) << n;
+        stepped.step(at);
+    }
+    // A compiler refuses a constant whose making overflows.
+    constexpr std::uint32_t wide = start.ahead(12345, 2047), back = start.ahead(12345, -2047);
+    EXPECT_NE(wide, back);
+}
+
 TEST(Runs, LinesKeepAQuarterOfATexel) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         RandomRow row(seed, 6, true);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/span/policy_double.hpp"
 #include "tests/stages/canvas.hpp"
 
 namespace spangle::raster::test {
@@ -53,6 +54,16 @@ TEST(Dither, EveryByteInEveryFormat) {
                     ASSERT_NEAR(sum / 256, wanted, 1 / 32.0 + 1e-9) << int(format) << ' ' << k << ' ' << i;
                 }
             }
+}
+
+/// A value on a threshold is the step above it, also where double missed it by its own error.
+TEST(Dither, ThresholdsBelongToTheStepAbove) {
+    for (std::uint32_t k = 1; k < 32; ++k)
+        for (std::uint32_t t = 1; t < 32; t += 2) {
+            ASSERT_EQ(Reference::dithered<5>((k - t / 32.0) / 31, t), k) << t;
+            ASSERT_EQ(Reference::dithered<6>((2 * k - t / 32.0) / 63, t), 2 * k) << t;
+            ASSERT_EQ(Reference::dithered<5>((k - t / 32.0 - 0x1p-20) / 31, t), k - 1) << t;
+        }
 }
 
 /// Whatever draws it: triangles, a line, a point, each pixel apart.
