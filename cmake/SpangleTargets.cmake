@@ -19,6 +19,9 @@ function(spangle_common target)
     else()
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()
+    if(SPANGLE_SHARED)
+        spangle_export_public_headers(${target})
+    endif()
 endfunction()
 
 # Code that also runs in firmware.
