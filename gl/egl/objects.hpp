@@ -58,6 +58,7 @@ struct Surface {
     hal::Display* native = nullptr;
     std::uintptr_t native_handle = 0; ///< of the window or pixmap there
     bool pixmap = false;
+    bool swapped = false; ///< a pbuffer that SwapBuffers was called for: Flush does not show it any more
 #endif
     bool wants_single = false;  ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
     bool back_buffered = false; ///< SwapBuffers shows what was drawn; else Flush does

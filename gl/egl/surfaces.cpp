@@ -337,20 +337,6 @@ bool present(Display& display, Surface& surface) {
     return true;
 }
 
-/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
-void show_window(bool finish) {
-    const Thread& t = thread();
-    if (t.draw == nullptr || !t.draw->window || !t.display->initialized)
-        return;
-    const EGLint before = thread().error;
-    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
-        const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
-        if (!taken.ok())
-            fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
-    }
-    thread().error = before;
-}
-
 #if SPANGLE_HAS_PLATFORMS
 
 namespace {
@@ -368,6 +354,26 @@ void show_pbuffer(Surface& surface) {
 } // namespace
 
 #endif
+
+/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
+void show_window(bool finish) {
+    const Thread& t = thread();
+    if (t.draw == nullptr)
+        return;
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().swapped != nullptr && !t.draw->window && !t.draw->swapped)
+        show_pbuffer(*t.draw);
+#endif
+    if (!t.draw->window || !t.display->initialized)
+        return;
+    const EGLint before = thread().error;
+    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
+        const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
+        if (!taken.ok())
+            fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
+    }
+    thread().error = before;
+}
 
 void set_pixels(Surface& surface, raster::Surface& out) {
     out = {};
@@ -583,8 +589,10 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
     if (surface == nullptr)
         return EGL_FALSE;
 #if SPANGLE_HAS_PLATFORMS
-    if (platforms().swapped != nullptr && !surface->window)
+    if (platforms().swapped != nullptr && !surface->window) {
+        surface->swapped = true;
         show_pbuffer(*surface);
+    }
 #endif
     if (!surface->back_buffered)
         return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)

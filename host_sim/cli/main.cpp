@@ -14,6 +14,7 @@
 #include "host_sim/cli/bake.hpp"
 #include "host_sim/cli/bench.hpp"
 #include "host_sim/cli/bringup.hpp"
+#include "host_sim/cli/exec.hpp"
 #include "host_sim/cli/formats.hpp"
 #include "host_sim/cli/run.hpp"
 #include "host_sim/cli/samples.hpp"
@@ -326,6 +327,10 @@ int spangle_main(int argc, char** argv) {
     wizard->add_option("--glass", bringup.glass, "size of the glass, WIDTHxHEIGHT, as it is held upright");
     wizard->add_option("--shot", bringup.shot, "write the simulated glass as PNG, for each card");
 
+    cli::ExecOptions to_exec, to_replay;
+    CLI::App* const exec_command = cli::add_exec(app, to_exec);
+    CLI::App* const replay_command = cli::add_replay(app, to_replay);
+
     cli::BakeOptions to_bake;
     CLI::App* const bake = cli::add_bake(app, to_bake);
 
@@ -350,6 +355,10 @@ int spangle_main(int argc, char** argv) {
         return draw_sheet(cli::draw_samples, sheet);
     if (app.got_subcommand("demo"))
         return demo(folder);
+    if (app.got_subcommand(exec_command))
+        return cli::exec(to_exec);
+    if (app.got_subcommand(replay_command))
+        return cli::replay(to_replay);
     if (app.got_subcommand(bake))
         return cli::bake(to_bake);
     if (app.got_subcommand(probe))

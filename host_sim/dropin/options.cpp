@@ -118,8 +118,8 @@ Options read() {
 } // namespace
 
 const Options& options() {
-    static const Options read_once = read();
-    return read_once;
+    static const Options* const read_once = new Options(read()); // asked for until the library is unloaded
+    return *read_once;
 }
 
 } // namespace spangle::dropin

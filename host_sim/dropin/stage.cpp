@@ -8,6 +8,7 @@
 
 #include "host_sim/dropin/options.hpp"
 #include "host_sim/dropin/pictures.hpp"
+#include "host_sim/output/output.hpp"
 
 namespace spangle::dropin {
 
@@ -136,12 +137,10 @@ Stage::Stage() {
 void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
     if (finished_ || !is_copied(info.format))
         return;
-    if (options().frames != 0 || board_ != nullptr || !options().shot.empty() || !options().report.empty()) {
-        if (board_ != nullptr)
-            send(frame, info);
-        else if (!options().shot.empty() || !options().report.empty())
-            last_ = picture_of(frame, info);
-    }
+    if (board_ != nullptr)
+        send(frame, info);
+    else if (!options().shot.empty() || !options().report.empty())
+        last_ = picture_of(frame, info);
     triangles_ += counters_.triangles;
     fragments_ += counters_.fragments;
     counters_.triangles = counters_.fragments = 0;
@@ -182,38 +181,30 @@ void Stage::finish() {
             stop(problem.c_str());
 }
 
-/// One figure a line: name, blank, value.
+/// One figure a line: name, blank, value; then what the bus did wrong, if anything. `spangle exec` reads it.
 void Stage::write_report() const {
-    const std::string part = options().report + ".part";
-    std::FILE* const file = std::fopen(part.c_str(), "w");
-    if (file == nullptr)
-        stop("SPANGLE_REPORT: the file cannot be written");
-    const auto number = [file](const char* name, std::uint64_t value) {
-        std::fprintf(file, "%s %llu\n", name, static_cast<unsigned long long>(value));
+    std::string text;
+    const auto number = [&text](const char* name, auto value) {
+        text += std::string(name) + ' ' + std::to_string(value) + '\n';
     };
-    number("frames", static_cast<std::uint64_t>(frames_));
+    number("frames", frames_);
     number("triangles", triangles_);
     number("fragments", fragments_);
+    number("width", board_ != nullptr ? board_->display().info().width : last_.width);
+    number("height", board_ != nullptr ? board_->display().info().height : last_.height);
+    text += "picture_hash " + sim::hash(picture()) + '\n';
     if (board_ != nullptr) {
-        const sim::BoardCounters after = board_->counters();
-        const hal::DisplayInfo glass = board_->display().info();
-        number("bus_bytes", after.bytes - before_.bytes);
-        number("bus_commands", after.commands - before_.commands);
-        number("busy_ns", static_cast<std::uint64_t>(after.busy_ns - before_.busy_ns));
-        number("width", static_cast<std::uint64_t>(glass.width));
-        number("height", static_cast<std::uint64_t>(glass.height));
+        const sim::BoardCounters now = board_->counters();
+        number("bus_bytes", now.bytes - before_.bytes);
+        number("bus_commands", now.commands - before_.commands);
+        number("busy_ns", now.busy_ns - before_.busy_ns);
         number("wire_bits", hal::wire_info(hal::wire_format(options().board->display)).bits);
-        std::fprintf(file, "board %s\n", options().board->name);
-    } else {
-        number("width", static_cast<std::uint64_t>(last_.width));
-        number("height", static_cast<std::uint64_t>(last_.height));
+        text += std::string("board ") + options().board->name + '\n';
+        if (const std::string broken = board_->violations_text(); !broken.empty())
+            text += "violations\n" + broken;
     }
-    std::fprintf(file, "picture_hash %s\n", sim::hash(picture()).c_str());
-    if (board_ != nullptr && !board_->violations_text().empty())
-        std::fprintf(file, "violations\n%s", board_->violations_text().c_str());
-    const bool written = std::ferror(file) == 0;
-    if (std::fclose(file) != 0 || !written || std::rename(part.c_str(), options().report.c_str()) != 0)
-        stop("SPANGLE_REPORT: the file cannot be written");
+    if (const std::string problem = sim::write_file(options().report, text); !problem.empty())
+        stop(problem.c_str());
 }
 
 } // namespace spangle::dropin

@@ -1,0 +1,171 @@
+"""Runs programs that nobody here wrote with the drop-in pair, and with Mesa, and compares their pictures.
+
+A test names programs; this file knows how to run each kind (piglit, a trace, a program with a window) and when two pictures of two
+correct GLs are the same. Standard library only. The environment variable SPANGLE_KEEP names a folder where pictures stay.
+"""
+import contextlib
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "host_sim" / "tools")]
+import png  # noqa: E402
+from checks import check, failures  # noqa: E402, F401
+
+SKIPPED = 77
+PIGLIT = pathlib.Path("/usr/lib/x86_64-linux-gnu/piglit/bin")
+ORACLES = ("softpipe", "llvmpipe")
+# Two correct GLs differ in edges and by rounding: pixels that are off by more, in a hundred, and steps of a component.
+SPREAD = 0.1
+TRACE_STEPS = 16
+
+
+def need(*programs):
+    """Ends the test as skipped where one of these is not there."""
+    for program in programs:
+        if shutil.which(str(program)) is None:
+            print(f"skipped: there is no {program}; ./dev setup --programs installs it")
+            sys.exit(SKIPPED)
+
+
+def spangle_environment(pair, **more):
+    """The pair's folder comes first; no variable of a session is left."""
+    clean = {k: v for k, v in os.environ.items() if not k.startswith(("SPANGLE_", "MESA_", "LIBGL_", "GALLIUM_", "EGL_"))
+             and k not in ("DISPLAY", "LD_PRELOAD")}
+    return clean | {"LD_LIBRARY_PATH": str(pair)} | more
+
+
+def mesa_environment(oracle, **more):
+    clean = spangle_environment("", **more)
+    del clean["LD_LIBRARY_PATH"]
+    return clean | {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": oracle, "MESA_GL_VERSION_OVERRIDE": "1.3COMPAT",
+                    "EGL_LOG_LEVEL": "fatal"}
+
+
+class Ended:
+    """What became of a program: its status (None: it was stopped after its time) and its words."""
+    def __init__(self, status, words):
+        self.status, self.words = status, words
+
+
+def run(command, environment, seconds=120, folder=None):
+    try:
+        done = subprocess.run([str(c) for c in command], env=environment, cwd=folder, timeout=seconds, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, errors="replace", check=False)
+        return Ended(done.returncode, done.stdout)
+    except subprocess.TimeoutExpired as late:
+        return Ended(None, (late.stdout or b"").decode(errors="replace"))
+
+
+@contextlib.contextmanager
+def folder(name):
+    """Where a test leaves pictures; gone afterwards unless SPANGLE_KEEP is set."""
+    keep = os.environ.get("SPANGLE_KEEP")
+    if keep:
+        path = pathlib.Path(keep) / name
+        path.mkdir(parents=True, exist_ok=True)
+        yield path
+    else:
+        with tempfile.TemporaryDirectory() as path:
+            yield pathlib.Path(path)
+
+
+@contextlib.contextmanager
+def xvfb(size="800x600x24", *options):
+    """An X server of its own; gives the value of DISPLAY."""
+    need("Xvfb")
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp", *options],
+                              pass_fds=(write,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write)
+    try:
+        with os.fdopen(read) as words:
+            number = words.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb did not start")
+        yield ":" + number
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def piglit(name, pair, *arguments, seconds=120):
+    """The result that a piglit program reports: pass, fail, skip, warn; else crash or timeout."""
+    ended = run([PIGLIT / name, *arguments, "-auto"],
+                spangle_environment(pair, PIGLIT_NO_WINDOW="1", PIGLIT_PLATFORM="surfaceless_egl"), seconds)
+    for line in reversed(ended.words.splitlines()):
+        if line.startswith("PIGLIT:") and '"result"' in line:
+            return line.split('"result":')[1].split('"')[1], ended.words
+    return ("timeout" if ended.status is None else "crash"), ended.words
+
+
+def trim(trace, frames, to):
+    """The first frames of a trace."""
+    done = run(["apitrace", "trim", f"--frames=0-{frames - 1}", "-o", to, trace], dict(os.environ))
+    if done.status != 0:
+        raise RuntimeError(done.words)
+
+
+def replay(trace, environment, to, seconds=300):
+    """The pictures of the frames of a trace, in order, and what the retracer said."""
+    to.mkdir(parents=True, exist_ok=True)
+    ended = run(["eglretrace", "--headless", "-s", f"{to}/", "-S", "frame", trace],
+                environment | {"WAFFLE_PLATFORM": "surfaceless_egl"}, seconds)
+    return sorted(to.glob("*.png")), ended
+
+
+class Picture:
+    def __init__(self, path):
+        self.width, self.height, self.rows = png.read(pathlib.Path(path).read_bytes())
+
+
+def steps(a, b):
+    return max(abs(x - y) for x, y in zip(a, b))
+
+
+def near(a, b, x, y, most):
+    """Whether some pixel of b around a place is what a has there."""
+    return any(steps(a.rows[y][x], b.rows[v][u]) <= most
+               for v in range(max(y - 1, 0), min(y + 2, b.height)) for u in range(max(x - 1, 0), min(x + 2, b.width)))
+
+
+def agree(a, b, x, y, most):
+    """A pixel may be off by rounding, or lie on an edge that runs a pixel further on."""
+    return steps(a.rows[y][x], b.rows[y][x]) <= most or (near(a, b, x, y, most) and near(b, a, x, y, most))
+
+
+def bad_percent(ours, oracles, most):
+    """Pixels, in a hundred, that are not those of any oracle."""
+    bad = 0
+    for y in range(ours.height):
+        rows = [o.rows[y] for o in oracles]
+        if ours.rows[y] in rows:
+            continue
+        for x in range(ours.width):
+            if not any(agree(ours, o, x, y, most) for o in oracles):
+                bad += 1
+    return 100.0 * bad / (ours.width * ours.height)
+
+
+def compare(name, ours, oracles, most=TRACE_STEPS):
+    """Checks a picture file against those of the oracles: no more bad pixels than 0.1 %, or three times as many as they
+    have against each other."""
+    pictures = [Picture(o) for o in oracles]
+    mine = Picture(ours)
+    sizes = {(p.width, p.height) for p in [mine, *pictures]}
+    check(len(sizes) == 1, f"{name}: pictures have sizes {sizes}")
+    if len(sizes) != 1:
+        return
+    spread = bad_percent(pictures[0], pictures[1:], most) if len(pictures) > 1 else 0.0
+    bad, limit = bad_percent(mine, pictures, most), max(SPREAD, 3 * spread)
+    print(f"{name}: {bad:.3f} % of the pixels are off, {limit:.3f} % may be")
+    check(bad <= limit, f"{name}: {bad:.3f} % of the pixels are not those of {' or '.join(ORACLES)}, {limit:.3f} % may be")
+
+
+def colors(picture):
+    """How many colours a picture has: one is an empty one."""
+    return len({pixel for row in picture.rows for pixel in row})
