@@ -27,8 +27,8 @@ struct Platforms {
     NativeDisplay (*find)(EGLenum platform, void* native) = nullptr;
     /// Of configs that differ in nothing else, the one that eglChooseConfig gives first has this precision.
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
-    /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here; so do Flush and
-    /// Finish of one that is never swapped: programs for single buffers end frames like that.
+    /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here; so do Flush
+    /// and Finish of one that is never swapped: programs for single buffers end frames like that.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;
     /// Sees each new context.
     void (*created)(gl::Context& context) = nullptr;

@@ -130,9 +130,9 @@ Report report_of(const ExecOptions& options, const std::map<std::string, std::st
     const std::uint64_t pixels = number(figures, "width") * number(figures, "height");
     const auto board = figures.find("board"), hash = figures.find("picture_hash");
     out.scene = fs::path(options.program[0]).filename().string();
-    out.board = board != figures.end() ? board->second
-                                       : fmt::format("off-screen {}x{}", number(figures, "width"),
-                                                     number(figures, "height"));
+    out.board = board != figures.end()
+                    ? board->second
+                    : fmt::format("off-screen {}x{}", number(figures, "width"), number(figures, "height"));
     out.precision = options.precision;
     out.frames = static_cast<int>(number(figures, "frames"));
     out.triangles = number(figures, "triangles");
@@ -197,9 +197,10 @@ void add_common(CLI::App& command, ExecOptions& options) {
     command.add_option("--precision", options.precision, "exact, balanced, fast; double: the reference")
         ->check(CLI::IsMember({"exact", "balanced", "fast", "double"}))
         ->capture_default_str();
-    command.add_option("--format", options.format,
-                       "pixels that windows have: rgba, which presents turn into what the panel takes; panel: "
-                       "the panel's own")
+    command
+        .add_option("--format", options.format,
+                    "pixels that windows have: rgba, which presents turn into what the panel takes; panel: "
+                    "the panel's own")
         ->check(CLI::IsMember({"rgba", "panel"}))
         ->capture_default_str();
     command.add_option("--shot", options.shot, "write the glass as PNG at the end");
