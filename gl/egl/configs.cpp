@@ -113,7 +113,11 @@ Attribute attribute(const Display& display, const Config& c, EGLint name) {
     case EGL_SURFACE_TYPE:
         return {true, EGL_PBUFFER_BIT | shown_bits(display, c)};
     case EGL_RENDERABLE_TYPE:
+#if SPANGLE_HAS_PLATFORMS
+        return {true, EGL_OPENGL_BIT | platforms().renderable};
+#else
         return {true, EGL_OPENGL_BIT};
+#endif
     case EGL_CONFORMANT:
         return {true, 0}; // which is said by conformance tests that nobody ran
     case EGL_MAX_PBUFFER_WIDTH:

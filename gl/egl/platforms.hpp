@@ -27,6 +27,9 @@ struct Platforms {
     NativeDisplay (*find)(EGLenum platform, void* native) = nullptr;
     /// Of configs that differ in nothing else, the one that eglChooseConfig gives first has this precision.
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
+    /// Bits of EGL_RENDERABLE_TYPE beside EGL_OPENGL_BIT. A wish that names no type asks for
+    /// EGL_OPENGL_ES_BIT (EGL 1.4, table 3.4), and programs that bind OpenGL then expect a config.
+    EGLint renderable = 0;
     /// eglSwapBuffers of a pbuffer, which shows nothing (EGL 1.4, 3.9.1), hands its picture here; so do Flush
     /// and Finish of one that is never swapped: programs for single buffers end frames like that.
     void (*swapped)(const hal::Frame& picture, const hal::DisplayInfo& info) = nullptr;

@@ -66,6 +66,7 @@ void say(unsigned code, const char* text) {
     egl::Platforms platforms;
     platforms.extensions = " EGL_EXT_platform_x11 EGL_KHR_platform_x11";
     platforms.find = find;
+    platforms.renderable = EGL_OPENGL_ES_BIT;
     platforms.precision = options().precision;
     platforms.swapped = swapped;
     if (!options().report.empty())

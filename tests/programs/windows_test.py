@@ -6,7 +6,7 @@ import json
 import pathlib
 import sys
 
-from harness import HERE, Picture, check, colors, failures, folder, need, run, spangle_environment, xvfb
+from harness import HERE, SKIPPED, Picture, check, colors, failures, folder, need, run, spangle_environment, xvfb
 
 PAIR, SPANGLE = pathlib.Path(sys.argv[1]), sys.argv[2]
 FRAMES = 10
@@ -23,6 +23,13 @@ def shot(name, command, place, environment, size=None):
     check(colors(seen) > 8, f"{name}: the picture has {colors(seen)} colours")
     if size is not None:
         check((seen.width, seen.height) == size, f"{name}: the picture is {seen.width}x{seen.height}, not {size}")
+
+
+def toolkits(environment):
+    """Windows of SDL2 (by GLX and by EGL), GLFW and freeglut, which change their size."""
+    for name, more in (("sdl2", {}), ("sdl2", {"SDL_VIDEO_X11_FORCE_EGL": "1"}), ("glfw", {}), ("glut", {})):
+        ended = run([sys.executable, HERE / "toolkits.py", name], environment | more, 60)
+        check(ended.status in (0, SKIPPED), f"{name} {more}: {ended.status}: {ended.words[-1000:]}")
 
 
 def on_board(place, environment):
@@ -69,6 +76,7 @@ with folder("windows") as place:
         for refused in ({"SPANGLE_BOARD": "nosuch"}, {"SPANGLE_PRECISION": "some"}, {"SPANGLE_SIZE": "0x5"}):
             ended = run(["glxinfo"], environment | refused, 60)
             check(ended.status == 2 and "it takes" in ended.words, f"{refused} is taken: {ended.words[-300:]}")
+        toolkits(environment)
         on_board(place, environment)
     replayed(place, spangle_environment(PAIR))
 sys.exit(1 if failures else 0)
