@@ -1,10 +1,13 @@
 // Rows B15, B21, B22, B24: buffer objects, arrays and indices that lie in them, draws of many primitives.
 #include <algorithm>
 #include <array>
+#include <climits>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
 #include <vector>
 
+#include "gl/vertex/array_source.hpp"
 #include "tests/gl_vertex/canvas.hpp"
 #include "tests/gl_vertex/window_recorder.hpp"
 
@@ -196,6 +199,50 @@ TEST_F(Buffers, DrawsOfNoElementsAskNothingOfTheirBuffers) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     glDrawArrays(GL_TRIANGLES, 0, 3);
     refused(operation, "elements beyond the store");
+}
+
+/// Whatever offset an array or an index has: no address is made of it unless it lies in its buffer.
+TEST_F(Buffers, OffsetsBeyondTheirBuffersAreNoAddresses) {
+    glBindBuffer(GL_ARRAY_BUFFER, 1);
+    glBufferData(GL_ARRAY_BUFFER, 64, nullptr, GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 1);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnable(GL_PRIMITIVE_RESTART);
+    glPrimitiveRestartIndex(0); // the buffer holds no other index
+    for (const std::size_t offset : {std::size_t{64}, std::size_t{65}, SIZE_MAX / 2, SIZE_MAX / 2 + 1,
+                                     SIZE_MAX - 63, SIZE_MAX - 7, SIZE_MAX}) {
+        glVertexPointer(4, GL_FLOAT, 0, at(offset));
+        glDrawArrays(GL_TRIANGLES, 0, 0);
+        glDrawArrays(GL_TRIANGLES, INT_MAX, 0);
+        glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_INT, at(offset));
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, at(0)); // none but restarts
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << offset;
+        if (offset > 64) {
+            const gl::AddressedArrays addressed(*gl::current_context());
+            EXPECT_EQ(gl::current_context()->arrays.vertex.pointer, nullptr) << offset;
+        }
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        refused(operation, "elements beyond");
+        glDrawArrays(GL_TRIANGLES, INT_MAX, 3);
+        refused(operation, "elements far beyond");
+        glArrayElement(0);
+        refused(operation, "an element beyond");
+        glArrayElement(INT_MAX);
+        refused(operation, "an element far beyond");
+        glVertexPointer(4, GL_FLOAT, INT_MAX, at(0));
+        glDrawArrays(GL_TRIANGLES, INT_MAX, 1);
+        refused(operation, "a stride that goes far beyond");
+        glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, at(offset));
+        refused(operation, "indices beyond");
+        glInterleavedArrays(GL_T4F_C4F_N3F_V4F, 0, at(offset));
+        glDrawArrays(GL_TRIANGLES, 0, 0);
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << offset;
+        glDrawArrays(GL_TRIANGLES, 1, 1);
+        refused(operation, "interleaved arrays beyond");
+        for (const GLenum array : {GL_TEXTURE_COORD_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY})
+            glDisableClientState(array);
+    }
+    glDisable(GL_PRIMITIVE_RESTART);
 }
 
 TEST_F(Buffers, ArraysAndIndices) {
