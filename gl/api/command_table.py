@@ -8,6 +8,7 @@ One row is a family, for instance Vertex{234}{sifdx}[v]. Its fields:
   types         how reals and components come: b s i f d ub us ui x(=GLfixed) cf cd cx, "code:suffix" to name the
                 suffix oneself ("d:" is glFrustum, "d" would be glFrustumd)
   inside        legal between Begin and End
+  shares        reads or writes what contexts share: textures, lists, buffers; of a chapter: what its families do unless they say it
   list          true: compiled word by word; "attribute" and "client_data": encoders by hand; false: runs at once
   feature       optional system it belongs to; "A|B": it is there with either; "and" is one more that it takes
   vector        of a plain family of reals: they come as an array, too
@@ -110,8 +111,9 @@ class Entry:
 
 
 class Family:
-    def __init__(self, data, groups, by_name):
+    def __init__(self, data, groups, by_name, shares=False):
         self.name, self.row = data["name"], data["row"]
+        self.shares = data.get("shares", shares)
         self.kind = data.get("kind", "plain")
         self.args = [Arg(text, groups) for text in data.get("args", [])]
         self.inside, self.feature = data.get("inside", False), data.get("feature")
@@ -351,7 +353,7 @@ def load():
     for data in raw:
         families = []
         for row in data["families"]:
-            family = Family(row, groups, by_name)
+            family = Family(row, groups, by_name, data.get("shares", False))
             by_name[family.name] = family
             families.append(family)
         chapters.append((data, families))

@@ -82,14 +82,19 @@ def commands_header(chapters, _tokens):
     out += [f"void {f.name}({f.signature});\n" for f in everything if f.listing in ("attribute", "client_data")]
     out.append("\n} // namespace spangle::gl::encode\n\nnamespace spangle::gl::family {\n\n")
     for f in everything:
-        encoder = f"&encode::{f.name}" if f.listing in ("attribute", "client_data") else "nullptr"
-        out.append(f"struct {f.name} {{\n    static constexpr auto run = &cmd::{f.name};\n"
+        encoder = held(f, f"&encode::{f.name}") if f.listing in ("attribute", "client_data") else "nullptr"
+        out.append(f"struct {f.name} {{\n    static constexpr auto run = {held(f, f'&cmd::{f.name}')};\n"
                    f"    static constexpr auto encode = {encoder};\n"
                    f"    static constexpr bool inside = {str(f.inside).lower()};\n"
                    f"    static constexpr Listing listing = Listing::{f.listing};\n"
                    f"    static constexpr const char* refusal = SPANGLE_TEXT(\"gl{f.name} between glBegin and glEnd\");\n}};\n")
     out.append("\n} // namespace spangle::gl::family\n")
     return "".join(out)
+
+
+def held(family, function):
+    """A family that reads or writes objects of the share group runs with these held."""
+    return f"sharing<{function}>" if family.shares else function
 
 
 def shape_rows(pnames, tokens):

@@ -7,6 +7,7 @@
 
 #include "gl/context/error.hpp"
 #include "gl/context/features.hpp"
+#include "gl/context/threads.hpp"
 
 namespace spangle::gl {
 
@@ -35,5 +36,24 @@ struct ShapeRow {
     std::uint8_t count : 4 = 0;
 };
 Shape find_shape(const ShapeRow* rows, GLenum pname);
+
+#if SPANGLE_THREADS
+
+template <auto function> struct Sharing;
+template <class R, class... A, R (*function)(Context&, A...)> struct Sharing<function> {
+    static R run(Context& context, A... args) {
+        const SharedObjects held(context);
+        return function(context, args...);
+    }
+};
+
+/// A family's function, called with the shared objects held.
+template <auto function> inline constexpr auto sharing = &Sharing<function>::run;
+
+#else
+
+template <auto function> inline constexpr auto sharing = function;
+
+#endif
 
 } // namespace spangle::gl

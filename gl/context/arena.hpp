@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "gl/context/limits.hpp"
+#include "gl/context/threads.hpp"
 
 namespace spangle::gl {
 
@@ -83,6 +84,63 @@ class GrowingArena {
     std::size_t used_ = 0, left_ = 0;
 };
 
-class Arena : public std::conditional_t<reuses_memory, ReusingArena, GrowingArena> {};
+using UnguardedArena = std::conditional_t<reuses_memory, ReusingArena, GrowingArena>;
+
+#if SPANGLE_THREADS
+
+/// One for all threads: every call holds its lock.
+class Arena : public UnguardedArena {
+  public:
+    void give(void* memory, std::size_t bytes) {
+        const Held held(lock_);
+        UnguardedArena::give(memory, bytes);
+    }
+    /// Gives the memory unless there is some already.
+    void give_first(void* memory, std::size_t bytes) {
+        const Held held(lock_);
+        if (UnguardedArena::capacity() == 0)
+            UnguardedArena::give(memory, bytes);
+    }
+    void* allocate(std::size_t bytes) {
+        const Held held(lock_);
+        return UnguardedArena::allocate(bytes);
+    }
+    void free(void* block) {
+        const Held held(lock_);
+        UnguardedArena::free(block);
+    }
+    void shrink(void* block, std::size_t bytes) {
+        const Held held(lock_);
+        UnguardedArena::shrink(block, bytes);
+    }
+    std::size_t used() const {
+        const Held held(lock_);
+        return UnguardedArena::used();
+    }
+    std::size_t peak() const {
+        const Held held(lock_);
+        return UnguardedArena::peak();
+    }
+    std::size_t capacity() const {
+        const Held held(lock_);
+        return UnguardedArena::capacity();
+    }
+
+  private:
+    mutable Lock lock_;
+};
+
+#else
+
+class Arena : public UnguardedArena {
+  public:
+    /// Gives the memory unless there is some already.
+    void give_first(void* memory, std::size_t bytes) {
+        if (capacity() == 0)
+            give(memory, bytes);
+    }
+};
+
+#endif
 
 } // namespace spangle::gl

@@ -6,6 +6,7 @@
 #include "gl/context/attrib_state.hpp"
 #include "gl/context/error.hpp"
 #include "gl/context/recording.hpp"
+#include "gl/context/threads.hpp"
 #include "gl/context/types.hpp"
 #include "gl/list/list_state.hpp"
 #include "gl/pixel/fog_state.hpp"
@@ -50,7 +51,8 @@ enum Dirty : std::uint8_t {
 struct Drawable {
     raster::Surface surface; ///< drawn to
     raster::Surface read;    ///< read from: the same, unless EGL was given two
-    bool double_buffered = false, read_double_buffered = false;
+    bool double_buffered = false, read_double_buffered = false; ///< BACK names its buffer
+    bool front_buffered = true, read_front_buffered = true;     ///< FRONT does
     std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
     void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
 #if SPANGLE_HAS_PLATFORMS
@@ -109,15 +111,6 @@ struct Context {
 /// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.
 void set_current_context(Context* context);
 
-#if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
-#define SPANGLE_THREAD_LOCAL                                                                                 \
-    __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
-#else
-#define SPANGLE_THREAD_LOCAL
-#endif
-namespace detail {
-extern SPANGLE_THREAD_LOCAL Context* current;
-}
 /// The context of this thread (of the program, in firmware), or null.
 inline Context* current_context() {
     return detail::current;

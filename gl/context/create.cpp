@@ -15,6 +15,12 @@ namespace detail {
 constinit SPANGLE_THREAD_LOCAL Context* current = nullptr;
 }
 
+#if SPANGLE_THREADS
+SharedObjects::SharedObjects(Context& context) : lock_(context.share->lock) {
+    lock_.take();
+}
+#endif
+
 void set_current_context(Context* context) {
     detail::current = context;
 }
@@ -43,6 +49,14 @@ void destroy_group(ShareGroup* group) {
     group->lists.clear(arena);
     group->textures.clear(arena);
     arena.free(group);
+}
+
+/// The context's hold on shared objects ends.
+void release_shared(Context& context) {
+    const SharedObjects held(context);
+    release_attributes(context);
+    release_vertex_arrays(context);
+    release_textures(context);
 }
 
 } // namespace
@@ -112,12 +126,10 @@ void destroy_context(Context* context) {
 #if SPANGLE_GATHERS_POLYGONS
     context->arena->free(context->render.gathered);
 #endif
-    release_attributes(*context);
-    release_vertex_arrays(*context);
     release_evaluators(*context);
     release_pixel_maps(*context);
     release_queries(*context);
-    release_textures(*context);
+    release_shared(*context);
     if (--context->share->references == 0)
         destroy_group(context->share);
     context->arena->free(context);
@@ -149,6 +161,7 @@ void make_current(Context* context, const raster::Surface& surface, bool double_
     Drawable& drawable = context->drawable;
     drawable.surface = drawable.read = surface;
     drawable.double_buffered = drawable.read_double_buffered = double_buffered;
+    drawable.front_buffered = drawable.read_front_buffered = !double_buffered;
     make_current(*context);
 }
 

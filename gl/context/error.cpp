@@ -1,22 +1,32 @@
 #include "gl/context/error.hpp"
 
 #include "gl/context/context.hpp"
+#include "gl/context/threads.hpp"
 
 namespace spangle {
 
 namespace {
+#if SPANGLE_THREADS
+constinit std::atomic<MessageSink> sink = nullptr;
+#else
 constinit MessageSink sink = nullptr;
-}
+#endif
+} // namespace
 
 MessageSink on_message(MessageSink next) {
+#if SPANGLE_THREADS
+    return sink.exchange(next);
+#else
     const MessageSink before = sink;
     sink = next;
     return before;
+#endif
 }
 
 void message(unsigned code, const char* text) {
-    if (sink != nullptr && text != nullptr)
-        sink(code, text);
+    const MessageSink to = sink;
+    if (to != nullptr && text != nullptr)
+        to(code, text);
 }
 
 } // namespace spangle

@@ -1,10 +1,13 @@
 // What contexts share: texture objects, display lists, and the memory they lie in (GL 1.3, 2.2;
-// EGL 1.4, 2.4). Contexts of one group, and the arena under them, belong to one thread at a time.
+// EGL 1.4, 2.4). Contexts of one group may be current on several threads of a host at once. A command that
+// reads or writes what they share holds the group's lock meanwhile (`shares` in gl/api/commands), and a
+// primitive holds it from Begin to End: the textures it samples stay as they are.
 #pragma once
 
 #include "gl/context/arena.hpp"
 #include "gl/context/features.hpp"
 #include "gl/context/name_table.hpp"
+#include "gl/context/threads.hpp"
 
 namespace spangle::gl {
 
@@ -14,7 +17,8 @@ struct ShareGroup {
     explicit ShareGroup(Arena& memory) : arena(memory) {}
 
     Arena& arena;
-    std::uint32_t references = 0; ///< contexts
+    [[no_unique_address]] Lock lock; ///< guards all but `references`
+    std::uint32_t references = 0;    ///< contexts and records; EGL's lock guards it
     /// Images and parameters stored: what any context compiled of textures before is stale.
     std::uint32_t texture_changes = 0;
 #if SPANGLE_HAS_RECORDS

@@ -47,11 +47,14 @@ void touch_rows(const Surface& surface, std::int32_t first, std::int32_t rows) {
 
 bool open_band(Display& display, Surface& surface, std::int32_t first, std::int32_t rows) {
     Band& band = surface.band;
+    const gl::Held held(display.native_lock);
+    if (surface.cut_off)
+        return fail_cut_off();
     if (band.colors) {
         const hal::Result<hal::Frame> frame = native_of(display, surface).acquire_band(first, rows);
         if (!frame.ok())
             return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
-        if (!take(surface, frame.value()))
+        if (!take(display, surface, frame.value()))
             return false;
     } else if (first == 0 && !next_frame(display, surface)) {
         return false;
@@ -92,6 +95,9 @@ void gather_extents(Surface& surface) {
 } // namespace
 
 bool send_band(Display& display, Surface& surface) {
+    const gl::Held held(display.native_lock);
+    if (surface.cut_off)
+        return fail_cut_off();
     raster::resolve(pixels_of(surface));
     if (!surface.band.colors)
         gather_extents(surface);
@@ -102,7 +108,10 @@ bool send_band(Display& display, Surface& surface) {
 
 namespace {
 
-bool present_whole(Display& display, Surface& surface) {
+bool present_whole(Display& display, const Surface& surface) {
+    const gl::Held held(display.native_lock);
+    if (surface.cut_off)
+        return fail_cut_off();
     const hal::Result<void> shown = native_of(display, surface).present();
     return shown.ok() || fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
 }
@@ -117,6 +126,8 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
         if (thread().draw != &surface)
             return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
                    EGL_FALSE;
+        if (in_primitive())
+            return fail_in_primitive() != EGL_FALSE;
         return send_band(display, surface);
     });
     return drawn && (surface.band.colors || present_whole(display, surface));
@@ -154,6 +165,8 @@ void show_band(Surface& surface, raster::Surface& out) {
 
 bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     const bool drawn = draw_each(display, surface, draw, data);
+    if (thread().draw == &surface && in_primitive())
+        return drawn; // which is drawn into the band that is there until it ends
     surface.band.first = surface.band.rows = 0;
     if (thread().draw == &surface)
         give_rows(surface);
@@ -171,8 +184,54 @@ void egl::show_band(Surface&, raster::Surface&) {}
 
 #endif
 
+#if SPANGLE_FEATURE_BANDS
+
+namespace egl {
+
+namespace {
+
+/// The window stays as long as its frame is drawn, whatever the program does meanwhile.
+class FrameHold {
+  public:
+    FrameHold(Display& display, Surface& surface) : display_(display), surface_(surface) {
+        const Registry registry;
+        ++surface_.frames;
+    }
+    ~FrameHold() {
+        const Registry registry;
+        --surface_.frames;
+        if (display_.sweep != nullptr)
+            display_.sweep(display_);
+    }
+    FrameHold(const FrameHold&) = delete;
+    FrameHold& operator=(const FrameHold&) = delete;
+
+  private:
+    Display& display_;
+    Surface& surface_;
+};
+
+bool draw_frame(Display& display, Surface& surface, void (*draw)(void*), void* data) {
+    if (surface.frames != 0)
+        return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("spangle::frame inside of spangle::frame")) != EGL_FALSE;
+    const FrameHold hold(display, surface);
+    return (surface.band.record == nullptr ? draw_bands(display, surface, draw, data)
+                                           : draw_recorded(display, surface, draw, data)) &&
+           succeed() != EGL_FALSE;
+}
+
+} // namespace
+
+} // namespace egl
+
+#endif
+
 bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
-    egl::Display* const display = egl::find_display(handle);
+    egl::Display* display = nullptr;
+    {
+        const egl::Registry registry;
+        display = egl::find_display(handle);
+    }
     if (display == nullptr)
         return false;
     egl::Surface* const surface = egl::thread().draw;
@@ -180,11 +239,11 @@ bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
         return egl::fail(EGL_BAD_SURFACE,
                          SPANGLE_TEXT("spangle::frame: a window of this display must be current")) !=
                EGL_FALSE;
+    if (egl::in_primitive())
+        return egl::fail_in_primitive() != EGL_FALSE;
 #if SPANGLE_FEATURE_BANDS
-    if (surface->in_bands() && surface->band.record == nullptr)
-        return egl::draw_bands(*display, *surface, draw, data) && egl::succeed() != EGL_FALSE;
     if (surface->in_bands())
-        return egl::draw_recorded(*display, *surface, draw, data) && egl::succeed() != EGL_FALSE;
+        return egl::draw_frame(*display, *surface, draw, data);
 #endif
     draw(data);
     return eglSwapBuffers(handle, surface) != EGL_FALSE;

@@ -306,8 +306,10 @@ bool fits_window(const Display& display, const Config& config) {
 
 Config find_config(const Display&, EGLConfig handle) {
     const auto id = reinterpret_cast<std::uintptr_t>(handle);
+    if (id - 1 >= static_cast<std::uintptr_t>(config_count))
+        return {}; // before anything is made of the number: a program may give any
     Config config = config_of(static_cast<EGLint>(id));
-    if (id - 1 >= static_cast<std::uintptr_t>(config_count) || !exists(config))
+    if (!exists(config))
         config.id = 0;
     return config;
 }
@@ -338,6 +340,7 @@ using namespace spangle::egl;
 extern "C" {
 
 EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size, EGLint* num_config) {
+    const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
@@ -361,6 +364,7 @@ EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
 
 EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs, EGLint config_size,
                            EGLint* num_config) {
+    const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
@@ -394,6 +398,7 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
 }
 
 EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint name, EGLint* value) {
+    const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;

@@ -22,6 +22,42 @@ bool elsewhere(const Surface* surface) {
     return surface->bindings != 0 && thread().draw != surface && thread().read != surface;
 }
 
+/// The buffer of a pbuffer is a back buffer (EGL 1.4, 3.5.6), and the only one: to programs that draw to the
+/// front it is that, too.
+bool names_front(const Surface& surface) {
+    return !surface.window || !surface.back_buffered;
+}
+
+/// A window whose display gave no buffer asks for one again.
+bool has_pixels(Display& display, Surface& surface) {
+    return surface.has_pixels() || next_frame(display, surface);
+}
+
+/// What eglMakeCurrent is given: EGL_TRUE when it may become current, which the objects then say already, so
+/// that no other thread takes them meanwhile.
+EGLBoolean reserve(Display& display, Context& context, Surface& draw, Surface& read) {
+    if (!compatible(context.config, draw.config) || !compatible(context.config, read.config))
+        return fail(EGL_BAD_MATCH,
+                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
+                                 "depth buffer or multisample buffer than the surface's"));
+    // What is recorded is drawn by the fixed policy, later.
+    const bool records = SPANGLE_HAS_RECORDS && (draw.band.record != nullptr || read.band.record != nullptr);
+    if (records &&
+        (&draw != &read || precision_of(context.config.precision).engine != &spangle::gl::fixed_engine))
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglMakeCurrent: a window with a record is drawn to and read "
+                                                "at once, and not by a reference"));
+    if (context.current && thread().context != &context)
+        return fail(EGL_BAD_ACCESS);
+    if (elsewhere(&draw) || elsewhere(&read))
+        return fail(EGL_BAD_ACCESS);
+    if (!has_pixels(display, draw) || !has_pixels(display, read))
+        return EGL_FALSE;
+    ++draw.bindings;
+    ++read.bindings;
+    context.current = true;
+    return EGL_TRUE;
+}
+
 } // namespace
 
 #if !SPANGLE_HAS_PLATFORMS
@@ -33,19 +69,20 @@ EGLint context_problem(const EGLint* list) {
 
 #endif
 
-void attach_surfaces() {
+void show_pixels() {
     const Thread& t = thread();
     gl::Drawable& drawable = t.context->gl->drawable;
     set_pixels(*t.draw, drawable.surface);
     drawable.double_buffered = t.draw->back_buffered;
+    drawable.front_buffered = names_front(*t.draw);
     set_pixels(*t.read, drawable.read);
     drawable.read_double_buffered = t.read->back_buffered;
+    drawable.read_front_buffered = names_front(*t.read);
     drawable.show = show_window;
 #if SPANGLE_HAS_PLATFORMS
     drawable.follow = t.draw->system != nullptr ? follow_current_window : nullptr;
 #endif
     gl::make_current(*t.context->gl);
-    attach_record(*t.draw);
 }
 
 #if SPANGLE_HAS_PLATFORMS
@@ -53,19 +90,25 @@ void attach_surfaces() {
 void follow_current_window() {
     const Thread& t = thread();
     const EGLint before = t.error;
+    const gl::Held held(t.display->native_lock);
+    const std::uint8_t* const pixels = t.draw->frame.pixels;
     const std::int32_t width = t.draw->width, height = t.draw->height;
-    if (follow_window(*t.draw) && (t.draw->width != width || t.draw->height != height))
-        attach_surfaces();
+    if (t.draw->cut_off)
+        return;
+    (void)follow_window(*t.display, *t.draw);
+    if (t.draw->width != width || t.draw->height != height || t.draw->frame.pixels != pixels)
+        show_pixels();
     thread().error = before;
 }
 
 #endif
 
-void release_current() {
+void release_current(const Context* next) {
     Thread& t = thread();
     if (t.context == nullptr)
         return;
     show_window(false); // changing the context flushes the old one (EGL 1.4, 3.7.3)
+    const Registry registry;
     Display& display = *t.display;
     Context* const context = t.context;
     Surface* const surfaces[2] = {t.draw, t.read};
@@ -74,7 +117,7 @@ void release_current() {
     t.display = nullptr;
     t.context = nullptr;
     t.draw = t.read = nullptr;
-    context->current = false;
+    context->current = context == next;
     for (Surface* s : surfaces)
         --s->bindings;
     if (display.sweep != nullptr)
@@ -89,6 +132,7 @@ extern "C" {
 
 EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                             const EGLint* attrib_list) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_CONTEXT;
@@ -130,6 +174,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
 }
 
 EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
@@ -141,53 +186,48 @@ EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
     return succeed();
 }
 
+/// Between glBegin and glEnd it is refused: the drawable, and all that was derived from its size and formats,
+/// stay as they are until the primitive ends. GL has no state for a primitive whose drawable is another one.
 EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
-    if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
-        if (find_display(dpy) == nullptr && thread().error == EGL_BAD_DISPLAY)
+    Display* display = nullptr;
+    Context* context = nullptr;
+    Surface *draw_surface = nullptr, *read_surface = nullptr;
+    {
+        const Registry registry;
+        display = find_display(dpy);
+        if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
+            if (display == nullptr && thread().error == EGL_BAD_DISPLAY)
+                return EGL_FALSE;
+            if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
+                return fail(EGL_BAD_MATCH);
+        } else {
+            if (display == nullptr)
+                return EGL_FALSE;
+            context = find_context(*display, ctx);
+            if (context == nullptr)
+                return EGL_FALSE;
+            if (draw == EGL_NO_SURFACE || read == EGL_NO_SURFACE)
+                return fail(EGL_BAD_MATCH);
+            draw_surface = find_surface(*display, draw);
+            read_surface = find_surface(*display, read);
+            if (draw_surface == nullptr || read_surface == nullptr)
+                return EGL_FALSE;
+        }
+        if (in_primitive())
+            return fail_in_primitive();
+        if (context != nullptr && reserve(*display, *context, *draw_surface, *read_surface) == EGL_FALSE)
             return EGL_FALSE;
-        if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
-            return fail(EGL_BAD_MATCH);
-        release_current();
-        return succeed();
     }
-    Display* const display = find_display(dpy);
-    if (display == nullptr)
-        return EGL_FALSE;
-    Context* const context = find_context(*display, ctx);
+    release_current(context);
     if (context == nullptr)
-        return EGL_FALSE;
-    if (draw == EGL_NO_SURFACE || read == EGL_NO_SURFACE)
-        return fail(EGL_BAD_MATCH);
-    Surface* const draw_surface = find_surface(*display, draw);
-    Surface* const read_surface = find_surface(*display, read);
-    if (draw_surface == nullptr || read_surface == nullptr)
-        return EGL_FALSE;
-    if (!compatible(context->config, draw_surface->config) ||
-        !compatible(context->config, read_surface->config))
-        return fail(EGL_BAD_MATCH,
-                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
-                                 "depth buffer or multisample buffer than the surface's"));
-    // What is recorded is drawn by the fixed policy, later.
-    const bool records =
-        SPANGLE_HAS_RECORDS && (draw_surface->band.record != nullptr || read_surface->band.record != nullptr);
-    if (records && (draw_surface != read_surface ||
-                    precision_of(context->config.precision).engine != &spangle::gl::fixed_engine))
-        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglMakeCurrent: a window with a record is drawn to and read "
-                                                "at once, and not by a reference"));
-    if (context->current && thread().context != context)
-        return fail(EGL_BAD_ACCESS);
-    if (elsewhere(draw_surface) || elsewhere(read_surface))
-        return fail(EGL_BAD_ACCESS);
-    // Hold the new ones first: they may be what is released.
-    ++draw_surface->bindings;
-    ++read_surface->bindings;
-    release_current();
-    context->current = true;
+        return succeed();
+    const Registry registry;
     thread().display = display;
     thread().context = context;
     thread().draw = draw_surface;
     thread().read = read_surface;
-    attach_surfaces();
+    show_pixels();
+    attach_record(*draw_surface);
     return succeed();
 }
 
@@ -209,6 +249,7 @@ EGLDisplay eglGetCurrentDisplay() {
 }
 
 EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;

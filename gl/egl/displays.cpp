@@ -39,7 +39,7 @@ void free_object(Context* context) {
 }
 
 bool is_held(const Surface& surface) {
-    return surface.bindings != 0;
+    return surface.bindings != 0 || surface.frames != 0;
 }
 
 bool is_held(const Context& context) {
@@ -64,6 +64,10 @@ void sweep(Display& display) {
 
 } // namespace
 
+#if SPANGLE_THREADS
+constinit gl::Lock registry_lock;
+#endif
+
 Thread& thread() {
     return this_thread;
 }
@@ -78,6 +82,17 @@ EGLBoolean fail(EGLint error, const char* text) {
 EGLBoolean succeed() {
     this_thread.error = EGL_SUCCESS;
     return EGL_TRUE;
+}
+
+bool in_primitive() {
+    const Context* const context = this_thread.context;
+    return context != nullptr && context->gl->inside_begin_end();
+}
+
+EGLBoolean fail_in_primitive() {
+    return fail(EGL_BAD_ACCESS,
+                SPANGLE_TEXT("EGL: between glBegin and glEnd surfaces stay current and nothing "
+                             "is shown; call glEnd first"));
 }
 
 Display* find_display(EGLDisplay handle) {
@@ -109,8 +124,7 @@ Context* find_context(Display& display, EGLContext handle) {
 
 gl::Arena& arena() {
 #ifndef SPANGLE_FIRMWARE
-    if (memory_arena.capacity() == 0)
-        memory_arena.give(host_memory, sizeof host_memory);
+    memory_arena.give_first(host_memory, sizeof host_memory);
 #endif
     return memory_arena;
 }
@@ -120,7 +134,55 @@ void free_destroyed(Display& display) {
     sweep(display);
 }
 
+namespace {
+
+/// The entry behind a handle, or null.
+Display* find_entry(EGLDisplay handle) {
+    for (Display& display : displays)
+        if (display.used && &display == handle)
+            return &display;
+    return nullptr;
+}
+
+/// An entry for another display: one that never had any, else one that was terminated and holds nothing. What
+/// is still current keeps its entry.
+Display* free_entry() {
+    for (Display& display : displays)
+        if (!display.used)
+            return &display;
+    for (Display& display : displays)
+        if (display.terminated && display.surfaces == nullptr && display.contexts == nullptr)
+            return &display;
+    return nullptr;
+}
+
+bool is_current(const Surface& surface) {
+    return this_thread.draw == &surface || this_thread.read == &surface;
+}
+
+/// A window from before eglTerminate is current on another thread, which draws into memory of the display.
+bool is_drawn_elsewhere(const Display& display) {
+    for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
+        if (s->window && !is_current(*s))
+            return true;
+    return false;
+}
+
+/// All windows lose their pixels, which are the display's. GL is told of those that are current here.
+void cut_off_windows(Display& display) {
+    {
+        const gl::Held held(display.native_lock);
+        for (Surface* s = display.surfaces; s != nullptr; s = s->next)
+            s->cut_off = s->window;
+    }
+    if (this_thread.display == &display)
+        show_pixels();
+}
+
+} // namespace
+
 EGLDisplay display_of(hal::Display* native, [[maybe_unused]] hal::WindowSystem* system) {
+    const Registry registry;
     const auto is_it = [&](const Display& display) {
 #if SPANGLE_HAS_PLATFORMS
         if (display.system != system)
@@ -131,16 +193,16 @@ EGLDisplay display_of(hal::Display* native, [[maybe_unused]] hal::WindowSystem* 
     for (Display& display : displays)
         if (display.used && is_it(display))
             return &display;
-    for (Display& display : displays)
-        if (!display.used) {
-            display.used = true;
-            display.native = native;
+    Display* const display = free_entry();
+    if (display == nullptr)
+        return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)
+    display->used = true;
+    display->terminated = false;
+    display->native = native;
 #if SPANGLE_HAS_PLATFORMS
-            display.system = system;
+    display->system = system;
 #endif
-            return &display;
-        }
-    return EGL_NO_DISPLAY; // no error exists for this (EGL 1.4, 3.2)
+    return display;
 }
 
 } // namespace egl
@@ -175,48 +237,55 @@ EGLDisplay eglGetDisplay(EGLNativeDisplayType display_id) {
 }
 
 EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
-    for (Display& display : displays) {
-        if (!display.used || &display != dpy)
-            continue;
-        if (!display.initialized && display.native != nullptr) {
-            const spangle::hal::Result<void> up = display.native->init();
-            if (!up.ok())
-                return fail(EGL_NOT_INITIALIZED, up.error().rule);
-        }
-#if SPANGLE_HAS_PLATFORMS
-        if (!display.initialized && display.system != nullptr) {
-            const spangle::hal::Result<void> up = display.system->init();
-            if (!up.ok())
-                return fail(EGL_NOT_INITIALIZED, up.error().rule);
-        }
-#endif
-        display.initialized = true;
-        if (major != nullptr)
-            *major = 1;
-        if (minor != nullptr)
-            *minor = 4;
-        return succeed();
+    const Registry registry;
+    Display* const display = find_entry(dpy);
+    if (display == nullptr)
+        return fail(EGL_BAD_DISPLAY);
+    if (!display->initialized && display->native != nullptr) {
+        if (is_drawn_elsewhere(*display))
+            return fail(EGL_NOT_INITIALIZED,
+                        SPANGLE_TEXT("eglInitialize: a window from before eglTerminate is "
+                                     "still current on another thread"));
+        const spangle::gl::Held held(display->native_lock);
+        const spangle::hal::Result<void> up = display->native->init();
+        if (!up.ok())
+            return fail(EGL_NOT_INITIALIZED, up.error().rule);
     }
-    return fail(EGL_BAD_DISPLAY);
+#if SPANGLE_HAS_PLATFORMS
+    if (!display->initialized && display->system != nullptr) {
+        const spangle::hal::Result<void> up = display->system->init();
+        if (!up.ok())
+            return fail(EGL_NOT_INITIALIZED, up.error().rule);
+    }
+#endif
+    display->initialized = true;
+    display->terminated = false;
+    if (major != nullptr)
+        *major = 1;
+    if (minor != nullptr)
+        *minor = 4;
+    return succeed();
 }
 
+/// The handle stays valid, and may be terminated or initialized again (EGL 1.4, 3.2), until eglGetDisplay
+/// needs the entry for another display.
 EGLBoolean eglTerminate(EGLDisplay dpy) {
-    for (Display& display : displays) {
-        if (!display.used || &display != dpy)
-            continue;
-        // What is current stays alive until it is released (EGL 1.4, 3.2).
-        for (Surface* s = display.surfaces; s != nullptr; s = s->next)
-            s->destroyed = true;
-        for (Context* c = display.contexts; c != nullptr; c = c->next)
-            c->destroyed = true;
-        free_destroyed(display);
-        display.initialized = false;
-        // With nothing left alive the entry can serve another display.
-        if (display.surfaces == nullptr && display.contexts == nullptr)
-            display.used = false;
-        return succeed();
-    }
-    return fail(EGL_BAD_DISPLAY);
+    const Registry registry;
+    Display* const display = find_entry(dpy);
+    if (display == nullptr)
+        return fail(EGL_BAD_DISPLAY);
+    if (thread().display == display && in_primitive())
+        return fail_in_primitive();
+    // What is current stays alive until it is released (EGL 1.4, 3.2).
+    for (Surface* s = display->surfaces; s != nullptr; s = s->next)
+        s->destroyed = true;
+    for (Context* c = display->contexts; c != nullptr; c = c->next)
+        c->destroyed = true;
+    cut_off_windows(*display);
+    free_destroyed(*display);
+    display->initialized = false;
+    display->terminated = true;
+    return succeed();
 }
 
 const char* eglQueryString(EGLDisplay dpy, EGLint name) {
@@ -224,6 +293,7 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
     if (dpy == EGL_NO_DISPLAY && name == EGL_EXTENSIONS)
         return client_extensions();
 #endif
+    const Registry registry;
     if (find_display(dpy) == nullptr)
         return nullptr;
     succeed();
@@ -263,6 +333,8 @@ EGLenum eglQueryAPI() {
 }
 
 EGLBoolean eglReleaseThread() {
+    if (in_primitive())
+        return fail_in_primitive();
     release_current();
     return succeed();
 }
@@ -272,6 +344,8 @@ EGLBoolean eglWaitGL() {
 }
 
 EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
+    if (in_primitive())
+        return fail_in_primitive();
     show_window(true);
     return succeed();
 }

@@ -11,6 +11,7 @@
 #include "gl/context/arena.hpp"
 #include "gl/context/create.hpp"
 #include "gl/context/features.hpp"
+#include "gl/context/threads.hpp"
 #include "raster/surface/samples.hpp"
 
 namespace spangle::egl {
@@ -26,6 +27,9 @@ struct Config {
     /// The format of a config that exists.
     PixelFormat drawn() const { return raster::drawn(format); }
 };
+
+/// Of each component of an accumulation buffer.
+inline constexpr EGLint accum_bits = 16;
 
 struct RecordedFrame; // recorded_frame.hpp
 struct Display;
@@ -60,19 +64,27 @@ struct Surface {
     bool pixmap = false;
     bool swapped = false; ///< a pbuffer that SwapBuffers was called for: Flush does not show it any more
 #endif
-    bool wants_single = false;  ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
-    bool back_buffered = false; ///< SwapBuffers shows what was drawn; else Flush does
-    unsigned bindings = 0;      ///< contexts it is current to
+    bool wants_single = false; ///< EGL_RENDER_BUFFER was EGL_SINGLE_BUFFER
+    bool back_buffered = true; ///< of windows: SwapBuffers shows what was drawn; else Flush does
+    /// Its display was terminated, or shows another window: this one has no pixels, and shows nothing any
+    /// more. Written with a Registry and the display's native_lock, read with either.
+    bool cut_off = false;
+    unsigned bindings = 0; ///< contexts it is current to
+    unsigned frames = 0;   ///< calls of spangle::frame that draw it
     std::uint8_t* depth = nullptr;
     std::int16_t* accum = nullptr;
     std::uint8_t* sample_colors = nullptr; ///< a plane for each, where the config is multisampled
     RowSpan* unresolved = nullptr;         ///< of each row that is in memory
     raster::Samples samples;
-    hal::Frame frame; ///< a window's belongs to the display
+    hal::Frame frame; ///< a window's belongs to the display; no pixels: the display has given none
     [[no_unique_address]] Band band;
 
     bool in_bands() const {
         return SPANGLE_FEATURE_BANDS && band.height != 0;
+    }
+    /// What is drawn goes somewhere, or will as soon as a band is opened.
+    bool has_pixels() const {
+        return !cut_off && (frame.pixels != nullptr || in_bands());
     }
 };
 
@@ -90,12 +102,29 @@ struct Display {
     hal::WindowSystem* system = nullptr; ///< with neither there are pbuffers only
 #endif
     bool used = false, initialized = false;
+    bool terminated = false; ///< since it was initialized last: its entry may serve another display
+    /// Held by who calls `native`, or what a window system opened, which are for one thread at a time. After
+    /// it none but the arena's lock is taken.
+    [[no_unique_address]] gl::Lock native_lock;
     Surface* surfaces = nullptr;
     Context* contexts = nullptr;
     /// Frees what was destroyed and nothing holds any more; null while nothing was ever destroyed: a program
     /// that destroys nothing links none of it.
     void (*sweep)(Display&) = nullptr;
 };
+
+#if SPANGLE_THREADS
+extern gl::Lock registry_lock;
+/// Threads take turns at displays, their lists of surfaces and contexts, and what these say of who holds
+/// them: who looks at any of it has a Registry. It comes before every other lock.
+struct Registry : gl::Held {
+    Registry() : Held(registry_lock) {}
+};
+#else
+struct Registry {
+    Registry() {}
+};
+#endif
 
 /// What is current on this thread.
 struct Thread {
@@ -116,6 +145,10 @@ EGLBoolean succeed();
 EGLDisplay display_of(hal::Display* native, hal::WindowSystem* system);
 /// Whether a native display may be asked for: what eglGetDisplay and eglGetPlatformDisplay give.
 EGLDisplay platform_display(EGLenum platform, void* native);
+/// The current context is between glBegin and glEnd. Then its surfaces stay where they are, and nothing is
+/// shown: what would change that fails by fail_in_primitive().
+bool in_primitive();
+EGLBoolean fail_in_primitive();
 
 /// The display behind a handle, or null with BAD_DISPLAY or NOT_INITIALIZED recorded.
 Display* find_display(EGLDisplay handle);
@@ -130,7 +163,7 @@ void free_surface(Surface* surface);
 
 /// A window of a window system that changed its size since its buffer was given gets planes and a buffer of
 /// its new size. False, with an error recorded, where these cannot be had: it stays as it is.
-bool follow_window(Surface& surface);
+bool follow_window(Display& display, Surface& surface);
 
 /// A window of this display, or a pixmap: what eglCreateWindowSurface and eglCreatePixmapSurface make.
 EGLSurface create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle, bool pixmap,
@@ -147,11 +180,21 @@ inline raster::Surface pixels_of(Surface& surface) {
     return out;
 }
 
-/// Hands the surfaces of this thread to its context; again after a window got another buffer.
-void attach_surfaces();
+/// Hands the pixels of this thread's surfaces to its context; again after a window got another buffer, or
+/// has none any more.
+void show_pixels();
 
-/// The display gave this buffer. False: it asks what is drawn there, which this build does not tell.
-bool take(Surface& surface, const hal::Frame& frame);
+/// Sizes and formats of displays may change while they are in use: another one was plugged in. Those of
+/// boards do not.
+#ifdef SPANGLE_FIRMWARE
+inline constexpr bool displays_change = false;
+#else
+inline constexpr bool displays_change = true;
+#endif
+
+/// The display gave this buffer. False, and the surface has none: it is not of the surface's size, or the
+/// display asks what is drawn there, which this build does not tell.
+bool take(Display& display, Surface& surface, const hal::Frame& frame);
 
 /// Where a window is shown: on the display's panel, unless it is one of a window system.
 inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Surface& surface) {
@@ -163,8 +206,11 @@ inline hal::Display& native_of(const Display& display, [[maybe_unused]] const Su
 }
 
 /// Asks the display for the buffer of the next frame. A window of a window system that has another size by
-/// now gets planes of that size, too.
+/// now gets planes of that size, too. False: the surface has no buffer.
 bool next_frame(Display& display, Surface& surface);
+
+/// A window that was cut off: BAD_NATIVE_WINDOW, and false.
+bool fail_cut_off();
 
 /// The rows of a window that its depth buffer shall have at once: EGL_SUCCESS, or the error of that wish.
 EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band);
@@ -203,14 +249,15 @@ bool draw_bands(Display& display, Surface& surface, void (*draw)(void*), void* d
 /// The same, by one call of `draw` where its record is large enough.
 bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void* data);
 
-/// Presents what was drawn to a window of this thread and attaches the next frame's buffer.
+/// Presents what was drawn to a window of this thread and attaches the next frame's buffer. A frame that had
+/// no buffer is not shown, and the next one has one again as soon as the display gives it.
 bool present(Display& display, Surface& surface);
 
 /// What Flush and Finish do to the window that is current on this thread, if there is one: shown when it has
 /// no back buffer; with `finish`, waited for.
 void show_window(bool finish);
 
-/// Undoes MakeCurrent on this thread.
-void release_current();
+/// Undoes MakeCurrent on this thread; not of context `next`, which becomes current again.
+void release_current(const Context* next = nullptr);
 
 } // namespace spangle::egl

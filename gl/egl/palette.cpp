@@ -6,6 +6,7 @@ using namespace spangle::egl;
 
 extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EGLint first, EGLint count,
                                            const std::uint8_t* rgb) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
@@ -21,6 +22,7 @@ extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EG
     if (first < 0 || count < 0 || first > spangle::hal::palette_size ||
         count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
         return fail(EGL_BAD_PARAMETER);
+    const spangle::gl::Held held(display->native_lock);
     const auto result = native_of(*display, *surface).set_palette(first, count, rgb);
     return result.ok() ? succeed() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);
 }

@@ -43,6 +43,7 @@ const Platforms& platforms() {
 }
 
 const char* client_extensions() {
+    const Registry registry; // one thread writes them
     succeed();
     if (extensions[0] == '\0') {
         append(extensions, "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless "
@@ -200,17 +201,23 @@ EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePix
 }
 
 EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType target) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
     Surface* const surface = find_surface(*display, handle);
     if (surface == nullptr)
         return EGL_FALSE;
+    if (in_primitive())
+        return fail_in_primitive(); // it flushes (EGL 1.4, 3.9.2)
     if (display->system == nullptr)
         return fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("eglCopyBuffers: this display has no pixmaps"));
     if (!display->system->shows(surface->config.format) || surface->in_bands())
         return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglCopyBuffers: a pixmap of this display has another format "
                                                 "than the surface"));
+    const spangle::gl::Held held(display->native_lock);
+    if (!surface->has_pixels())
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("eglCopyBuffers: this surface has no buffer"));
     const auto opened = display->system->open(target, true, surface->config.format);
     if (!opened.ok())
         return fail(EGL_BAD_NATIVE_PIXMAP, opened.error().rule);

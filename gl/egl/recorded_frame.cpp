@@ -134,6 +134,7 @@ void free_record(Band& band) {
 }
 
 bool present_record(Display& display, Surface& surface) {
+    const gl::SharedObjects textures(*thread().context->gl);
     RecordedFrame& frame = *surface.band.record;
     const bool whole = !frame.record.full() && !frame.lost;
     const bool shown = whole && send_record(display, surface);
@@ -154,11 +155,13 @@ bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void
     if (thread().draw != &surface)
         return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
                EGL_FALSE;
+    if (in_primitive())
+        return fail_in_primitive() != EGL_FALSE;
     if (!frame.record.full())
         return present_record(display, surface);
     frame.record.clear();
     const bool drawn = draw_bands(display, surface, draw, data);
-    if (thread().draw == &surface)
+    if (thread().draw == &surface && !in_primitive())
         forget(surface);
     return drawn;
 }
@@ -181,7 +184,10 @@ void detach_record(Surface& surface) {
     RecordedFrame* const frame = surface.band.record;
     if (frame == nullptr)
         return;
-    count_recorded();
+    {
+        const gl::SharedObjects textures(*thread().context->gl);
+        count_recorded();
+    }
     frame->record.forget_counters();
     if (!frame->record.empty())
         frame->objects = gl::hold_objects(*thread().context->gl);

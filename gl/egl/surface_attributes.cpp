@@ -1,4 +1,4 @@
-// Attributes that surfaces are given later, and kinds of surfaces that only other client APIs have
+// Attributes of surfaces, asked for and given later, and kinds of surfaces that only other client APIs have
 // (EGL 1.4, 3.5.3, 3.5.6, 3.6).
 #include "gl/context/error.hpp"
 #include "gl/egl/objects.hpp"
@@ -14,6 +14,7 @@ Surface* find(EGLDisplay dpy, EGLSurface handle) {
 
 /// No config has EGL_BIND_TO_TEXTURE_RGB or RGBA: pbuffers of this EGL are no textures (EGL 1.4, 3.6).
 EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
+    const Registry registry;
     if (find(dpy, handle) == nullptr)
         return EGL_FALSE;
     if (buffer != EGL_BACK_BUFFER)
@@ -26,7 +27,75 @@ EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
 
 extern "C" {
 
+EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint* value) {
+    const Registry registry;
+    Display* const display = find_display(dpy);
+    if (display == nullptr)
+        return EGL_FALSE;
+    const Surface* const s = find_surface(*display, handle);
+    if (s == nullptr)
+        return EGL_FALSE;
+    if (value == nullptr)
+        return fail(EGL_BAD_PARAMETER);
+    switch (attribute) {
+    case EGL_WIDTH:
+        *value = s->width;
+        break;
+    case EGL_HEIGHT:
+        *value = s->height;
+        break;
+    case EGL_CONFIG_ID:
+        *value = s->config.id;
+        break;
+    case EGL_RENDER_BUFFER:
+        *value = s->wants_single ? EGL_SINGLE_BUFFER : EGL_BACK_BUFFER;
+        break;
+    case EGL_ACCUM_SIZE_SPANGLE:
+        *value = s->accum != nullptr ? accum_bits : 0;
+        break;
+    case EGL_BAND_RECORD_SPANGLE:
+    case EGL_BAND_RECORD_PEAK_SPANGLE:
+        *value = record_bytes(s->band, attribute == EGL_BAND_RECORD_PEAK_SPANGLE);
+        break;
+    case EGL_BAND_HEIGHT_SPANGLE:
+        *value = s->band.height;
+        break;
+    case EGL_SWAP_BEHAVIOR:
+        *value = EGL_BUFFER_DESTROYED;
+        break; // BUFFER_AGE tells more
+    case EGL_BUFFER_AGE_EXT:
+        // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
+        if (thread().draw != s)
+            return fail(EGL_BAD_SURFACE);
+        *value = s->frame.age;
+        break;
+    case EGL_TEXTURE_FORMAT:
+    case EGL_TEXTURE_TARGET:
+        *value = EGL_NO_TEXTURE;
+        break;
+    case EGL_MIPMAP_TEXTURE:
+    case EGL_LARGEST_PBUFFER:
+        *value = EGL_FALSE;
+        break;
+    case EGL_MIPMAP_LEVEL:
+        *value = 0;
+        break;
+    case EGL_MULTISAMPLE_RESOLVE:
+        *value = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
+        break;
+    case EGL_HORIZONTAL_RESOLUTION:
+    case EGL_VERTICAL_RESOLUTION:
+    case EGL_PIXEL_ASPECT_RATIO:
+        *value = EGL_UNKNOWN;
+        break;
+    default:
+        return fail(EGL_BAD_ATTRIBUTE);
+    }
+    return succeed();
+}
+
 EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint value) {
+    const Registry registry;
     if (find(dpy, handle) == nullptr)
         return EGL_FALSE;
     switch (attribute) {
@@ -55,6 +124,7 @@ EGLBoolean eglReleaseTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) 
 
 EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig,
                                             const EGLint*) {
+    const Registry registry;
     if (find_display(dpy) != nullptr)
         fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglCreatePbufferFromClientBuffer: only OpenVG has client "
                                              "buffers"));

@@ -1,4 +1,4 @@
-// Windows, pbuffers, and what SwapBuffers does (EGL 1.4, 3.5, 3.9).
+// Windows and pbuffers: how they are made and asked, and the pixels that GL sees of them (EGL 1.4, 3.5).
 #include "gl/context/error.hpp"
 #include "gl/context/features.hpp"
 #include "gl/context/limits.hpp"
@@ -19,8 +19,6 @@ constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
 std::int32_t bytes_per_depth(DepthFormat format) {
     return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
 }
-
-constexpr EGLint accum_bits = 16;
 
 /// What a surface has beyond its config.
 struct Extras {
@@ -166,6 +164,39 @@ EGLint read_pbuffer(const EGLint* list, PbufferWish& out) {
     return out.width < 0 || out.height < 0 ? EGL_BAD_PARAMETER : problem;
 }
 
+/// What GL draws on, whatever a display says that it is.
+bool is_drawable_size(const hal::DisplayInfo& info) {
+    return info.width > 0 && info.height > 0 && info.width <= gl::max_viewport_dim &&
+           info.height <= gl::max_viewport_dim;
+}
+
+/// The window that the display's panel shows, or null. Window systems have a place of its own for each.
+Surface* window_of(const Display& display) {
+    Surface* s = display.native != nullptr ? display.surfaces : nullptr;
+    while (s != nullptr && (!s->window || s->cut_off))
+        s = s->next;
+    return s;
+}
+
+/// Nobody needs this window any more: none, or one that was destroyed and is current here alone, where it can
+/// be told that its pixels are gone.
+bool may_leave(const Surface* window) {
+    const Thread& t = thread();
+    return window == nullptr ||
+           (window->destroyed && (t.draw == window || t.read == window) && !in_primitive());
+}
+
+/// The glass goes to another window.
+void cut_off(Display& display, Surface* window) {
+    if (window == nullptr)
+        return;
+    {
+        const gl::Held held(display.native_lock);
+        window->cut_off = true;
+    }
+    show_pixels();
+}
+
 EGLSurface refuse_window(EGLint problem) {
     fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
                                "no other window, and bands no higher than the display's, and a record "
@@ -187,7 +218,9 @@ struct Shown {
             if (s->window && !s->destroyed && s->native_handle == handle && s->pixmap == pixmap)
                 return EGL_BAD_ALLOC; // the glass has one window, and a window one surface
         if (display.system == nullptr)
-            return handle != 0 || pixmap ? wrong : EGL_SUCCESS;
+            return handle != 0 || pixmap           ? wrong
+                   : may_leave(window_of(display)) ? EGL_SUCCESS
+                                                   : EGL_BAD_ALLOC;
         const hal::Result<hal::Display*> opened = display.system->open(handle, pixmap, config.format);
         if (!opened.ok())
             return wrong;
@@ -207,10 +240,9 @@ struct Shown {
     }
 #else
     static EGLint open(const Display& display, const Config&, std::uintptr_t handle, bool) {
-        for (const Surface* s = display.surfaces; s != nullptr; s = s->next)
-            if (s->window && !s->destroyed)
-                return EGL_BAD_ALLOC; // the glass has one window
-        return handle != 0 ? EGL_BAD_NATIVE_WINDOW : EGL_SUCCESS;
+        return handle != 0                     ? EGL_BAD_NATIVE_WINDOW
+               : may_leave(window_of(display)) ? EGL_SUCCESS
+                                               : EGL_BAD_ALLOC; // the glass has one window
     }
     static void close() {}
     static void give(const Surface&, std::uintptr_t, bool) {}
@@ -242,25 +274,23 @@ const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
 
 } // namespace
 
-bool take(Surface& surface, const hal::Frame& frame) {
-    surface.frame = frame;
-    if (!raster::has_extents && frame.extents != nullptr)
-        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("this build does not tell the display what was drawn "
-                                                "(SPANGLE_EXTENTS)")) != EGL_FALSE;
-    return true;
-}
-
 #if SPANGLE_HAS_PLATFORMS
 
-bool follow_window(Surface& surface) {
-    const hal::DisplayInfo info = surface.native->info();
-    if (surface.in_bands() || (info.width == surface.width && info.height == surface.height))
+bool follow_window(Display& display, Surface& surface) {
+    if (surface.system == nullptr || surface.in_bands())
         return true;
+    const hal::DisplayInfo info = surface.native->info();
+    if (info.width == surface.width && info.height == surface.height)
+        return true;
+    if (!is_drawable_size(info))
+        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("EGL: the window is larger than what GL draws")) !=
+               EGL_FALSE;
     Surface* const other =
         make(surface.config, info.width, info.height, {false, surface.accum != nullptr, {}, 0});
     if (other == nullptr)
         return fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for the planes of a window that became larger; "
                                                 "see spangle::memory")) != EGL_FALSE;
+    surface.frame = {}; // which the next buffer takes the place of
     const hal::Result<hal::Frame> frame = surface.native->acquire();
     if (frame.ok()) {
         std::swap(surface.depth, other->depth);
@@ -272,35 +302,11 @@ bool follow_window(Surface& surface) {
         surface.height = info.height;
     }
     free_surface(other);
-    return frame.ok() ? take(surface, frame.value())
+    return frame.ok() ? take(display, surface, frame.value())
                       : fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
 }
 
-namespace {
-
-bool changed_size(const Surface& surface) {
-    if (surface.system == nullptr || surface.in_bands())
-        return false;
-    const hal::DisplayInfo info = surface.native->info();
-    return info.width != surface.width || info.height != surface.height;
-}
-
-} // namespace
-
 #endif
-
-bool next_frame(Display& display, Surface& surface) {
-#if SPANGLE_HAS_PLATFORMS
-    if (changed_size(surface))
-        return follow_window(surface);
-#endif
-    const hal::Result<hal::Frame> frame = native_of(display, surface).acquire();
-    if (!frame.ok()) {
-        fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
-        return false;
-    }
-    return take(surface, frame.value());
-}
 
 void free_surface(Surface* surface) {
     free_record(surface->band);
@@ -315,76 +321,18 @@ void free_surface(Surface* surface) {
         arena().free(plane);
 }
 
-namespace {
-
-/// Makes one colour of the samples of each pixel that was drawn since the surface was last shown.
-void resolve_samples(Surface& surface) {
-    raster::resolve(pixels_of(surface));
-}
-
-} // namespace
-
-bool present(Display& display, Surface& surface) {
-    resolve_samples(surface);
-    const hal::Result<void> shown = native_of(display, surface).present();
-    if (!shown.ok()) {
-        fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule);
-        return false;
-    }
-    if (!next_frame(display, surface))
-        return false;
-    attach_surfaces();
-    return true;
-}
-
-#if SPANGLE_HAS_PLATFORMS
-
-namespace {
-
-/// Hands a pbuffer's picture to who asked for those that are swapped.
-void show_pbuffer(Surface& surface) {
-    resolve_samples(surface);
-    hal::DisplayInfo info;
-    info.width = surface.width;
-    info.height = surface.height;
-    info.format = surface.config.format;
-    platforms().swapped(surface.frame, info);
-}
-
-} // namespace
-
-#endif
-
-/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
-void show_window(bool finish) {
-    const Thread& t = thread();
-    if (t.draw == nullptr)
-        return;
-#if SPANGLE_HAS_PLATFORMS
-    if (platforms().swapped != nullptr && !t.draw->window && !t.draw->swapped)
-        show_pbuffer(*t.draw);
-#endif
-    if (!t.draw->window || !t.display->initialized)
-        return;
-    const EGLint before = thread().error;
-    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
-        const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
-        if (!taken.ok())
-            fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
-    }
-    thread().error = before;
-}
-
 void set_pixels(Surface& surface, raster::Surface& out) {
     out = {};
     const PixelFormat format = surface.config.drawn();
+    out.format = format;
+    out.depth_format = surface.config.depth;
+    if (!surface.has_pixels())
+        return; // of no rows and columns: nothing is drawn there, and nothing is read
     const bool bands = surface.in_bands();
     const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
                        first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);
     out.width = surface.width;
     out.height = surface.height;
-    out.format = format;
-    out.depth_format = surface.config.depth;
     out.color_stride = -surface.frame.stride; // top row first
     out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
                            surface.frame.stride);
@@ -414,6 +362,7 @@ using namespace spangle::egl;
 
 EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle, bool pixmap,
                                       const EGLint* attrib_list) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_SURFACE;
@@ -429,7 +378,7 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     if (problem != EGL_SUCCESS)
         return refuse_window(problem);
     const spangle::hal::DisplayInfo info = shown.native->info();
-    problem = choose_band(info, wish.band_height, band);
+    problem = is_drawable_size(info) ? choose_band(info, wish.band_height, band) : EGL_BAD_NATIVE_WINDOW;
     if (problem == EGL_SUCCESS && wish.record != 0)
         problem = wish.record < 0 ? EGL_BAD_PARAMETER : band.colors ? EGL_SUCCESS : EGL_BAD_MATCH;
     if (problem != EGL_SUCCESS) {
@@ -449,6 +398,7 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     surface->wants_single = wish.single || pixmap;
     // A wish that a display which flips buffers cannot grant (EGL 1.4, 3.5.1).
     surface->back_buffered = !surface->wants_single || !info.keeps_buffer || surface->in_bands();
+    cut_off(*display, window_of(*display));
     if (!surface->in_bands() && !next_frame(*display, *surface)) {
         const EGLint error = thread().error;
         free_surface(surface);
@@ -466,6 +416,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWin
 }
 
 EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_SURFACE;
@@ -488,6 +439,7 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
 }
 
 EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
+    const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
@@ -497,113 +449,5 @@ EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
     surface->destroyed = true;
     free_destroyed(*display);
     return succeed();
-}
-
-EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint* value) {
-    Display* const display = find_display(dpy);
-    if (display == nullptr)
-        return EGL_FALSE;
-    const Surface* const s = find_surface(*display, handle);
-    if (s == nullptr)
-        return EGL_FALSE;
-    if (value == nullptr)
-        return fail(EGL_BAD_PARAMETER);
-    switch (attribute) {
-    case EGL_WIDTH:
-        *value = s->width;
-        break;
-    case EGL_HEIGHT:
-        *value = s->height;
-        break;
-    case EGL_CONFIG_ID:
-        *value = s->config.id;
-        break;
-    case EGL_RENDER_BUFFER:
-        *value = s->window && !s->wants_single ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
-        break;
-    case EGL_ACCUM_SIZE_SPANGLE:
-        *value = s->accum != nullptr ? accum_bits : 0;
-        break;
-    case EGL_BAND_RECORD_SPANGLE:
-    case EGL_BAND_RECORD_PEAK_SPANGLE:
-        *value = record_bytes(s->band, attribute == EGL_BAND_RECORD_PEAK_SPANGLE);
-        break;
-    case EGL_BAND_HEIGHT_SPANGLE:
-        *value = s->band.height;
-        break;
-    case EGL_SWAP_BEHAVIOR:
-        *value = EGL_BUFFER_DESTROYED;
-        break; // BUFFER_AGE tells more
-    case EGL_BUFFER_AGE_EXT:
-        // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
-        if (thread().draw != s)
-            return fail(EGL_BAD_SURFACE);
-        *value = s->frame.age;
-        break;
-    case EGL_TEXTURE_FORMAT:
-    case EGL_TEXTURE_TARGET:
-        *value = EGL_NO_TEXTURE;
-        break;
-    case EGL_MIPMAP_TEXTURE:
-    case EGL_LARGEST_PBUFFER:
-        *value = EGL_FALSE;
-        break;
-    case EGL_MIPMAP_LEVEL:
-        *value = 0;
-        break;
-    case EGL_MULTISAMPLE_RESOLVE:
-        *value = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
-        break;
-    case EGL_HORIZONTAL_RESOLUTION:
-    case EGL_VERTICAL_RESOLUTION:
-    case EGL_PIXEL_ASPECT_RATIO:
-        *value = EGL_UNKNOWN;
-        break;
-    default:
-        return fail(EGL_BAD_ATTRIBUTE);
-    }
-    return succeed();
-}
-
-EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
-    Display* const display = find_display(dpy);
-    if (display == nullptr)
-        return EGL_FALSE;
-    if (thread().context == nullptr)
-        return fail(EGL_BAD_CONTEXT);
-    if (thread().draw == nullptr)
-        return fail(EGL_BAD_SURFACE);
-    if (thread().draw->window)
-        native_of(*thread().display, *thread().draw)
-            .swap_interval(interval < least_swap_interval  ? least_swap_interval
-                           : interval > most_swap_interval ? most_swap_interval
-                                                           : interval);
-    return succeed();
-}
-
-EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
-    Display* const display = find_display(dpy);
-    if (display == nullptr)
-        return EGL_FALSE;
-    Surface* const surface = find_surface(*display, handle);
-    if (surface == nullptr)
-        return EGL_FALSE;
-#if SPANGLE_HAS_PLATFORMS
-    if (platforms().swapped != nullptr && !surface->window) {
-        surface->swapped = true;
-        show_pbuffer(*surface);
-    }
-#endif
-    if (!surface->back_buffered)
-        return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
-    if (thread().draw != surface)
-        return fail(EGL_BAD_SURFACE);
-    if (surface->in_bands() && surface->band.record != nullptr)
-        return present_record(*display, *surface) ? succeed() : EGL_FALSE;
-    if (surface->in_bands())
-        return fail(EGL_BAD_SURFACE,
-                    SPANGLE_TEXT("eglSwapBuffers: no memory holds a frame of this window; draw it by "
-                                 "spangle::frame"));
-    return present(*display, *surface) ? succeed() : EGL_FALSE;
 }
 }

@@ -34,9 +34,10 @@ unsigned buffers_of(GLenum mode) {
     }
 }
 
-/// The one colour buffer a surface has: the back buffer of a window, the front buffer of a pbuffer.
-unsigned existing_buffer(bool double_buffered) {
-    return double_buffered ? back_buffer : front_buffer;
+/// What names the one colour buffer that a surface has: BACK a window's, FRONT that of one without a back
+/// buffer, either a pbuffer's.
+unsigned existing_buffer(bool double_buffered, bool front_buffered) {
+    return (double_buffered ? back_buffer : 0u) | (front_buffered ? front_buffer : 0u);
 }
 
 } // namespace
@@ -114,7 +115,9 @@ void DrawBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
     if (asked == unknown_buffer)
         return error(context, GL_INVALID_ENUM);
-    if (mode != GL_NONE && (asked & existing_buffer(context.drawable.double_buffered)) == 0)
+    const Drawable& drawable = context.drawable;
+    const unsigned exists = existing_buffer(drawable.double_buffered, drawable.front_buffered);
+    if (mode != GL_NONE && (asked & exists) == 0)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glDrawBuffer: this surface has no such buffer"));
     context.fragment_ops.draw_buffer = mode;
@@ -125,7 +128,9 @@ void ReadBuffer(Context& context, GLenum mode) {
     const unsigned asked = buffers_of(mode);
     if (asked == unknown_buffer || mode == GL_NONE || mode == GL_FRONT_AND_BACK)
         return error(context, GL_INVALID_ENUM);
-    if ((asked & existing_buffer(context.drawable.read_double_buffered)) == 0)
+    const Drawable& drawable = context.drawable;
+    const unsigned exists = existing_buffer(drawable.read_double_buffered, drawable.read_front_buffered);
+    if ((asked & exists) == 0)
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("glReadBuffer: this surface has no such buffer"));
     context.fragment_ops.read_buffer = mode;

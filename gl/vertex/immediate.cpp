@@ -1,6 +1,7 @@
 // Begin, End, vertices and current attributes, and what draws arrays (GL 1.3, 2.6 to 2.9).
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/share_group.hpp"
 #include "gl/vertex/array_source.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/engine.hpp"
@@ -77,6 +78,7 @@ namespace cmd {
 void Begin(Context& context, GLenum mode) {
     if (!takes(context, mode))
         return;
+    context.share->lock.take(); // until End: no other thread changes the textures of this primitive
     set_gate(context, true);
     context.primitive = mode;
     context.engine->begin(context, mode);
@@ -87,6 +89,7 @@ void End(Context& context) {
         return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glEnd without glBegin"));
     context.engine->end(context);
     set_gate(context, false);
+    context.share->lock.give();
 }
 
 void Vertex(Context& context, Real x, Real y, Real z, Real w) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <climits>
+#include <cstdint>
 #include <random>
 #include <set>
 #include <string>
@@ -280,6 +282,77 @@ TEST_F(Configs, SmallArraysTakeWhatFits) {
     EXPECT_EQ(n, 1);
     ASSERT_EQ(eglChooseConfig(display, wish, nullptr, 0, &n), EGLBoolean{EGL_TRUE});
     EXPECT_GT(n, 2); // how many there are
+}
+
+/// A handle is what a program says it is: any number. None but those of configs are taken.
+TEST_F(Configs, NumbersThatAreNoConfigs) {
+    const auto handle = [](std::uintptr_t number) { return reinterpret_cast<EGLConfig>(number); };
+    const std::vector<EGLConfig> configs = all();
+    EGLint count = 0;
+    constexpr std::uintptr_t edges[] = {0,          0x7FFFFFFF,      0x80000000,          0x80000001,
+                                        0xFFFFFFFF, UINTPTR_MAX / 2, UINTPTR_MAX / 2 + 1, UINTPTR_MAX};
+    std::vector<EGLConfig> wrong;
+    for (const std::uintptr_t edge : edges)
+        for (std::uintptr_t near = edge - 3; near != edge + 4; ++near)
+            wrong.push_back(handle(near));
+    for (const EGLConfig good : configs)
+        for (const std::uintptr_t bit : {std::uintptr_t{1} << 31, ~(UINTPTR_MAX >> 1), UINTPTR_MAX / 4 + 1})
+            wrong.push_back(handle(reinterpret_cast<std::uintptr_t>(good) | bit));
+    for (const EGLConfig config : wrong) {
+        if (std::find(configs.begin(), configs.end(), config) != configs.end())
+            continue;
+        EGLint value = 0;
+        EXPECT_EQ(eglGetConfigAttrib(display, config, EGL_CONFIG_ID, &value), EGLBoolean{EGL_FALSE})
+            << config;
+        EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
+        EXPECT_EQ(eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr), EGL_NO_CONTEXT);
+        EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
+        EXPECT_EQ(eglCreatePbufferSurface(display, config, nullptr), EGL_NO_SURFACE);
+        EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
+        EXPECT_EQ(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE);
+        EXPECT_EQ(eglGetError(), EGL_BAD_CONFIG);
+        const EGLint by_id[] = {EGL_CONFIG_ID, static_cast<EGLint>(reinterpret_cast<std::uintptr_t>(config)),
+                                EGL_NONE};
+        (void)eglChooseConfig(display, by_id, nullptr, 0, &count);
+    }
+}
+
+/// Whatever a list wishes: an error or an object, and no undefined step on the way.
+TEST_F(Configs, AnyWishOfAnyAttribute) {
+    constexpr EGLint values[] = {INT_MIN, INT_MIN + 1, -65536, -2,    -1,          0,
+                                 1,       8,           32767,  65536, INT_MAX - 1, INT_MAX};
+    std::vector<EGLConfig> room = all();
+    EGLint count = 0;
+    const EGLConfig config = room.front();
+    const std::size_t before = memory_use().used;
+    std::vector<EGLint> names;
+    for (EGLint name = 0x3020; name < 0x30C0; ++name)
+        names.push_back(name);
+    names.insert(names.end(), {EGL_PRECISION_SPANGLE, EGL_ACCUM_SIZE_SPANGLE, EGL_BAND_HEIGHT_SPANGLE,
+                               EGL_BAND_RECORD_SPANGLE, EGL_INDEX_SIZE_SPANGLE, INT_MIN, -1, INT_MAX});
+    for (const EGLint name : names)
+        for (const EGLint value : values) {
+            if (name == EGL_NONE)
+                continue;
+            const EGLint list[] = {name, value, EGL_NONE};
+            (void)eglChooseConfig(display, list, room.data(), value, &count);
+            for (const EGLSurface surface : {eglCreatePbufferSurface(display, config, list),
+                                             eglCreateWindowSurface(display, config, 0, list)})
+                if (surface != EGL_NO_SURFACE) {
+                    EXPECT_EQ(eglDestroySurface(display, surface), EGLBoolean{EGL_TRUE});
+                }
+            if (const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, list);
+                context != EGL_NO_CONTEXT) {
+                EXPECT_EQ(eglDestroyContext(display, context), EGLBoolean{EGL_TRUE});
+            }
+            (void)eglSwapInterval(display, value);
+            (void)eglQueryString(display, value);
+            (void)eglGetCurrentSurface(value);
+            (void)eglWaitNative(value);
+            EGLint out = 0;
+            (void)eglGetConfigAttrib(display, config, value, &out);
+        }
+    EXPECT_EQ(memory_use().used, before);
 }
 
 } // namespace

@@ -59,6 +59,17 @@ class FakeDisplay final : public hal::Display {
         return {};
     }
 
+    /// Another display takes its place: of another size, in memory of its own.
+    void become(std::int32_t width, std::int32_t height) {
+        width_ = width;
+        height_ = height;
+        pixels = std::vector<std::uint8_t>(
+            static_cast<std::size_t>(width * height * format_info(format_).bytes_per_pixel));
+        front = pixels;
+        rows = std::vector<RowSpan>(static_cast<std::size_t>(height));
+        extents = {rows.data(), height, false, 0};
+    }
+
     bool fail_init = false, fail_acquire = false, fail_present = false, two_buffers = false;
     int inits = 0, acquires = 0, presents = 0, finishes = 0;
     std::vector<std::int32_t> intervals;

@@ -356,28 +356,28 @@ struct GetString {
     static constexpr const char* refusal = SPANGLE_TEXT("glGetString between glBegin and glEnd");
 };
 struct PushAttrib {
-    static constexpr auto run = &cmd::PushAttrib;
+    static constexpr auto run = sharing<&cmd::PushAttrib>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glPushAttrib between glBegin and glEnd");
 };
 struct PopAttrib {
-    static constexpr auto run = &cmd::PopAttrib;
+    static constexpr auto run = sharing<&cmd::PopAttrib>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glPopAttrib between glBegin and glEnd");
 };
 struct PushClientAttrib {
-    static constexpr auto run = &cmd::PushClientAttrib;
+    static constexpr auto run = sharing<&cmd::PushClientAttrib>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glPushClientAttrib between glBegin and glEnd");
 };
 struct PopClientAttrib {
-    static constexpr auto run = &cmd::PopClientAttrib;
+    static constexpr auto run = sharing<&cmd::PopClientAttrib>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -482,56 +482,56 @@ struct Rect {
     static constexpr const char* refusal = SPANGLE_TEXT("glRect between glBegin and glEnd");
 };
 struct VertexPointer {
-    static constexpr auto run = &cmd::VertexPointer;
+    static constexpr auto run = sharing<&cmd::VertexPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glVertexPointer between glBegin and glEnd");
 };
 struct NormalPointer {
-    static constexpr auto run = &cmd::NormalPointer;
+    static constexpr auto run = sharing<&cmd::NormalPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glNormalPointer between glBegin and glEnd");
 };
 struct ColorPointer {
-    static constexpr auto run = &cmd::ColorPointer;
+    static constexpr auto run = sharing<&cmd::ColorPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glColorPointer between glBegin and glEnd");
 };
 struct TexCoordPointer {
-    static constexpr auto run = &cmd::TexCoordPointer;
+    static constexpr auto run = sharing<&cmd::TexCoordPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexCoordPointer between glBegin and glEnd");
 };
 struct IndexPointer {
-    static constexpr auto run = &cmd::IndexPointer;
+    static constexpr auto run = sharing<&cmd::IndexPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glIndexPointer between glBegin and glEnd");
 };
 struct EdgeFlagPointer {
-    static constexpr auto run = &cmd::EdgeFlagPointer;
+    static constexpr auto run = sharing<&cmd::EdgeFlagPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glEdgeFlagPointer between glBegin and glEnd");
 };
 struct FogCoordPointer {
-    static constexpr auto run = &cmd::FogCoordPointer;
+    static constexpr auto run = sharing<&cmd::FogCoordPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glFogCoordPointer between glBegin and glEnd");
 };
 struct SecondaryColorPointer {
-    static constexpr auto run = &cmd::SecondaryColorPointer;
+    static constexpr auto run = sharing<&cmd::SecondaryColorPointer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -559,43 +559,43 @@ struct DisableClientState {
     static constexpr const char* refusal = SPANGLE_TEXT("glDisableClientState between glBegin and glEnd");
 };
 struct ArrayElement {
-    static constexpr auto run = &cmd::ArrayElement;
-    static constexpr auto encode = &encode::ArrayElement;
+    static constexpr auto run = sharing<&cmd::ArrayElement>;
+    static constexpr auto encode = sharing<&encode::ArrayElement>;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glArrayElement between glBegin and glEnd");
 };
 struct DrawArrays {
-    static constexpr auto run = &cmd::DrawArrays;
-    static constexpr auto encode = &encode::DrawArrays;
+    static constexpr auto run = sharing<&cmd::DrawArrays>;
+    static constexpr auto encode = sharing<&encode::DrawArrays>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glDrawArrays between glBegin and glEnd");
 };
 struct DrawElements {
-    static constexpr auto run = &cmd::DrawElements;
-    static constexpr auto encode = &encode::DrawElements;
+    static constexpr auto run = sharing<&cmd::DrawElements>;
+    static constexpr auto encode = sharing<&encode::DrawElements>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glDrawElements between glBegin and glEnd");
 };
 struct DrawRangeElements {
-    static constexpr auto run = &cmd::DrawRangeElements;
-    static constexpr auto encode = &encode::DrawRangeElements;
+    static constexpr auto run = sharing<&cmd::DrawRangeElements>;
+    static constexpr auto encode = sharing<&encode::DrawRangeElements>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glDrawRangeElements between glBegin and glEnd");
 };
 struct MultiDrawArrays {
-    static constexpr auto run = &cmd::MultiDrawArrays;
-    static constexpr auto encode = &encode::MultiDrawArrays;
+    static constexpr auto run = sharing<&cmd::MultiDrawArrays>;
+    static constexpr auto encode = sharing<&encode::MultiDrawArrays>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glMultiDrawArrays between glBegin and glEnd");
 };
 struct MultiDrawElements {
-    static constexpr auto run = &cmd::MultiDrawElements;
-    static constexpr auto encode = &encode::MultiDrawElements;
+    static constexpr auto run = sharing<&cmd::MultiDrawElements>;
+    static constexpr auto encode = sharing<&encode::MultiDrawElements>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glMultiDrawElements between glBegin and glEnd");
@@ -615,7 +615,7 @@ struct GenVertexArrays {
     static constexpr const char* refusal = SPANGLE_TEXT("glGenVertexArrays between glBegin and glEnd");
 };
 struct DeleteVertexArrays {
-    static constexpr auto run = &cmd::DeleteVertexArrays;
+    static constexpr auto run = sharing<&cmd::DeleteVertexArrays>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -636,105 +636,105 @@ struct BindVertexArray {
     static constexpr const char* refusal = SPANGLE_TEXT("glBindVertexArray between glBegin and glEnd");
 };
 struct GenBuffers {
-    static constexpr auto run = &cmd::GenBuffers;
+    static constexpr auto run = sharing<&cmd::GenBuffers>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGenBuffers between glBegin and glEnd");
 };
 struct DeleteBuffers {
-    static constexpr auto run = &cmd::DeleteBuffers;
+    static constexpr auto run = sharing<&cmd::DeleteBuffers>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glDeleteBuffers between glBegin and glEnd");
 };
 struct IsBuffer {
-    static constexpr auto run = &cmd::IsBuffer;
+    static constexpr auto run = sharing<&cmd::IsBuffer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glIsBuffer between glBegin and glEnd");
 };
 struct BindBuffer {
-    static constexpr auto run = &cmd::BindBuffer;
+    static constexpr auto run = sharing<&cmd::BindBuffer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glBindBuffer between glBegin and glEnd");
 };
 struct BufferData {
-    static constexpr auto run = &cmd::BufferData;
+    static constexpr auto run = sharing<&cmd::BufferData>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glBufferData between glBegin and glEnd");
 };
 struct BufferConstantDataSPANGLE {
-    static constexpr auto run = &cmd::BufferConstantDataSPANGLE;
+    static constexpr auto run = sharing<&cmd::BufferConstantDataSPANGLE>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glBufferConstantDataSPANGLE between glBegin and glEnd");
 };
 struct BufferSubData {
-    static constexpr auto run = &cmd::BufferSubData;
+    static constexpr auto run = sharing<&cmd::BufferSubData>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glBufferSubData between glBegin and glEnd");
 };
 struct GetBufferSubData {
-    static constexpr auto run = &cmd::GetBufferSubData;
+    static constexpr auto run = sharing<&cmd::GetBufferSubData>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferSubData between glBegin and glEnd");
 };
 struct GetBufferParameteriv {
-    static constexpr auto run = &cmd::GetBufferParameteriv;
+    static constexpr auto run = sharing<&cmd::GetBufferParameteriv>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferParameteriv between glBegin and glEnd");
 };
 struct MapBuffer {
-    static constexpr auto run = &cmd::MapBuffer;
+    static constexpr auto run = sharing<&cmd::MapBuffer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glMapBuffer between glBegin and glEnd");
 };
 struct MapBufferRange {
-    static constexpr auto run = &cmd::MapBufferRange;
+    static constexpr auto run = sharing<&cmd::MapBufferRange>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glMapBufferRange between glBegin and glEnd");
 };
 struct FlushMappedBufferRange {
-    static constexpr auto run = &cmd::FlushMappedBufferRange;
+    static constexpr auto run = sharing<&cmd::FlushMappedBufferRange>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glFlushMappedBufferRange between glBegin and glEnd");
 };
 struct UnmapBuffer {
-    static constexpr auto run = &cmd::UnmapBuffer;
+    static constexpr auto run = sharing<&cmd::UnmapBuffer>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glUnmapBuffer between glBegin and glEnd");
 };
 struct GetBufferPointerv {
-    static constexpr auto run = &cmd::GetBufferPointerv;
+    static constexpr auto run = sharing<&cmd::GetBufferPointerv>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetBufferPointerv between glBegin and glEnd");
 };
 struct InterleavedArrays {
-    static constexpr auto run = &cmd::InterleavedArrays;
+    static constexpr auto run = sharing<&cmd::InterleavedArrays>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1112,7 +1112,7 @@ struct GenQueries {
     static constexpr const char* refusal = SPANGLE_TEXT("glGenQueries between glBegin and glEnd");
 };
 struct DeleteQueries {
-    static constexpr auto run = &cmd::DeleteQueries;
+    static constexpr auto run = sharing<&cmd::DeleteQueries>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1126,14 +1126,14 @@ struct IsQuery {
     static constexpr const char* refusal = SPANGLE_TEXT("glIsQuery between glBegin and glEnd");
 };
 struct BeginQuery {
-    static constexpr auto run = &cmd::BeginQuery;
+    static constexpr auto run = sharing<&cmd::BeginQuery>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glBeginQuery between glBegin and glEnd");
 };
 struct EndQuery {
-    static constexpr auto run = &cmd::EndQuery;
+    static constexpr auto run = sharing<&cmd::EndQuery>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
@@ -1147,14 +1147,14 @@ struct GetQueryiv {
     static constexpr const char* refusal = SPANGLE_TEXT("glGetQueryiv between glBegin and glEnd");
 };
 struct GetQueryObjectiv {
-    static constexpr auto run = &cmd::GetQueryObjectiv;
+    static constexpr auto run = sharing<&cmd::GetQueryObjectiv>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetQueryObjectiv between glBegin and glEnd");
 };
 struct GetQueryObjectuiv {
-    static constexpr auto run = &cmd::GetQueryObjectuiv;
+    static constexpr auto run = sharing<&cmd::GetQueryObjectuiv>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1280,28 +1280,28 @@ struct PixelZoom {
     static constexpr const char* refusal = SPANGLE_TEXT("glPixelZoom between glBegin and glEnd");
 };
 struct DrawPixels {
-    static constexpr auto run = &cmd::DrawPixels;
-    static constexpr auto encode = &encode::DrawPixels;
+    static constexpr auto run = sharing<&cmd::DrawPixels>;
+    static constexpr auto encode = sharing<&encode::DrawPixels>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glDrawPixels between glBegin and glEnd");
 };
 struct CopyPixels {
-    static constexpr auto run = &cmd::CopyPixels;
+    static constexpr auto run = sharing<&cmd::CopyPixels>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyPixels between glBegin and glEnd");
 };
 struct Bitmap {
-    static constexpr auto run = &cmd::Bitmap;
-    static constexpr auto encode = &encode::Bitmap;
+    static constexpr auto run = sharing<&cmd::Bitmap>;
+    static constexpr auto encode = sharing<&encode::Bitmap>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glBitmap between glBegin and glEnd");
 };
 struct ReadPixels {
-    static constexpr auto run = &cmd::ReadPixels;
+    static constexpr auto run = sharing<&cmd::ReadPixels>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1336,189 +1336,189 @@ struct Finish {
     static constexpr const char* refusal = SPANGLE_TEXT("glFinish between glBegin and glEnd");
 };
 struct TexImage1D {
-    static constexpr auto run = &cmd::TexImage1D;
-    static constexpr auto encode = &encode::TexImage1D;
+    static constexpr auto run = sharing<&cmd::TexImage1D>;
+    static constexpr auto encode = sharing<&encode::TexImage1D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexImage1D between glBegin and glEnd");
 };
 struct TexImage2D {
-    static constexpr auto run = &cmd::TexImage2D;
-    static constexpr auto encode = &encode::TexImage2D;
+    static constexpr auto run = sharing<&cmd::TexImage2D>;
+    static constexpr auto encode = sharing<&encode::TexImage2D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexImage2D between glBegin and glEnd");
 };
 struct TexConstantImage2DSPANGLE {
-    static constexpr auto run = &cmd::TexConstantImage2DSPANGLE;
+    static constexpr auto run = sharing<&cmd::TexConstantImage2DSPANGLE>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexConstantImage2DSPANGLE between glBegin and glEnd");
 };
 struct TexImage3D {
-    static constexpr auto run = &cmd::TexImage3D;
-    static constexpr auto encode = &encode::TexImage3D;
+    static constexpr auto run = sharing<&cmd::TexImage3D>;
+    static constexpr auto encode = sharing<&encode::TexImage3D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexImage3D between glBegin and glEnd");
 };
 struct TexSubImage1D {
-    static constexpr auto run = &cmd::TexSubImage1D;
-    static constexpr auto encode = &encode::TexSubImage1D;
+    static constexpr auto run = sharing<&cmd::TexSubImage1D>;
+    static constexpr auto encode = sharing<&encode::TexSubImage1D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage1D between glBegin and glEnd");
 };
 struct TexSubImage2D {
-    static constexpr auto run = &cmd::TexSubImage2D;
-    static constexpr auto encode = &encode::TexSubImage2D;
+    static constexpr auto run = sharing<&cmd::TexSubImage2D>;
+    static constexpr auto encode = sharing<&encode::TexSubImage2D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage2D between glBegin and glEnd");
 };
 struct TexSubImage3D {
-    static constexpr auto run = &cmd::TexSubImage3D;
-    static constexpr auto encode = &encode::TexSubImage3D;
+    static constexpr auto run = sharing<&cmd::TexSubImage3D>;
+    static constexpr auto encode = sharing<&encode::TexSubImage3D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexSubImage3D between glBegin and glEnd");
 };
 struct CopyTexImage1D {
-    static constexpr auto run = &cmd::CopyTexImage1D;
+    static constexpr auto run = sharing<&cmd::CopyTexImage1D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexImage1D between glBegin and glEnd");
 };
 struct CopyTexImage2D {
-    static constexpr auto run = &cmd::CopyTexImage2D;
+    static constexpr auto run = sharing<&cmd::CopyTexImage2D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexImage2D between glBegin and glEnd");
 };
 struct CopyTexSubImage1D {
-    static constexpr auto run = &cmd::CopyTexSubImage1D;
+    static constexpr auto run = sharing<&cmd::CopyTexSubImage1D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage1D between glBegin and glEnd");
 };
 struct CopyTexSubImage2D {
-    static constexpr auto run = &cmd::CopyTexSubImage2D;
+    static constexpr auto run = sharing<&cmd::CopyTexSubImage2D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage2D between glBegin and glEnd");
 };
 struct CopyTexSubImage3D {
-    static constexpr auto run = &cmd::CopyTexSubImage3D;
+    static constexpr auto run = sharing<&cmd::CopyTexSubImage3D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glCopyTexSubImage3D between glBegin and glEnd");
 };
 struct CompressedTexImage1D {
-    static constexpr auto run = &cmd::CompressedTexImage1D;
+    static constexpr auto run = sharing<&cmd::CompressedTexImage1D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage1D between glBegin and glEnd");
 };
 struct CompressedTexImage2D {
-    static constexpr auto run = &cmd::CompressedTexImage2D;
-    static constexpr auto encode = &encode::CompressedTexImage2D;
+    static constexpr auto run = sharing<&cmd::CompressedTexImage2D>;
+    static constexpr auto encode = sharing<&encode::CompressedTexImage2D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage2D between glBegin and glEnd");
 };
 struct CompressedTexImage3D {
-    static constexpr auto run = &cmd::CompressedTexImage3D;
+    static constexpr auto run = sharing<&cmd::CompressedTexImage3D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexImage3D between glBegin and glEnd");
 };
 struct CompressedTexSubImage1D {
-    static constexpr auto run = &cmd::CompressedTexSubImage1D;
+    static constexpr auto run = sharing<&cmd::CompressedTexSubImage1D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage1D between glBegin and glEnd");
 };
 struct CompressedTexSubImage2D {
-    static constexpr auto run = &cmd::CompressedTexSubImage2D;
-    static constexpr auto encode = &encode::CompressedTexSubImage2D;
+    static constexpr auto run = sharing<&cmd::CompressedTexSubImage2D>;
+    static constexpr auto encode = sharing<&encode::CompressedTexSubImage2D>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage2D between glBegin and glEnd");
 };
 struct CompressedTexSubImage3D {
-    static constexpr auto run = &cmd::CompressedTexSubImage3D;
+    static constexpr auto run = sharing<&cmd::CompressedTexSubImage3D>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexSubImage3D between glBegin and glEnd");
 };
 struct CompressedTexConstantImage2DSPANGLE {
-    static constexpr auto run = &cmd::CompressedTexConstantImage2DSPANGLE;
+    static constexpr auto run = sharing<&cmd::CompressedTexConstantImage2DSPANGLE>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glCompressedTexConstantImage2DSPANGLE between glBegin and glEnd");
 };
 struct GetTexImage {
-    static constexpr auto run = &cmd::GetTexImage;
+    static constexpr auto run = sharing<&cmd::GetTexImage>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetTexImage between glBegin and glEnd");
 };
 struct GetCompressedTexImage {
-    static constexpr auto run = &cmd::GetCompressedTexImage;
+    static constexpr auto run = sharing<&cmd::GetCompressedTexImage>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGetCompressedTexImage between glBegin and glEnd");
 };
 struct GenerateMipmap {
-    static constexpr auto run = &cmd::GenerateMipmap;
+    static constexpr auto run = sharing<&cmd::GenerateMipmap>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glGenerateMipmap between glBegin and glEnd");
 };
 struct AreTexturesResident {
-    static constexpr auto run = &cmd::AreTexturesResident;
+    static constexpr auto run = sharing<&cmd::AreTexturesResident>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glAreTexturesResident between glBegin and glEnd");
 };
 struct PrioritizeTextures {
-    static constexpr auto run = &cmd::PrioritizeTextures;
-    static constexpr auto encode = &encode::PrioritizeTextures;
+    static constexpr auto run = sharing<&cmd::PrioritizeTextures>;
+    static constexpr auto encode = sharing<&encode::PrioritizeTextures>;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glPrioritizeTextures between glBegin and glEnd");
 };
 struct GenTextures {
-    static constexpr auto run = &cmd::GenTextures;
+    static constexpr auto run = sharing<&cmd::GenTextures>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGenTextures between glBegin and glEnd");
 };
 struct DeleteTextures {
-    static constexpr auto run = &cmd::DeleteTextures;
+    static constexpr auto run = sharing<&cmd::DeleteTextures>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glDeleteTextures between glBegin and glEnd");
 };
 struct BindTexture {
-    static constexpr auto run = &cmd::BindTexture;
+    static constexpr auto run = sharing<&cmd::BindTexture>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
@@ -1532,21 +1532,21 @@ struct ActiveTexture {
     static constexpr const char* refusal = SPANGLE_TEXT("glActiveTexture between glBegin and glEnd");
 };
 struct IsTexture {
-    static constexpr auto run = &cmd::IsTexture;
+    static constexpr auto run = sharing<&cmd::IsTexture>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glIsTexture between glBegin and glEnd");
 };
 struct TexParameter {
-    static constexpr auto run = &cmd::TexParameter;
+    static constexpr auto run = sharing<&cmd::TexParameter>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::words;
     static constexpr const char* refusal = SPANGLE_TEXT("glTexParameter between glBegin and glEnd");
 };
 struct GetTexParameter {
-    static constexpr auto run = &cmd::GetTexParameter;
+    static constexpr auto run = sharing<&cmd::GetTexParameter>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1567,7 +1567,7 @@ struct GetTexEnv {
     static constexpr const char* refusal = SPANGLE_TEXT("glGetTexEnv between glBegin and glEnd");
 };
 struct GetTexLevelParameter {
-    static constexpr auto run = &cmd::GetTexLevelParameter;
+    static constexpr auto run = sharing<&cmd::GetTexLevelParameter>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
@@ -1581,22 +1581,22 @@ struct NewList {
     static constexpr const char* refusal = SPANGLE_TEXT("glNewList between glBegin and glEnd");
 };
 struct EndList {
-    static constexpr auto run = &cmd::EndList;
+    static constexpr auto run = sharing<&cmd::EndList>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glEndList between glBegin and glEnd");
 };
 struct CallList {
-    static constexpr auto run = &cmd::CallList;
-    static constexpr auto encode = &encode::CallList;
+    static constexpr auto run = sharing<&cmd::CallList>;
+    static constexpr auto encode = sharing<&encode::CallList>;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glCallList between glBegin and glEnd");
 };
 struct CallLists {
-    static constexpr auto run = &cmd::CallLists;
-    static constexpr auto encode = &encode::CallLists;
+    static constexpr auto run = sharing<&cmd::CallLists>;
+    static constexpr auto encode = sharing<&encode::CallLists>;
     static constexpr bool inside = true;
     static constexpr Listing listing = Listing::client_data;
     static constexpr const char* refusal = SPANGLE_TEXT("glCallLists between glBegin and glEnd");
@@ -1609,21 +1609,21 @@ struct ListBase {
     static constexpr const char* refusal = SPANGLE_TEXT("glListBase between glBegin and glEnd");
 };
 struct GenLists {
-    static constexpr auto run = &cmd::GenLists;
+    static constexpr auto run = sharing<&cmd::GenLists>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glGenLists between glBegin and glEnd");
 };
 struct DeleteLists {
-    static constexpr auto run = &cmd::DeleteLists;
+    static constexpr auto run = sharing<&cmd::DeleteLists>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;
     static constexpr const char* refusal = SPANGLE_TEXT("glDeleteLists between glBegin and glEnd");
 };
 struct IsList {
-    static constexpr auto run = &cmd::IsList;
+    static constexpr auto run = sharing<&cmd::IsList>;
     static constexpr auto encode = nullptr;
     static constexpr bool inside = false;
     static constexpr Listing listing = Listing::never;

@@ -1,0 +1,96 @@
+// What threads of a host share, and the lock that guards it. Firmware has one thread: there no lock exists,
+// and none of this leaves code or data behind.
+#pragma once
+
+#if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__))
+#define SPANGLE_THREAD_LOCAL                                                                                 \
+    __thread __attribute__((tls_model("initial-exec"))) // constant-initialised: no guard
+#else
+#define SPANGLE_THREAD_LOCAL
+#endif
+
+#if defined(__STDC_HOSTED__) && __STDC_HOSTED__ && (defined(__unix__) || defined(__APPLE__)) &&              \
+    !defined(SPANGLE_FIRMWARE)
+#define SPANGLE_THREADS 1
+#include <atomic>
+#include <pthread.h>
+#else
+#define SPANGLE_THREADS 0
+#endif
+
+namespace spangle::gl {
+
+struct Context;
+
+namespace detail {
+extern SPANGLE_THREAD_LOCAL Context* current;
+}
+
+#if SPANGLE_THREADS
+
+/// A mutex that the thread which holds it may take again.
+class Lock {
+  public:
+    void take() {
+        const void* const me = &detail::current; // every thread has its own
+        if (owner_.load(std::memory_order_relaxed) != me) {
+            pthread_mutex_lock(&mutex_);
+            owner_.store(me, std::memory_order_relaxed);
+        }
+        ++depth_;
+    }
+    void give() {
+        if (--depth_ != 0)
+            return;
+        owner_.store(nullptr, std::memory_order_relaxed);
+        pthread_mutex_unlock(&mutex_);
+    }
+
+  private:
+    pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;
+    std::atomic<const void*> owner_ = nullptr;
+    unsigned depth_ = 0; ///< how often the owner has taken it
+};
+
+/// Holds a lock as long as it lives.
+class Held {
+  public:
+    explicit Held(Lock& lock) : lock_(lock) { lock_.take(); }
+    ~Held() { lock_.give(); }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+
+  private:
+    Lock& lock_;
+};
+
+/// Holds the objects that a context shares with others as long as it lives.
+class SharedObjects {
+  public:
+    explicit SharedObjects(Context& context);
+    ~SharedObjects() { lock_.give(); }
+    SharedObjects(const SharedObjects&) = delete;
+    SharedObjects& operator=(const SharedObjects&) = delete;
+
+  private:
+    Lock& lock_;
+};
+
+#else
+
+struct Lock {
+    void take() {}
+    void give() {}
+};
+
+struct Held {
+    explicit Held(Lock&) {}
+};
+
+struct SharedObjects {
+    explicit SharedObjects(Context&) {}
+};
+
+#endif
+
+} // namespace spangle::gl

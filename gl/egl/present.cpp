@@ -1,0 +1,169 @@
+// What SwapBuffers, Flush and Finish do to a window, and the buffers that its display gives (EGL 1.4, 3.9).
+#include "gl/context/error.hpp"
+#include "gl/egl/configs.hpp"
+#include "gl/egl/objects.hpp"
+#include "gl/egl/platforms.hpp"
+
+namespace spangle::egl {
+
+bool fail_cut_off() {
+    return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("EGL: this window is not the display's any more")) !=
+           EGL_FALSE;
+}
+
+bool take(Display& display, Surface& surface, const hal::Frame& frame) {
+    surface.frame = {};
+    if (!raster::has_extents && frame.extents != nullptr)
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("this build does not tell the display what was drawn "
+                                                "(SPANGLE_EXTENTS)")) != EGL_FALSE;
+    if (displays_change && &native_of(display, surface) == display.native) {
+        const hal::DisplayInfo info = display.native->info();
+        if (info.width != surface.width || info.height != surface.height ||
+            info.format != surface.config.format)
+            return fail(EGL_BAD_NATIVE_WINDOW,
+                        SPANGLE_TEXT("EGL: the display has another size or format now; "
+                                     "create its window again")) != EGL_FALSE;
+    }
+    surface.frame = frame;
+    return true;
+}
+
+bool next_frame(Display& display, Surface& surface) {
+    const gl::Held held(display.native_lock);
+    if (surface.cut_off)
+        return fail_cut_off();
+    surface.frame = {}; // the last one may be the display's again
+#if SPANGLE_HAS_PLATFORMS
+    if (!follow_window(display, surface))
+        return false;
+    if (surface.frame.pixels != nullptr)
+        return true; // of its new size
+#endif
+    const hal::Result<hal::Frame> frame = native_of(display, surface).acquire();
+    if (!frame.ok()) {
+        fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule);
+        return false;
+    }
+    return take(display, surface, frame.value());
+}
+
+bool present(Display& display, Surface& surface) {
+    const gl::Held held(display.native_lock);
+    const bool drawn = surface.has_pixels();
+    if (drawn) {
+        raster::resolve(pixels_of(surface));
+        const hal::Result<void> shown = native_of(display, surface).present();
+        if (!shown.ok()) // the buffer is the surface's still, and what was drawn is sent with the next frame
+            return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
+    }
+    // Without a next buffer GL draws nowhere: the last one is the display's again.
+    const bool more = next_frame(display, surface);
+    show_pixels();
+    if (more && !drawn)
+        return fail(EGL_BAD_NATIVE_WINDOW,
+                    SPANGLE_TEXT("EGL: this frame is lost, the display had no buffer for "
+                                 "it; it has one for the next")) != EGL_FALSE;
+    return more;
+}
+
+#if SPANGLE_HAS_PLATFORMS
+
+namespace {
+
+/// Hands a pbuffer's picture to who asked for those that are swapped, one after the other.
+void show_pbuffer(Surface& surface) {
+    const Registry registry;
+    const raster::Surface picture = pixels_of(surface);
+    raster::resolve(picture);
+    hal::DisplayInfo info;
+    info.width = surface.width;
+    info.height = surface.height;
+    info.format = surface.config.format;
+    platforms().swapped(surface.frame, info);
+}
+
+} // namespace
+
+#endif
+
+/// What the panel refused is sent with the next frame: GL has no error for it, the message tells.
+void show_window(bool finish) {
+    const Thread& t = thread();
+    if (t.draw == nullptr)
+        return;
+#if SPANGLE_HAS_PLATFORMS
+    if (platforms().swapped != nullptr && !t.draw->window && !t.draw->swapped)
+        show_pbuffer(*t.draw);
+#endif
+    if (!t.draw->window)
+        return;
+    const gl::Held held(t.display->native_lock);
+    if (t.draw->cut_off)
+        return;
+    const EGLint before = thread().error;
+    if ((t.draw->back_buffered || present(*t.display, *t.draw)) && finish) {
+        const hal::Result<void> taken = native_of(*t.display, *t.draw).finish();
+        if (!taken.ok())
+            fail(EGL_BAD_NATIVE_WINDOW, taken.error().rule);
+    }
+    thread().error = before;
+}
+
+} // namespace spangle::egl
+
+using namespace spangle::egl;
+
+extern "C" {
+
+/// The interval is that of the current draw surface, whose display need not be the one given
+/// (EGL 1.4, 3.9.3).
+EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
+    const Registry registry;
+    if (find_display(dpy) == nullptr)
+        return EGL_FALSE;
+    const Thread& t = thread();
+    if (t.context == nullptr)
+        return fail(EGL_BAD_CONTEXT);
+    if (!t.draw->window || t.draw->cut_off)
+        return succeed(); // nothing waits
+    const spangle::gl::Held held(t.display->native_lock);
+    native_of(*t.display, *t.draw)
+        .swap_interval(interval < least_swap_interval  ? least_swap_interval
+                       : interval > most_swap_interval ? most_swap_interval
+                                                       : interval);
+    return succeed();
+}
+
+EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
+    Display* display = nullptr;
+    Surface* surface = nullptr;
+    {
+        const Registry registry;
+        display = find_display(dpy);
+        if (display == nullptr)
+            return EGL_FALSE;
+        surface = find_surface(*display, handle);
+        if (surface == nullptr)
+            return EGL_FALSE;
+#if SPANGLE_HAS_PLATFORMS
+        if (platforms().swapped != nullptr && !surface->window) {
+            surface->swapped = true;
+            show_pbuffer(*surface);
+        }
+#endif
+        if (!surface->window || !surface->back_buffered)
+            return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
+        if (thread().draw != surface)
+            return fail(EGL_BAD_SURFACE);
+    }
+    if (in_primitive())
+        return fail_in_primitive();
+    if (surface->in_bands() && surface->band.record != nullptr)
+        return present_record(*display, *surface) ? succeed() : EGL_FALSE;
+    if (surface->in_bands())
+        return fail(EGL_BAD_SURFACE,
+                    SPANGLE_TEXT("eglSwapBuffers: no memory holds a frame of this window; draw it by "
+                                 "spangle::frame"));
+    return present(*display, *surface) ? succeed() : EGL_FALSE;
+}
+}
