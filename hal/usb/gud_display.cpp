@@ -24,6 +24,25 @@ bool any(const std::vector<RowSpan>& rows) {
 
 } // namespace
 
+/// What acquire() hands out, of one size. It stays where it is as long as the display lives: a program that
+/// still draws to it after another device was plugged in draws into this memory.
+struct Canvas {
+    std::int32_t width = 0, height = 0;
+    gud::Bytes pixels;
+    std::vector<RowSpan> touched;
+    RowExtents extents;
+
+    Canvas(std::int32_t w, std::int32_t h)
+        : width(w), height(h),
+          pixels(std::size_t{2} * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)),
+          touched(static_cast<std::size_t>(h)), extents{touched.data(), h, false, 0} {}
+    void begin() {
+        std::fill(pixels.begin(), pixels.end(), std::uint8_t{0});
+        std::fill(touched.begin(), touched.end(), RowSpan{});
+        extents = {touched.data(), height, false, 0};
+    }
+};
+
 struct GudDisplay::State {
     explicit State(const GudConfig& c) : config(c), session(c), sender(session, c.poll_ms) {}
 
@@ -33,11 +52,10 @@ struct GudDisplay::State {
     std::unique_ptr<GudFrame> spare = std::make_unique<GudFrame>(); ///< null while the sender has it
 
     // --- the picture, and what the device does not have of it
-    std::int32_t width = 0, height = 0;
-    gud::Bytes pixels;
-    std::vector<RowSpan> touched, content, damage;
+    std::vector<std::unique_ptr<Canvas>> canvases; ///< of every size so far
+    Canvas* canvas = nullptr;                      ///< of the size that the device has now
+    std::vector<RowSpan> content, damage;
     std::vector<std::uint16_t> plan;
-    RowExtents extents;
     std::uint32_t clear_value = 0;
     bool ready = false, presented = false;
     bool owed = false; ///< a frame was put off, to be sent yet
@@ -46,7 +64,8 @@ struct GudDisplay::State {
     Result<void> connect();
     Result<void> connect_again();
     void take_size();
-    bool drawn_since() const { return extents.cleared || any(touched); }
+    void take_canvas(std::int32_t width, std::int32_t height);
+    bool drawn_since() const { return canvas->extents.cleared || any(canvas->touched); }
     bool put_off() const { return sender.busy() && !(waits && config.pacing == Pacing::block); }
     void accept();
     void collect();
@@ -77,7 +96,7 @@ Result<void> GudDisplay::State::connect_again() {
     if (const auto r = connect(); !r)
         return r;
     const gud::Mode& mode = session.mode();
-    if (width != mode.horizontal[0] || height != mode.vertical[0]) {
+    if (canvas->width != mode.horizontal[0] || canvas->height != mode.vertical[0]) {
         ready = false;
         return session.say(Fault::wrong_device, "present", "a display of another size came back; init again");
     }
@@ -85,26 +104,32 @@ Result<void> GudDisplay::State::connect_again() {
     return {};
 }
 
+void GudDisplay::State::take_canvas(std::int32_t width, std::int32_t height) {
+    const auto found = std::find_if(canvases.begin(), canvases.end(),
+                                    [&](const auto& c) { return c->width == width && c->height == height; });
+    canvas = found != canvases.end() ? found->get()
+                                     : canvases.emplace_back(std::make_unique<Canvas>(width, height)).get();
+    canvas->begin();
+}
+
 /// Another mode is another picture; the same one keeps what was drawn.
 void GudDisplay::State::take_size() {
     const gud::Mode& mode = session.mode();
     const auto rows = std::size_t{mode.vertical[0]};
     const RowSpan whole = {0, static_cast<std::int16_t>(mode.horizontal[0])};
-    if (width != mode.horizontal[0] || height != mode.vertical[0]) {
-        width = mode.horizontal[0];
-        height = mode.vertical[0];
-        pixels.assign(std::size_t{2} * mode.horizontal[0] * rows, 0);
-        touched.assign(rows, RowSpan{});
+    if (canvas == nullptr || canvas->width != mode.horizontal[0] || canvas->height != mode.vertical[0]) {
+        take_canvas(mode.horizontal[0], mode.vertical[0]);
         content.assign(rows, whole);
         plan.resize(rows);
-        extents = {touched.data(), height, false, 0};
         presented = false;
     }
     damage.assign(rows, whole);
 }
 
 DisplayInfo GudDisplay::info() const {
-    return {"GUD display", state_->width, state_->height, PixelFormat::rgb565_le, true};
+    const Canvas* const canvas = state_->canvas;
+    return {"GUD display", canvas != nullptr ? canvas->width : 0, canvas != nullptr ? canvas->height : 0,
+            PixelFormat::rgb565_le, true};
 }
 
 Result<void> GudDisplay::init() {
@@ -131,7 +156,7 @@ Result<Frame> GudDisplay::acquire() {
     State& s = *state_;
     if (!s.ready)
         return Error{Fault::bad_argument, "GUD display: acquire before init succeeded"};
-    return Frame{s.pixels.data(), s.width * 2, s.presented ? 1 : 0, &s.extents};
+    return Frame{s.canvas->pixels.data(), s.canvas->width * 2, s.presented ? 1 : 0, &s.canvas->extents};
 }
 
 Result<void> GudDisplay::present() {
@@ -171,17 +196,18 @@ void GudDisplay::swap_interval(std::int32_t interval) {
 void GudDisplay::State::accept() {
     collect();
     presented = true;
-    extents.cleared = false;
-    std::fill(touched.begin(), touched.end(), RowSpan{});
+    canvas->extents.cleared = false;
+    std::fill(canvas->touched.begin(), canvas->touched.end(), RowSpan{});
 }
 
 /// What was drawn, and after a full clear what had been there. `damage` keeps what was put off, and what a
 /// failed present left over.
 void GudDisplay::State::collect() {
+    const RowExtents& extents = canvas->extents;
     const bool everything = extents.cleared && extents.clear_value != clear_value;
-    const auto w = static_cast<std::int16_t>(width);
-    for (std::size_t y = 0; y < touched.size(); ++y) {
-        const RowSpan now = clip(touched[y], w);
+    const auto w = static_cast<std::int16_t>(canvas->width);
+    for (std::size_t y = 0; y < canvas->touched.size(); ++y) {
+        const RowSpan now = clip(canvas->touched[y], w);
         damage[y] = everything ? RowSpan{0, w} : unite(damage[y], now);
         if (extents.cleared)
             damage[y] = unite(damage[y], content[y]);
@@ -195,8 +221,9 @@ void GudDisplay::State::collect() {
 void GudDisplay::State::show() {
     owed = false;
     std::swap(spare->damage, damage);
-    damage.assign(touched.size(), RowSpan{});
-    cut(*spare, {pixels.data(), width, height}, session.device(), session.format(), plan.data());
+    damage.assign(canvas->touched.size(), RowSpan{});
+    cut(*spare, {canvas->pixels.data(), canvas->width, canvas->height}, session.device(), session.format(),
+        plan.data());
     sender.start(std::move(spare));
 }
 

@@ -25,26 +25,50 @@ void add_band(GudFrame& frame, const GudPicture& picture, std::uint8_t format, c
     frame.bands.push_back({{u(r.x), u(r.y), u(r.w), u(r.h), length, 0}, at});
 }
 
+/// What fits the device's buffer.
+struct Piece {
+    std::int32_t columns = 0, rows = 0;
+};
+
+/// The largest piece of a rectangle: rows of whole width, or of one row as many pixels as end with a byte. No
+/// rows where the buffer does not hold the pixels of a byte.
+Piece fitting_piece(const gud::Descriptor& device, std::uint8_t format, std::int32_t width,
+                    std::int32_t height) {
+    const std::uint64_t most = device.max_buffer_size != 0 ? device.max_buffer_size : UINT64_MAX / 8,
+                        row = gud::row_bytes(format, static_cast<std::uint32_t>(width));
+    if (row <= most)
+        return {width, static_cast<std::int32_t>(
+                           std::min<std::uint64_t>(most / row, static_cast<std::uint64_t>(height)))};
+    const std::uint64_t unit = gud::pixels_per_byte(format), pixels = most * 8 / gud::bits_per_pixel(format);
+    return {static_cast<std::int32_t>(pixels / unit * unit), pixels >= unit ? 1 : 0};
+}
+
 /// Bands of whole rows, or pieces of rows, that fit the device's buffer.
 void add_rect(GudFrame& frame, const GudPicture& picture, const gud::Descriptor& device, std::uint8_t format,
               Rect r) {
     const auto unit = static_cast<std::int32_t>(gud::pixels_per_byte(format));
     r.w += r.x % unit;
     r.x -= r.x % unit;
-    const std::size_t most = device.max_buffer_size != 0 ? device.max_buffer_size : SIZE_MAX;
-    const auto row = [&](std::int32_t w) { return gud::row_bytes(format, static_cast<std::uint32_t>(w)); };
-    std::int32_t columns = r.w;
-    while (columns > unit && row(columns) > most)
-        columns = (columns / 2 + unit - 1) / unit * unit;
-    const auto fitting = static_cast<std::int64_t>(most / row(columns));
-    const auto rows = static_cast<std::int32_t>(std::clamp<std::int64_t>(fitting, 1, r.h));
-    for (std::int32_t y = r.y; y < r.y + r.h; y += rows)
-        for (std::int32_t x = r.x; x < r.x + r.w; x += columns)
+    const Piece piece = fitting_piece(device, format, r.w, r.h);
+    for (std::int32_t y = r.y; y < r.y + r.h; y += piece.rows)
+        for (std::int32_t x = r.x; x < r.x + r.w; x += piece.columns)
             add_band(frame, picture, format,
-                     {x, y, std::min(columns, r.x + r.w - x), std::min(rows, r.y + r.h - y)});
+                     {x, y, std::min(piece.columns, r.x + r.w - x), std::min(piece.rows, r.y + r.h - y)});
 }
 
 } // namespace
+
+std::uint64_t bands_of(const gud::Descriptor& device, std::uint8_t format, std::int32_t width,
+                       std::int32_t height) {
+    const bool whole = (device.flags & gud::FULL_UPDATE) != 0;
+    const Piece piece = fitting_piece(device, format, width, height);
+    if (piece.rows == 0 || (whole && (piece.columns < width || piece.rows < height)))
+        return 0;
+    const auto parts = [](std::int32_t all, std::int32_t part) {
+        return static_cast<std::uint64_t>((all + part - 1) / part);
+    };
+    return parts(width, piece.columns) * parts(height, piece.rows);
+}
 
 void cut(GudFrame& frame, const GudPicture& picture, const gud::Descriptor& device, std::uint8_t format,
          std::uint16_t* plan) {

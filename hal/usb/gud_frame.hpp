@@ -26,8 +26,13 @@ struct GudPicture {
     std::int32_t width = 0, height = 0;
 };
 
-/// Fills the frame with bands that cover its damage, each no larger than the device's buffer. `plan`: scratch
-/// memory, an element for each row.
+/// How many bands a whole picture takes; 0: the device's buffer does not hold the least that can be sent,
+/// which is the pixels of a byte, or, of devices of full updates, the picture.
+std::uint64_t bands_of(const gud::Descriptor& device, std::uint8_t format, std::int32_t width,
+                       std::int32_t height);
+
+/// Fills the frame with bands that cover its damage, each no larger than the device's buffer, where
+/// bands_of() is not 0. `plan`: scratch memory, an element for each row.
 void cut(GudFrame& frame, const GudPicture& picture, const gud::Descriptor& device, std::uint8_t format,
          std::uint16_t* plan);
 

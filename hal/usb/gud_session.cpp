@@ -8,6 +8,7 @@
 #include <lz4.h>
 #endif
 
+#include "hal/usb/gud_frame.hpp"
 #include "hal/usb/gud_pixels.hpp"
 
 namespace spangle::hal {
@@ -17,7 +18,11 @@ using gud::Bytes;
 
 constexpr UsbId known_ids[] = {{0x1d50, 0x614d}, {0x16d0, 0x10a9}, {0x1209, 0x4fb3}};
 
-constexpr std::int32_t most_height = 4096; // of a WindowPlan
+// What a device says of itself is not believed beyond what can be drawn and sent.
+constexpr std::int32_t most_height = 4096;      ///< of a WindowPlan
+constexpr std::uint32_t most_pixels = 1u << 24; ///< of a picture, which is there several times
+constexpr std::uint64_t most_bands = 1u
+                                     << 14; ///< of a picture: each takes an eighth of a millisecond and more
 
 /// Compressed bytes when they are fewer, else 0. Devices tell by the lengths too: equal ones are no use.
 std::size_t compress(const std::uint8_t* raw, std::size_t count, Bytes& into) {
@@ -71,6 +76,8 @@ Result<void> GudSession::set(std::uint8_t request, const Bytes& bytes) {
     const auto came = link_.get("GET_STATUS", gud::GET_STATUS, 0, &status, 1, config_.control_timeout_ms);
     if (!came)
         return came.error();
+    if (came.value() != 1)
+        return link_.say(Fault::no_answer, operation, "GET_STATUS came back without a status");
     return status == 0 ? Result<void>{} : link_.say(Fault::unsupported, operation, gud::status_text(status));
 }
 
@@ -129,7 +136,9 @@ Result<void> GudSession::choose_connector() {
     for (std::size_t i = 0; i < count && !plugged; ++i) {
         if (const auto r = get(gud::GET_CONNECTOR_STATUS, static_cast<std::uint16_t>(i), status, 1); !r)
             return r.error();
-        plugged = !status.empty() && (status[0] & 3u) != 0;
+        if (status.empty())
+            return link_.say(Fault::no_answer, "GET_CONNECTOR_STATUS", "it came back without a status");
+        plugged = (status[0] & 3u) != 0;
         if (plugged)
             connector_ = static_cast<std::uint8_t>(i);
     }
@@ -152,12 +161,24 @@ Result<void> GudSession::choose_mode() {
             return r.error();
         modes.push_back(gud::edid_mode(bytes.data(), bytes.size()));
     }
+    const char* refusal = "the device has no mode of this size"; // of a mode that was wanted, if there is one
     const auto fits = [&](const gud::Mode& m) {
         const std::uint32_t w = m.horizontal[0], h = m.vertical[0];
         const bool wanted =
             (config_.width == 0 || config_.width == w) && (config_.height == 0 || config_.height == h);
-        return wanted && w != 0 && h != 0 && w >= device_.min_width && w <= device_.max_width &&
-               h >= device_.min_height && h <= device_.max_height && w <= INT16_MAX && h <= most_height;
+        if (!wanted || w == 0 || h == 0 || w < device_.min_width || w > device_.max_width ||
+            h < device_.min_height || h > device_.max_height)
+            return false;
+        if (w > INT16_MAX || h > most_height || w * h > most_pixels) {
+            refusal = "the device's modes are too large";
+            return false;
+        }
+        const std::uint64_t bands = bands_of(device_, format_, m.horizontal[0], m.vertical[0]);
+        if (bands == 0 || bands > most_bands) {
+            refusal = "the device's buffer is too small for its modes";
+            return false;
+        }
+        return true;
     };
     auto chosen = std::find_if(modes.begin(), modes.end(), [&](const gud::Mode& m) {
         return fits(m) && (m.flags & gud::MODE_PREFERRED) != 0;
@@ -165,7 +186,7 @@ Result<void> GudSession::choose_mode() {
     if (chosen == modes.end())
         chosen = std::find_if(modes.begin(), modes.end(), fits);
     if (chosen == modes.end())
-        return link_.say(Fault::unsupported, "GET_CONNECTOR_MODES", "the device has no mode of this size");
+        return link_.say(Fault::unsupported, "GET_CONNECTOR_MODES", refusal);
     mode_ = *chosen;
     return {};
 }

@@ -138,9 +138,11 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
         return false;
     }
     const bool to_host = (setup.type & 0x80) != 0;
+    if (to_host && setup.request == empty_request_)
+        return true;
     if (setup.request == get_status && to_host) {
         in = {status_};
-        return true;
+        return !refuses_status;
     }
     if (setup.request == refused_request_) {
         refused_request_ = 0xFF;

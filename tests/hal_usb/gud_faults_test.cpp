@@ -164,6 +164,30 @@ TEST(GudFaults, AnotherSizeThatComesBackNeedsInit) {
     expect_mended(rig);
 }
 
+/// The frame that was given out stays readable and writable memory of its size, whatever comes back: a
+/// surface may still be drawn to.
+TEST(GudFaults, FramesGivenOutStayWhereTheyAre) {
+    GudRig rig;
+    ASSERT_TRUE(rig.start().ok());
+    const hal::Frame old = rig.display->acquire().value();
+    for (const auto& [width, height] : {std::pair{64, 48}, {8, 4}, {200, 2}, {40, 30}, {64, 48}}) {
+        rig.usb.unplug();
+        rig.device.power_cycle();
+        rig.size(static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height));
+        rig.usb.plug();
+        ASSERT_TRUE(rig.display->init().ok());
+        const hal::Frame now = rig.display->acquire().value();
+        EXPECT_EQ(now.stride, 2 * width);
+        EXPECT_EQ(now.extents->height, height);
+        EXPECT_EQ(now.pixels == old.pixels, width == 40) << "a size that comes again has its memory again";
+        std::fill(old.pixels, old.pixels + std::ptrdiff_t{30} * old.stride, std::uint8_t{0xA5});
+        for (int y = 0; y < 30; ++y)
+            old.extents->rows[y] = {0, 40};
+        ASSERT_TRUE(rig.draw(5));
+        expect_mended(rig);
+    }
+}
+
 TEST(GudFaults, PermissionsAndOtherPrograms) {
     GudRig rig;
     rig.kernel.set_judge(
@@ -179,6 +203,125 @@ TEST(GudFaults, PermissionsAndOtherPrograms) {
     EXPECT_STREQ(busy.error().rule, "USB display 1d50:614d: claim: another program has the device");
     rig.usb.claimed_elsewhere = false;
     EXPECT_TRUE(rig.start().ok());
+}
+
+/// A request went well when the device says so, and only then.
+TEST(GudFaults, AStatusThatCannotBeReadIsNoSuccess) {
+    for (const bool empty : {true, false}) {
+        GudRig rig;
+        rig.device.status_on_set = true;
+        const auto lose_status = [&](bool lost) {
+            rig.device.empty(lost && empty ? 0 : 0xFE);
+            rig.device.refuses_status = lost && !empty;
+        };
+        lose_status(true);
+        const auto up = rig.start();
+        EXPECT_EQ(up.error().fault, empty ? Fault::no_answer : Fault::unsupported) << up.error().rule;
+        if (empty) {
+            EXPECT_STREQ(up.error().rule,
+                         "USB display 1d50:614d: SET_STATE_CHECK: GET_STATUS came back without a status");
+        }
+        EXPECT_EQ(rig.kernel.open_files(), 0);
+        lose_status(false);
+        ASSERT_TRUE(rig.start().ok());
+        ASSERT_TRUE(rig.draw(1));
+        lose_status(true);
+        EXPECT_FALSE(rig.show().ok()) << "of a frame, too";
+        lose_status(false);
+        expect_mended(rig);
+    }
+}
+
+/// Replies without bytes: each is an error with a sentence, and nothing stays open.
+TEST(GudFaults, EmptyReplies) {
+    const struct {
+        std::uint8_t request;
+        Fault fault; ///< none: an empty list is a list
+    } cases[] = {{0x01, Fault::wrong_device}, {0x40, Fault::unsupported}, {0x41, Fault::none},
+                 {0x50, Fault::wrong_device}, {0x51, Fault::unsupported}, {0x54, Fault::no_answer},
+                 {0x55, Fault::unsupported}};
+    for (const auto& c : cases) {
+        GudRig rig;
+        rig.device.connector_properties.clear();
+        rig.device.empty(c.request);
+        const auto up = rig.start();
+        if (c.request == 0x51 || c.request == 0x41) {
+            EXPECT_TRUE(up.ok()) << up.error().rule;
+            continue;
+        }
+        EXPECT_EQ(up.error().fault, c.fault) << int{c.request} << ": " << up.error().rule;
+        EXPECT_NE(up.error().rule[0], '\0');
+        EXPECT_EQ(rig.kernel.open_files(), 0);
+        rig.device.empty(0xFE);
+        EXPECT_TRUE(rig.start().ok());
+    }
+}
+
+/// Descriptors that no display has: refused with a sentence, before memory is taken or a band is sent.
+TEST(GudFaults, AbsurdDescriptors) {
+    const struct {
+        std::uint16_t width, height;
+        std::uint32_t buffer;
+        bool full_update;
+        std::uint8_t format;
+        const char* cause; ///< null: it comes up
+    } cases[] = {
+        {32767, 4096, 1, false, 0x40, "the device's modes are too large"},
+        {32767, 4096, 0, false, 0x40, "the device's modes are too large"},
+        {4097, 4096, 0, false, 0x40, "the device's modes are too large"},
+        {32768, 4, 0, false, 0x40, "the device's modes are too large"},
+        {65535, 1, 0, false, 0x40, "the device's modes are too large"},
+        {4, 4097, 0, false, 0x40, "the device's modes are too large"},
+        {65535, 65535, 0xFFFFFFFF, false, 0x40, "the device's modes are too large"},
+        {40, 30, 1, false, 0x40, "the device's buffer is too small for its modes"},
+        {40, 30, 2, false, 0x50, "the device's buffer is too small for its modes"},
+        {40, 30, 3, false, 0x80, "the device's buffer is too small for its modes"},
+        {40, 30, 1, false, 0x01, nullptr},
+        {40, 30, 2, false, 0x40, nullptr},
+        {40, 30, 4, false, 0x80, nullptr},
+        {129, 128, 2, false, 0x40, "the device's buffer is too small for its modes"}, // 16,512 bands
+        {128, 128, 2, false, 0x40, nullptr},                                          // 16,384
+        {40, 30, 2399, true, 0x40, "the device's buffer is too small for its modes"},
+        {40, 30, 2400, true, 0x40, nullptr},
+        {40, 30, 0, true, 0x40, nullptr},
+        {40, 30, 0xFFFFFFFF, false, 0x40, nullptr},
+        {0, 30, 0, false, 0x40, "the device has no mode of this size"},
+        {40, 0, 0, false, 0x40, "the device has no mode of this size"},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(std::to_string(c.width) + "x" + std::to_string(c.height) + ", buffer of " +
+                     std::to_string(c.buffer) + ", format " + std::to_string(c.format));
+        GudRig rig;
+        rig.size(c.width, c.height);
+        rig.device.max_buffer_size = c.buffer;
+        rig.device.full_update = c.full_update;
+        rig.device.formats = {c.format};
+        const auto up = rig.start();
+        if (c.cause == nullptr) {
+            ASSERT_TRUE(up.ok()) << up.error().rule;
+            EXPECT_EQ(rig.glass_difference(), "");
+            continue;
+        }
+        EXPECT_EQ(up.error().fault, Fault::unsupported);
+        EXPECT_EQ(up.error().rule, std::string("USB display 1d50:614d: GET_CONNECTOR_MODES: ") + c.cause);
+        EXPECT_EQ(rig.display->info().width, 0);
+        EXPECT_EQ(rig.kernel.open_files(), 0);
+    }
+}
+
+/// A mode that is too large for the device's buffer leaves the others.
+TEST(GudFaults, AModeThatCannotBeSentIsPassedOver) {
+    GudRig rig;
+    rig.device.modes = {{1, 2000, 1000, true}, {1, 60, 40, false}};
+    rig.device.limits = {1, 4000, 1, 4000};
+    rig.device.max_buffer_size = 100;
+    ASSERT_TRUE(rig.start().ok());
+    EXPECT_EQ(rig.display->info().width, 60);
+    rig.config.width = 2000;
+    EXPECT_EQ(
+        rig.start().error().rule,
+        std::string(
+            "USB display 1d50:614d: GET_CONNECTOR_MODES: the device's buffer is too small for its modes"));
 }
 
 TEST(GudFaults, NoDisplayIsPluggedIn) {
