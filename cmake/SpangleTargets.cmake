@@ -1,12 +1,16 @@
 # How every Spangle target is compiled. The core is freestanding-ish C++20: no exceptions, no RTTI, no guards.
 
-# GCC 12 takes some functions that write through a pointer for functions without effects, and then drops their calls.
-# These two passes decide what a function writes; without them every call keeps its effects. Other versions of GCC get
-# the same flags, because nobody has shown that theirs are sound. Users of a target compile its inline functions, so the flags
-# are part of the interface. GCC knows -fno-ipa-modref since version 11.
-set(SPANGLE_SOUND_CALLS
-    $<$<CXX_COMPILER_ID:GNU>:-fno-ipa-pure-const>
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>:-fno-ipa-modref>)
+# GCC 12 drops calls that have effects, and stores that are read, for two reasons:
+#   Where a loop walks two arrays with different strides, the address of a store may become a null pointer and two numbers.
+#   Later passes hold that nothing is stored through a null pointer, so the function counts as one without effects.
+#   -fno-delete-null-pointer-checks makes null a pointer like any other.
+#   The pass ipa-modref forgets that a structure passed by value is read where it lies. Without the pass nothing is forgotten.
+# Other versions of GCC get the same flags, because nobody has shown that they are sound. Users of a target compile its
+# inline functions, so the flags are part of the interface. They reach C++ that a GCC compiles and nothing else: C of the
+# same project may have another compiler. GCC knows ipa-modref since version 11. Builds without CMake take the flags from
+# boards/tools/firmware.py or boards/packages/package.json; tests/calls holds all of them against each other.
+set(SPANGLE_HAS_MODREF $<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,11>>)
+set(SPANGLE_SOUND_CALLS $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-delete-null-pointer-checks> $<${SPANGLE_HAS_MODREF}:-fno-ipa-modref>)
 
 function(spangle_common target)
     target_compile_options(${target} PUBLIC ${SPANGLE_SOUND_CALLS})

@@ -92,7 +92,9 @@ if(CONFIG_SPANGLE)
         zephyr_library_sources(${{sources}})
     endforeach()
     zephyr_library_include_directories(${{root}})
-    zephyr_library_compile_options(-std=gnu++20 {' '.join(ABOUT["flags"])})
+    zephyr_library_compile_options(-std=gnu++20 {' '.join(ABOUT["flags"])}
+        "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:{";".join(ABOUT["gcc_flags"])}>")
+    set_source_files_properties(${{root}}/raster/span/fused_table.cpp PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fipa-modref>)
     zephyr_compile_definitions({' '.join(ABOUT["definitions"])})
     foreach(folder
 {rows(ABOUT["includes"], 12)})
@@ -126,6 +128,12 @@ FILES = {"platformio/library.json": platformio, "arduino/library.properties": ar
          "zephyr/Kconfig": zephyr_kconfig, "pico-sdk/spangle.cmake": pico_sdk}
 
 
+def pragma():
+    """The gcc_flags as text of a source: Arduino has no place for flags, and PlatformIO's compiler may not be a GCC."""
+    options = ", ".join(f'"{flag.removeprefix("-f")}"' for flag in ABOUT["gcc_flags"])
+    return f"#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize({options})\n#endif\n"
+
+
 def export(folder):
     """src/ with every room under its own name and the public headers under spangle/, so that src is the one include path."""
     source = folder / "src"
@@ -133,7 +141,11 @@ def export(folder):
         (source / room).mkdir(parents=True, exist_ok=True)
         for path in (ROOT / room).iterdir():
             if path.suffix in (".cpp", ".hpp", ".h") and not path.name.endswith("_reference.cpp"):
-                shutil.copyfile(path, source / room / path.name)
+                # fused_table.cpp keeps the second of them: raster/CMakeLists.txt says why.
+                before = pragma() if path.suffix == ".cpp" else ""
+                if path.name == "fused_table.cpp":
+                    before = before.replace(', "no-ipa-modref"', "")
+                (source / room / path.name).write_text(before + path.read_text())
     for public in ABOUT["includes"]:
         shutil.copytree(ROOT / public, source, dirs_exist_ok=True)
     (folder / "library.properties").write_text(arduino())

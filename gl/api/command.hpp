@@ -118,7 +118,7 @@ template <class... A> constexpr std::uint8_t count_args(void (*)(Context&, A...)
 }
 
 template <class F> constexpr auto command_of() {
-    constexpr bool encoded = F::encode != nullptr;
+    constexpr bool encoded = !std::is_null_pointer_v<decltype(F::encode)>;
     std::conditional_t<encoded, EncodedCommand, Command> command;
     command.stops = stops<F>;
     command.args = count_args(F::run);

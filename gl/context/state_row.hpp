@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -43,6 +44,8 @@ struct WrittenRow : StateRow {
     std::size_t bytes = 0; ///< that are held
     std::size_t step = 0;  ///< unit_step()
     Compute* compute = nullptr;
+    std::uint64_t function =
+        0; ///< identity() of it; addresses of functions are not always comparable constants
 };
 
 constexpr WrittenRow constant(GLenum name, std::int32_t value) {
@@ -76,11 +79,20 @@ constexpr WrittenRow absent_switch(GLenum name) {
     return row;
 }
 
-constexpr WrittenRow computed(GLenum name, Kind kind, unsigned count, Compute* compute) {
+/// A number of its own for each function: FNV-1a of its name, 64 bits.
+template <Compute* function> constexpr std::uint64_t identity() {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : __PRETTY_FUNCTION__)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    return hash;
+}
+template <Compute* function> constexpr WrittenRow computed(GLenum name, Kind kind, unsigned count) {
     WrittenRow row = constant(name, 0);
     row.source = kind == Kind::real ? Source::computed_real : Source::computed;
     row.count = count & 31u;
-    row.compute = compute;
+    row.compute = function;
+    constexpr std::uint64_t of_function = identity<function>();
+    row.function = of_function;
     return row;
 }
 

@@ -5,7 +5,7 @@
 
 // Builds without a system may have no member for it.
 #if SPANGLE_FEATURE_BUFFERS
-#define BUFFER_BINDING(NAME) computed(NAME, Kind::integer, 1, computed_state::buffer_binding)
+#define BUFFER_BINDING(NAME) computed<computed_state::buffer_binding>(NAME, Kind::integer, 1)
 #else
 #define BUFFER_BINDING(NAME) of_buffers(constant(NAME, 0))
 #endif

@@ -7,7 +7,7 @@
 #if SPANGLE_FEATURE_PIXEL_TRANSFER
 #define TRANSFER_ROW(NAME, MEMBER) STORED(NAME, pixel_mode.MEMBER)
 #define PIXEL_MAP(NAME)                                                                                      \
-    computed(GL_PIXEL_MAP_##NAME##_SIZE, Kind::integer, 1, computed_state::size_of_pixel_map)
+    computed<computed_state::size_of_pixel_map>(GL_PIXEL_MAP_##NAME##_SIZE, Kind::integer, 1)
 #else
 #define TRANSFER_ROW(NAME, MEMBER) of_pixel_transfer(constant(NAME, 0))
 #define PIXEL_MAP(NAME) of_pixel_transfer(constant(GL_PIXEL_MAP_##NAME##_SIZE, 1))

@@ -51,30 +51,34 @@ constexpr bool computes(Source source) {
 constexpr bool is_computed(const WrittenRow& row) {
     return computes(row.source) && !row.absent;
 }
-/// Every function that computes, once; the rest is null.
+struct Computing {
+    Compute* compute = nullptr;
+    std::uint64_t function = 0;
+};
+/// Every function that computes, once; the rest is 0.
 constexpr auto all_computing = [] {
-    std::array<Compute*, count_rows(is_computed)> all{};
+    std::array<Computing, count_rows(is_computed)> all{};
     std::size_t used = 0;
     for (const WrittenRow& row : written)
         if (is_computed(row)) {
             std::size_t i = 0;
-            while (i < used && all[i] != row.compute)
+            while (i < used && all[i].function != row.function)
                 ++i;
             if (i == used)
-                all[used++] = row.compute;
+                all[used++] = {row.compute, row.function};
         }
     return all;
 }();
 constexpr auto computing = [] {
     constexpr auto end = [] {
         std::size_t n = 0;
-        while (n < all_computing.size() && all_computing[n] != nullptr)
+        while (n < all_computing.size() && all_computing[n].function != 0)
             ++n;
         return n;
     }();
     std::array<Compute*, end> kept{};
     for (std::size_t i = 0; i < end; ++i)
-        kept[i] = all_computing[i];
+        kept[i] = all_computing[i].compute;
     return kept;
 }();
 
@@ -83,7 +87,7 @@ constexpr StateRow packed(const WrittenRow& row) {
     StateRow out = row;
     std::size_t where = row.value;
     if (is_computed(row))
-        while (computing[where] != row.compute)
+        while (all_computing[where].function != row.function)
             ++where;
     out.where = row.absent ? std::uint16_t{0} : static_cast<std::uint16_t>(where);
     if (row.absent)
@@ -97,7 +101,7 @@ constexpr std::array<std::size_t, 4> unit_steps{0, sizeof(TextureUnitState), siz
 constexpr bool all_fit() {
     for (const WrittenRow& row : written)
         if (row.value > 0xFFFF || row.bytes > 0xFFFF || row.step % 4 != 0 || row.step / 4 >> unit_bits != 0 ||
-            (row.compute == nullptr && computes(row.source)) ||
+            (row.function == 0 && computes(row.source)) ||
             (row.becomes != Row::held && row.step != unit_steps[static_cast<unsigned>(row.unit)]) ||
             (row.count == 0 && row.becomes == Row::state) ||
             (row.group == Group::none && row.becomes == Row::held))

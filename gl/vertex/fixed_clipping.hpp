@@ -95,7 +95,6 @@ struct FixedClipping {
     /// Words of an attribute that differ by less than 2^31.
     SPANGLE_RUN_INLINE static void mix_words(int n, const std::uint32_t* a, const std::uint32_t* b,
                                              const Parameter& p, std::uint32_t* out) {
-        out = numeric::opaque(out);
         const std::uint32_t *const from = p.from_second ? b : a, *const to = p.from_second ? a : b;
         for (int c = 0; c < n; ++c) {
             const auto d = static_cast<std::int32_t>(to[c] - from[c]); // 28 bits, times 30

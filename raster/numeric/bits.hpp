@@ -10,6 +10,19 @@
 
 namespace spangle::numeric {
 
+/// The word whose lowest byte lies at `at`, the others behind it: one load, on machines of either byte order.
+template <class Word> SPANGLE_INLINE Word load_low_first(const std::uint8_t* at) {
+    static_assert(sizeof(Word) == 2 || sizeof(Word) == 4);
+    Word word;
+    __builtin_memcpy(&word, at, sizeof word);
+    if constexpr (std::endian::native == std::endian::little)
+        return word;
+    else if constexpr (sizeof(Word) == 2)
+        return __builtin_bswap16(word);
+    else
+        return __builtin_bswap32(word);
+}
+
 /// Leading zeros; 32 for 0.
 SPANGLE_INLINE constexpr int clz32(std::uint32_t v) {
     return std::countl_zero(v);

@@ -131,14 +131,12 @@ inline constexpr std::int32_t no_column[4] = {};
 SPANGLE_RUN_INLINE constexpr std::int32_t reals_under_one(int n, const Real* v, const std::int32_t* column,
                                                           std::int32_t* out) {
     std::int32_t m[4], e[4];
-    v = opaque(v);
-    column = opaque(column);
     for (int i = 0; i < n; ++i) {
         const Scaled s = scaled(v[i]);
         m[i] = s.m;
         e[i] = s.e + column[i];
     }
-    return under_one(n, m, e, opaque(out));
+    return under_one(n, m, e, out);
 }
 
 } // namespace detail

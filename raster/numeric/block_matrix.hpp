@@ -116,8 +116,6 @@ constexpr std::int32_t scale_row(const Block* a, int stride, const Columns<N>& c
 /// exponent, if that costs none of them more than 4 bits.
 SPANGLE_RUN_INLINE constexpr void scale_rows(int n, const Block* a, const std::int32_t* column,
                                              std::int32_t* row, std::int32_t* out) {
-    row = opaque(row);
-    out = opaque(out);
     std::int32_t exponent = no_exponent, most = no_exponent, least = -no_exponent;
     for (int i = n - 1; i >= 0; --i) {
         row[i] = scale_words(n, a + i, n, column, exponent, out + n * i);
@@ -251,7 +249,6 @@ SPANGLE_INLINE constexpr std::int32_t row_times_point(const std::int32_t* row, c
 
 /// The elements as blocks, 30 bits each, column-major: the first so many.
 SPANGLE_RUN_INLINE constexpr void to_blocks(const Matrix& a, Block* v, int count = 16) {
-    v = opaque(v);
     for (int i = 0; i < count; ++i)
         v[i] = to_block(a.at(i & 3, i >> 2));
 }

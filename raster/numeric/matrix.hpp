@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "raster/numeric/block.hpp"
-#include "raster/numeric/registers.hpp"
 
 namespace spangle::numeric {
 
@@ -153,7 +152,7 @@ SPANGLE_RUN_INLINE constexpr Element sum_of_products(const Element* a, const Ele
 SPANGLE_RUN_INLINE constexpr void gather(const Matrix& a, int first, int step, int n, Element* out) {
 #pragma GCC unroll runs_inline ? 4 : 1
     for (int k = 0; k < n; ++k) {
-        const int at = opaque(first + k * step);
+        const int at = first + k * step;
         out[k] = {a.m[at], a.e[at]};
     }
 }

@@ -70,7 +70,6 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
 /// comes here; the result is then some large matrix.
 SPANGLE_RUN_CALL constexpr Matrix projection(Real left, Real right, Real bottom, Real top, Real near,
                                              Real far, bool perspective) {
-    // Here: GCC 12 drops arrays that callers make for a function which reads two of them by one index.
     const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
     Block twice = to_block(perspective ? low[2] : one); // 2 n, or 2
     ++twice.e;
@@ -100,8 +99,6 @@ namespace detail {
 
 /// a[i] b[k] - b[i] a[k], both products, below 2^60, exact before they are subtracted.
 SPANGLE_RUN_CALL constexpr Block determinant2(const Block* a, const Block* b, int i, int k) {
-    a = opaque(a);
-    b = opaque(b);
     return sum(mul_s32(a[i].m * 2, b[k].m * 2), a[i].e + b[k].e - 2, mul_s32(b[i].m * 2, a[k].m * -2),
                b[i].e + a[k].e - 2);
 }

@@ -41,15 +41,6 @@ template <class T> SPANGLE_INLINE constexpr T kept_in_register(T v) {
     return v;
 }
 
-/// v, an index or an address of which the compiler knows nothing more. Out of line functions that read or
-/// store arrays at one index, or with two strides, GCC 12 takes for such as do not, for words of any size,
-/// and drops what their callers put there.
-template <class T> SPANGLE_INLINE constexpr T opaque(T v) {
-    if (!runs_inline && !std::is_constant_evaluated())
-        asm("" : "+r"(v)); // NOLINT(hicpp-no-assembler): no instruction
-    return v;
-}
-
 /// a + b mod 2^32, of words that may be in registers which nothing but moves and sums reach: the eight others
 /// of Thumb are few, and compilers would have both in them.
 SPANGLE_INLINE constexpr std::uint32_t sum_aside(std::uint32_t a, std::uint32_t b) {

@@ -248,11 +248,10 @@ constexpr std::uint8_t ceil_log2_of(std::int32_t size) {
 /// The bytes of an 8-bit texel in one word, R lowest; for lanes.
 template <TexelFormat Format> SPANGLE_INLINE std::uint32_t texel_word(const std::uint8_t* at) {
     static_assert(Format == TexelFormat::rgb888 || Format == TexelFormat::rgba8888);
-    std::uint32_t word = 0;
-    __builtin_memcpy(&word, at, Format == TexelFormat::rgba8888 ? 4 : 2);
-    if constexpr (Format == TexelFormat::rgb888)
-        word |= std::uint32_t{at[2]} << 16;
-    return word;
+    if constexpr (Format == TexelFormat::rgba8888)
+        return numeric::load_low_first<std::uint32_t>(at);
+    else
+        return numeric::load_low_first<std::uint16_t>(at) | std::uint32_t{at[2]} << 16;
 }
 
 /// The same of every format of 8-bit components, with what a format lacks.

@@ -12,7 +12,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "boards/tools")]
+import firmware  # noqa: E402
 from checks import check, failures  # noqa: E402
 
 MODELS = ROOT / "boards/scenes/models"
@@ -71,7 +72,7 @@ def errors():
 def picture(folder, header, name, *defines):
     """Pixels that the header draws, compiled with every warning."""
     program = folder / f"draw_{name}"
-    done = subprocess.run([COMPILER, "-std=c++20", "-O1", "-Wall", "-Wextra", "-Wconversion", "-Werror", *INCLUDES, f'-DBAKED_HEADER="{header}"', f"-DBAKED_NAME={name}",
+    done = subprocess.run([COMPILER, *firmware.sound_calls(COMPILER), "-std=c++20", "-O1", "-Wall", "-Wextra", "-Wconversion", "-Werror", *INCLUDES, f'-DBAKED_HEADER="{header}"', f"-DBAKED_NAME={name}",
                            *(f"-D{define}" for define in defines), str(ROOT / "tests/bake/draw_baked.cpp"), *LIBRARIES, "-o", str(program)], capture_output=True, text=True)
     check(done.returncode == 0, f"{name} does not compile: {done.stderr[:2000]}")
     if done.returncode != 0:

@@ -22,7 +22,8 @@ import mcu
 ROOT = mcu.ROOT
 RECORD = pathlib.Path(__file__).with_name("features.json")
 FEATURES = re.findall(r"^spangle_feature\((\w+) \"(.*)\"\)", (ROOT / "cmake/Features.cmake").read_text(), re.M)
-HOST = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections", *mcu.INCLUDES]
+HOST = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections",
+        *mcu.firmware.SOUND_CALLS, *mcu.INCLUDES]
 TARGETS = {  # compiler prefix, flags, whether rooms differ in optimization
     "x86-64": ("", HOST, False),
     "Cortex-M0+": ("arm-none-eabi-", [*mcu.FLAGS, "-mcpu=cortex-m0plus"], True),

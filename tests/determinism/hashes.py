@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Holds the picture hashes of every scene and tier against those of other builds of the same sources.
 
-usage: hashes.py compilers|cortex_m PICTURE_HASHES
+usage: hashes.py compilers|cortex_m|s390x|aarch64|riscv64|i686 PICTURE_HASHES
 
 PICTURE_HASHES is the host's own build. `compilers` builds the core again with gcc and clang at -O0, -O2 and -O3, and once
-with every instruction this processor has; `cortex_m` builds it for Cortex-M4, M3 and M0+ and runs it in QEMU. Prints a
+with every instruction this processor has; `cortex_m` builds it for Cortex-M4, M3 and M0+ and runs it in QEMU; the other words build it for that processor's Linux and run it in QEMU's
+user mode (s390x has its bytes in the other order, i686 has words of 32 bits and runs here). Prints a
 table; any hash that differs fails. Exit status 77 (skipped) when a compiler or the emulator is missing.
 """
 import concurrent.futures
@@ -22,6 +23,9 @@ import mcu  # noqa: E402
 
 HOST_BUILDS = [(compiler, flags) for compiler in ("g++", "clang++-14") for flags in ("-O0", "-O2", "-O3")] + [("clang++-14", "-O3 -march=native")]
 HOST_FLAGS = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *mcu.INCLUDES]
+# {processor: (compiler, what runs its programs here)}
+MACHINES = {"s390x": ("s390x-linux-gnu-g++", ["qemu-s390x"]), "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
+            "riscv64": ("riscv64-linux-gnu-g++", ["qemu-riscv64"]), "i686": ("i686-linux-gnu-g++", [])}
 MAIN = HERE / "picture_hashes.cpp"
 
 
@@ -30,20 +34,21 @@ def read(text):
     return {tuple(line.split()[:2]): line.split()[2] for line in text.splitlines() if len(line.split()) == 3}
 
 
-def hashes_of_host(compiler, flags):
+def hashes_of_host(compiler, flags, link=(), runner=()):
     sources = [path for _, path in mcu.sources()] + sorted((ROOT / "boards/scenes").glob("*.cpp")) + [MAIN]
+    sound = mcu.firmware.sound_calls(compiler)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
 
         def compile_one(path):
             target = folder / (str(path.relative_to(ROOT)).replace("/", "_") + ".o")
-            subprocess.run([*mcu.CCACHE, compiler, *HOST_FLAGS, *flags.split(), "-c", str(path), "-o", str(target)], check=True)
+            subprocess.run([*mcu.CCACHE, compiler, *HOST_FLAGS, *sound, *mcu.firmware.source_flags(path) * bool(sound), *flags.split(), "-c", str(path), "-o", str(target)], check=True)
             return str(target)
 
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(pool.map(compile_one, sources))
-        subprocess.run([compiler, *objects, "-o", str(folder / "hashes")], check=True)
-        return read(subprocess.run([str(folder / "hashes")], capture_output=True, text=True, check=True).stdout)
+        subprocess.run([compiler, *link, *objects, "-o", str(folder / "hashes")], check=True)
+        return read(subprocess.run([*runner, str(folder / "hashes")], capture_output=True, text=True, check=True).stdout)
 
 
 def hashes_of_board(board):
@@ -70,7 +75,7 @@ def table(builds):
 
 
 def main():
-    if len(sys.argv) != 3 or sys.argv[1] not in ("compilers", "cortex_m"):
+    if len(sys.argv) != 3 or sys.argv[1] not in ("compilers", "cortex_m", *MACHINES):
         print(__doc__.strip())
         return 2
     host = read(subprocess.run([sys.argv[2]], capture_output=True, text=True, check=True).stdout)
@@ -85,6 +90,13 @@ def main():
             return 77
         for compiler, flags in HOST_BUILDS:
             builds[f"{compiler} {flags}"] = hashes_of_host(compiler, flags)
+    elif sys.argv[1] in MACHINES:
+        compiler, runner = MACHINES[sys.argv[1]]
+        missing = [program for program in (compiler, *runner) if shutil.which(program) is None]
+        if missing:
+            print(f"skipped: {', '.join(missing)} not installed (./dev setup --all installs it)")
+            return 77
+        builds[f"{compiler} -O1"] = hashes_of_host(compiler, "-O1", ("-static",), runner)
     else:
         if not mcu.available():
             print("skipped: arm-none-eabi-g++ or qemu-system-arm is not installed (./dev setup --all installs them)")

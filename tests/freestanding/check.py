@@ -18,10 +18,13 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "boards/tools"))
+import firmware  # noqa: E402
+
 ROOMS = ["raster/numeric", "raster/surface", "raster/span", "raster/primitive", "raster/band", "hal/bus", "hal/panel", "hal/display",
          "gl/api", "gl/api/generated", "gl/context", "gl/vertex", "gl/pixel", "gl/texture", "gl/list", "gl/egl"]
 COMMON = ["-std=c++20", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
-          "-ffunction-sections", "-fdata-sections", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-DSPANGLE_FIRMWARE=1",
+          "-ffunction-sections", "-fdata-sections", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-DSPANGLE_FIRMWARE=1", *firmware.SOUND_CALLS,
           f"-I{ROOT}", f"-I{ROOT}/raster/format/include", f"-I{ROOT}/raster/include", f"-I{ROOT}/hal/include",
           f"-I{ROOT}/gl/include"]
 # The Arm package's C++ headers serve RISC-V too: same compiler version, headers only.

@@ -116,6 +116,10 @@ def cmake():
             sources = {pathlib.Path(entry["file"]).resolve() for entry in built}
             wanted = {path for room in generate.ABOUT["rooms"] for path in (ROOT / room).glob("*.cpp") if not path.name.endswith("_reference.cpp")}
             check(wanted <= sources, f"{name} leaves out {sorted(path.name for path in wanted - sources)[:5]}")
+            for path in wanted:
+                command = next(entry["command"] for entry in built if pathlib.Path(entry["file"]).resolve() == path)
+                missing = [flag for flag in generate.ABOUT["gcc_flags"] if flag not in command.split()]
+                check(not missing, f"{name}: {path.name} is compiled without {missing}")
             gl = next(entry for entry in built if entry["file"].endswith("gl/vertex/lights.cpp"))["command"]
             check("SPANGLE_FIRMWARE=1" in gl and "-fno-exceptions" in gl and "++20" in gl, f"{name}: {gl}")
 
@@ -129,6 +133,10 @@ def exported():
         ours = {str(path.relative_to(ROOT)) for room in generate.ABOUT["rooms"] for path in (ROOT / room).glob("*.[ch]pp") if not path.name.endswith("_reference.cpp")}
         check(all((source / name).is_file() for name in ours), "every source is there")
         check(not list(source.rglob("*_reference.cpp")), "no double arithmetic")
+        for path in source.rglob("*.cpp"):
+            options = path.read_text().partition("#endif")[0]
+            missing = [flag for flag in generate.ABOUT["gcc_flags"] if f'"{flag[2:]}"' not in options]
+            check(not missing or (path.name == "fused_table.cpp" and missing == ["-fno-ipa-modref"]), f"{path.name} does not ask for {missing}")
         check((folder / "library.properties").is_file() and json.loads((folder / "library.json").read_text())["build"]["srcDir"] == "src", "metadata")
         flags = ["-std=gnu++20", *generate.ABOUT["flags"], *(f"-D{d}" for d in generate.ABOUT["definitions"]), f"-I{source}", "-fsyntax-only"]
         sketch = folder / "sketch.cpp"

@@ -24,11 +24,11 @@ FLAGS = ["-std=c++20", "-O1", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-f
 def build_and_run(compiler, name, folder):
     """What the program prints, or how the build fails."""
     defines = [f"-D{definition}" for definition in profile.definitions(name)]
-    sources = [path for _, path in firmware.sources()] + [HERE / "refusals.cpp"]
+    sources, sound = [path for _, path in firmware.sources()] + [HERE / "refusals.cpp"], firmware.sound_calls(compiler)
 
     def compile_one(source):
         target = folder / (str(source.relative_to(ROOT)).replace("/", "_") + ".o")
-        done = subprocess.run([*firmware.CCACHE, compiler, *FLAGS, *defines, "-c", str(source), "-o", str(target)], capture_output=True, text=True)
+        done = subprocess.run([*firmware.CCACHE, compiler, *FLAGS, *sound, *defines, "-c", str(source), "-o", str(target)], capture_output=True, text=True)
         return str(target), done.stderr
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
