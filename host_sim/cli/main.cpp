@@ -310,7 +310,10 @@ int spangle_main(int argc, char** argv) {
         ->transform(CLI::AsSizeValue(false))
         ->check(CLI::PositiveNumber)
         ->needs("--vcd");
-    run->add_flag("--window", options.window, "show the glass, its memory and the bus counters");
+    run->add_flag(
+        "--window", options.window,
+        "show the glass, its memory and the bus counters until the window is closed; after --frames the "
+        "scene goes on, and is neither reported nor recorded");
     run->add_flag("--json", options.json, "print the figures as one JSON object");
 
     cli::BringupOptions bringup;

@@ -229,6 +229,12 @@ RunResult run(const RunOptions& options) {
     if (options.window)
         window.open(program.name, session.width(), session.height());
 
+    const auto show = [&] {
+        window.show(board != nullptr ? board->glass() : session.read(),
+                    board != nullptr ? board->memory() : sim::Image(),
+                    board != nullptr ? board->counters() : sim::BoardCounters{});
+    };
+
     screen.start();
     Report& report = result.report;
     for (int f = 0; f < options.frames && !window.closed(); ++f) {
@@ -256,9 +262,7 @@ RunResult run(const RunOptions& options) {
             session.make_current();
         }
         if (window.is_open())
-            window.show(board != nullptr ? board->glass() : session.read(),
-                        board != nullptr ? board->memory() : sim::Image(),
-                        board != nullptr ? board->counters() : sim::BoardCounters{});
+            show();
         progress(f, options.frames);
         ++report.frames;
     }
@@ -287,6 +291,17 @@ RunResult run(const RunOptions& options) {
     }
     if (options.bands.height != 0 && result.error.empty())
         result.error = count_whole(options, program, session.width(), session.height(), report);
+
+    // The frames that were asked for are reported; now the scene goes on for whoever looks at it.
+    session.make_current();
+    session.observe(nullptr);
+    for (int f = report.frames; result.error.empty() && window.can_be_closed() && !window.closed(); ++f) {
+        if (!screen.presents())
+            program.draw(f);
+        else if (!session.frame([&] { program.draw(f); }))
+            result.error = session.error();
+        show();
+    }
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
 
 #include <SDL2/SDL.h>
 #include <fmt/format.h>
@@ -30,6 +31,12 @@ void Window::open(const std::string& title, int width, int height) {
     if (window_ == nullptr)
         tell(fmt::format("spangle: no window, for there is no display to open it on ({}); going on without\n",
                          SDL_GetError()));
+}
+
+bool Window::can_be_closed() const {
+    const char* const driver = SDL_GetCurrentVideoDriver();
+    return is_open() && driver != nullptr && driver != std::string_view("dummy") &&
+           driver != std::string_view("offscreen");
 }
 
 namespace {

@@ -1,5 +1,5 @@
-// A window for people: the glass, the controller's memory, the bus counters. Without a screen it says so once
-// and the run goes on.
+// A window for people: the glass, the controller's memory, the bus counters. It stays open until it is
+// closed. Without a screen it says so once and the run goes on.
 #pragma once
 
 #include <string>
@@ -20,6 +20,8 @@ class Window {
 
     void open(const std::string& title, int width, int height);
     bool is_open() const { return window_ != nullptr; }
+    /// Somebody sees it: drivers that show nothing open windows that nobody can close.
+    bool can_be_closed() const;
     /// The user closed it.
     bool closed() const { return closed_; }
     void show(const sim::Image& glass, const sim::Image& memory, const sim::BoardCounters& counters);

@@ -81,33 +81,34 @@ constexpr Say fine_bent = bent.cubic();
 
 } // namespace table_words
 
-namespace detail {
+/// The keys of this build, in the order of its list.
+namespace fused_list {
 
-#if !SPANGLE_CHAIN && defined(SPANGLE_FUSED)
-inline constexpr bool lists_keys = true;
+#ifdef SPANGLE_FUSED
+inline constexpr bool is_all = !has_chain; // no other key is drawn
+#else
+inline constexpr bool is_all = false;
+#define SPANGLE_FUSED "raster/span/fused_list.inc"
+#endif
 using namespace table_words;
 template <Say S> constexpr Key entry() {
     return S.key;
 }
-inline constexpr Key fused_keys[] = {
+inline constexpr Key keys[] = {
 #include SPANGLE_FUSED
 };
-#else
-inline constexpr bool lists_keys = false;
-inline constexpr Key fused_keys[1] = {};
-#endif
 
-} // namespace detail
+} // namespace fused_list
 
 /// Which of a build's spans have a property: maybe some and maybe all of them.
 struct Among {
     bool some = true, all = false;
 };
 template <class Property> constexpr Among among_spans(Property has) {
-    if (!detail::lists_keys)
+    if (!fused_list::is_all)
         return {};
     Among among{false, true};
-    for (const Key& key : detail::fused_keys) {
+    for (const Key& key : fused_list::keys) {
         among.some = among.some || has(key);
         among.all = among.all && has(key);
     }

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "raster/span/draw_state.hpp"
+#include "raster/span/fused_keys.hpp"
 #include "raster/span/key.hpp"
 #include "raster/span/path.hpp"
 #include "raster/span/rows.hpp"
@@ -24,21 +26,52 @@ struct FusedSpan {
 /// What runs the chain of a number system of the fixed policy.
 AnyFunction chain_runner(Number number);
 
-/// The whole table, for the tests.
-const FusedSpan* fused_spans();
-std::size_t fused_span_count();
+/// The table is compiled in parts, each from a file of its own, so that no compiler needs gigabytes for one
+/// file. A profile's short list is one part. Key i of the list stands in part i % fused_parts.
+inline constexpr std::size_t fused_span_count =
+    has_fused_spans ? sizeof fused_list::keys / sizeof fused_list::keys[0] : 0;
+inline constexpr std::size_t fused_parts = fused_span_count > 16 ? 8 : 1;
+constexpr std::size_t fused_part_size(std::size_t part) {
+    return part < fused_parts ? (fused_span_count + fused_parts - 1 - part) / fused_parts : 0;
+}
+/// The spans of a part; null where it has none.
+template <std::size_t Part> const FusedSpan* fused_part();
 
 static_assert(std::has_unique_object_representations_v<Key>, "keys are compared as bytes");
 
+namespace detail {
+
+inline const FusedSpan* find_among(const FusedSpan* span, std::size_t count, const Key& key) {
+    for (const FusedSpan* const end = span + count; span != end; ++span)
+        if (__builtin_memcmp(&span->key, &key, sizeof key) == 0)
+            return span;
+    return nullptr;
+}
+template <std::size_t... Part>
+inline const FusedSpan* find_fused(const Key& key, std::index_sequence<Part...>) {
+    const FusedSpan* found = nullptr;
+    static_cast<void>(
+        (... || ((found = find_among(fused_part<Part>(), fused_part_size(Part), key)) != nullptr)));
+    return found;
+}
+template <std::size_t... Part>
+inline const FusedSpan* part_of(std::size_t part, std::index_sequence<Part...>) {
+    const FusedSpan* const parts[] = {fused_part<Part>()...};
+    return parts[part];
+}
+
+} // namespace detail
+
 /// null: draw with the chain. A build without fused spans names none of them.
 inline const FusedSpan* find_fused(const Key& key) {
-    if constexpr (has_fused_spans) {
-        const FusedSpan* const end = fused_spans() + fused_span_count();
-        for (const FusedSpan* span = fused_spans(); span != end; ++span)
-            if (__builtin_memcmp(&span->key, &key, sizeof key) == 0)
-                return span;
-    }
+    if constexpr (has_fused_spans)
+        return detail::find_fused(key, std::make_index_sequence<fused_parts>());
     return nullptr;
+}
+
+/// Span i of the list, for the tests.
+inline const FusedSpan& fused_span(std::size_t i) {
+    return detail::part_of(i % fused_parts, std::make_index_sequence<fused_parts>())[i / fused_parts];
 }
 
 } // namespace spangle::raster

@@ -55,8 +55,8 @@ void draw_all(const DrawState& state, Kind kind, const Surface& surface) {
 } // namespace
 
 int main() {
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& span = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& span = fused_span(i);
         const StateOfKey of(span.key, width, height);
         Canvas canvas(width, height, span.key.format, DepthFormat::z16);
         const DrawState fused = compile<FixedVertex>(of.state, canvas.surface);

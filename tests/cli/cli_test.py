@@ -314,10 +314,29 @@ def on_x_server(folder):
         out, err = program.communicate(timeout=60)
         check(program.returncode == 0, f"closed: exit status {program.returncode}: {err}")
         check(0 < json.loads(out)["frames"] < 1000000, "the frames that were drawn are reported")
+        stays_until_closed(environment, pathlib.Path(folder))
     finally:
         server.terminate()
         server.wait()
         os.close(read)
+
+
+def stays_until_closed(environment, folder):
+    """As the README has it, without --frames: the window stays, the scene goes on in it, and what is reported is one frame."""
+    words = ["run", "S5", "--window", "--json", "--vcd", str(folder / "window.vcd")]
+    program = subprocess.Popen([SPANGLE, *words], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    seen, deadline = set(), time.monotonic() + 60
+    while len(seen) < 4 and time.monotonic() < deadline and program.poll() is None:
+        time.sleep(0.3)
+        seen.add(screen_pixels(folder / "Xvfb_screen0")[2])
+    check(program.poll() is None, "the window stays open")
+    check(len(seen) >= 4, f"the scene goes on: {len(seen)} pictures")
+    program.send_signal(signal.SIGTERM)
+    out, err = program.communicate(timeout=60)
+    check(program.returncode == 0, f"closed: exit status {program.returncode}: {err}")
+    shown, alone = json.loads(out), report("S5", "--vcd", str(folder / "alone.vcd"))
+    check(shown["frames"] == 1 and shown["picture_hash"] == alone["picture_hash"], "one frame is reported")
+    check((folder / "window.vcd").read_bytes() == (folder / "alone.vcd").read_bytes(), "one frame is recorded")
 
 
 def window():

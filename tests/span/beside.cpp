@@ -54,7 +54,7 @@ TEST(Fused, StatesBesideItsKeysAreTheirChain) {
     RandomVertices random(77);
     Random texels{77};
     for (int round = 0; round < 3000; ++round) {
-        const FusedSpan& fused = fused_spans()[random.below(static_cast<std::uint32_t>(fused_span_count()))];
+        const FusedSpan& fused = fused_span(random.below(static_cast<std::uint32_t>(fused_span_count)));
         const Extras extras(random, width);
         const AnyTexture texture(texels);
         StateOfKey of(fused.key, width, height);

@@ -85,9 +85,9 @@ void expect_equal(const FusedSpan& fused, RowsFunction<Fixed> run, const char* n
 }
 
 TEST(Fused, EverySpanIsItsChain) {
-    ASSERT_GT(fused_span_count(), 10u);
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    ASSERT_GT(fused_span_count, 10u);
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         const std::string name = "entry " + std::to_string(i);
         expect_equal(fused, fused.run, (name + ", lanes of this build").c_str());
         expect_equal(fused, fused.narrow, (name + ", one lane").c_str());
@@ -119,10 +119,8 @@ template <Key K> void draw_by_halves(Span<Fixed>& span, const Row* row, const Ro
         fused_lit_rows<Case, NearHalves>(span, row, end);
 }
 template <Key K> void expect_halves_equal(const char* name) {
-    const auto* const end = fused_spans() + fused_span_count();
-    const auto* const found =
-        std::find_if(fused_spans(), end, [](const FusedSpan& fused) { return fused.key == K; });
-    ASSERT_NE(found, end) << name;
+    const FusedSpan* const found = find_fused(K);
+    ASSERT_NE(found, nullptr) << name;
     expect_equal(*found, &draw_by_halves<K>, name);
 }
 
@@ -136,8 +134,8 @@ TEST(Fused, LitTexturesByHalves) {
 TEST(Fused, OneTexelAlongAnAxis) {
     constexpr int sizes[][2] = {{0, 4}, {7, 0}, {0, 0}};
     int textured = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         if (!fused.key.unit[0].on)
             continue;
         const auto& [texels, rows] = sizes[textured++ % 3];
@@ -150,8 +148,8 @@ TEST(Fused, OneTexelAlongAnAxis) {
 
 TEST(Fused, ImagesOfMoreTexelsThanAWordOf16BitsCounts) {
     int modulated = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         if (fused.key.kind != Kind::affine || fused.key.unit[0].env != TexEnv::modulate || !fused.key.fog)
             continue;
         expect_equal(fused, fused.run, ("entry " + std::to_string(i)).c_str(), 9, 8);
@@ -164,8 +162,8 @@ TEST(Fused, ImagesOfMoreTexelsThanAWordOf16BitsCounts) {
 TEST(Fused, WidePatchesAreTheirChain) {
     constexpr int wide = 264, high = 20;
     int lit = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         const Key& key = fused.key;
         if (key.number != Number::exact || key.kind < Kind::textured || key.unit[0].env != TexEnv::modulate)
             continue;
@@ -208,8 +206,8 @@ TEST(Fused, WidePatchesAreTheirChain) {
 TEST(Fused, TexelsManyRepeatsAwayAreTheirChain) {
     constexpr int wide = 128, high = 64;
     int divided = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         const Key& key = fused.key;
         if (key.number != Number::exact || key.kind != Kind::full || key.unit[0].env != TexEnv::modulate)
             continue;
@@ -272,9 +270,9 @@ TEST(Fused, PaddedRowsOfTexelsAreReadAsTheyLie) {
 }
 
 TEST(Fused, KeysAreDistinct) {
-    for (std::size_t i = 0; i < fused_span_count(); ++i)
+    for (std::size_t i = 0; i < fused_span_count; ++i)
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_FALSE(fused_spans()[i].key == fused_spans()[j].key) << i << " and " << j;
+            EXPECT_FALSE(fused_span(i).key == fused_span(j).key) << i << " and " << j;
 }
 
 } // namespace

@@ -126,8 +126,8 @@ TEST(Guesses, DoubtsOpenWhatTheyReach) {
 }
 
 TEST(Guesses, PicturesAreThoseOfDivisions) {
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         if (!fused.guesses)
             continue;
         const StateOfKey of(fused.key, width, height);
@@ -153,8 +153,8 @@ TEST(Guesses, PicturesAreThoseOfDivisions) {
 /// Lines may have no colour between those of their ends: they divide everywhere.
 TEST(Guesses, LinesAreDivided) {
     const FusedSpan* guessing = nullptr;
-    for (std::size_t i = 0; i < fused_span_count(); ++i)
-        guessing = fused_spans()[i].guesses ? &fused_spans()[i] : guessing;
+    for (std::size_t i = 0; i < fused_span_count; ++i)
+        guessing = fused_span(i).guesses ? &fused_span(i) : guessing;
     ASSERT_NE(guessing, nullptr);
     const StateOfKey of(guessing->key, width, height);
     Canvas divided(width, height, guessing->key.format, guessing->key.depth_format),

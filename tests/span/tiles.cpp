@@ -80,10 +80,9 @@ void expect_equal(const FusedSpan& fused, const std::string& name) {
 
 TEST(Tiles, EveryTileIsItsChain) {
     int tiles = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i)
-        if (const Shapes* const shapes = fused_spans()[i].shapes;
-            shapes != nullptr && shapes->tile != nullptr) {
-            expect_equal(fused_spans()[i], "entry " + std::to_string(i));
+    for (std::size_t i = 0; i < fused_span_count; ++i)
+        if (const Shapes* const shapes = fused_span(i).shapes; shapes != nullptr && shapes->tile != nullptr) {
+            expect_equal(fused_span(i), "entry " + std::to_string(i));
             ++tiles;
         }
     EXPECT_GE(tiles, host_lanes > 1 ? 4 : 0);

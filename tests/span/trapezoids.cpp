@@ -69,8 +69,8 @@ Triangle triangle(RandomVertices& source, Kind kind) {
 
 TEST(Trapezoids, AreTheirChain) {
     int entries = 0;
-    for (std::size_t i = 0; i < fused_span_count(); ++i) {
-        const FusedSpan& fused = fused_spans()[i];
+    for (std::size_t i = 0; i < fused_span_count; ++i) {
+        const FusedSpan& fused = fused_span(i);
         const std::string name = "entry " + std::to_string(i);
         if (fused.shapes == nullptr)
             continue;

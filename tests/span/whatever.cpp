@@ -124,7 +124,7 @@ struct Sweep {
     void round(int n) {
         const AnyTexture a(texels), b(texels);
         Extras extras(random, width);
-        const FusedSpan& near = fused_spans()[random.below(static_cast<std::uint32_t>(fused_span_count()))];
+        const FusedSpan& near = fused_span(random.below(static_cast<std::uint32_t>(fused_span_count)));
         StateOfKey of(near.key, width, height);
         FragmentState state = of.state;
         PixelFormat format = near.key.format;
