@@ -93,7 +93,6 @@ struct DoubleMath {
     static Point clip_point(const Transforms& t, const Real (&v)[4]) { return to_clip(t, v); }
     static Point eye_point(const Transforms& t, const Real (&v)[4]) { return to_eye(t, v); }
     static Clip narrow(const Point& v) { return v; }
-    static bool is_far(const Clip&) { return false; }
 
     static constexpr int guard_band = 4;
     static double distance(const Clip& c, int plane, int band) {

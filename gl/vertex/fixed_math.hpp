@@ -161,10 +161,6 @@ struct FixedMath : FixedClipping {
     static Clip narrow(const Point& v) {
         return numeric::to_block(v);
     }
-    /// Beside the other components too few bits of w are left to tell where the vertex is.
-    static bool is_far(const numeric::Block4& v) {
-        return numeric::abs_u32(v.m[3]) < 1u << 22;
-    }
 
     /// N vertices on their way from the position to the window: perspective division, viewport, depth range
     /// (GL 1.3, 2.10.1). All are added before the first is divided, so that none waits for another.

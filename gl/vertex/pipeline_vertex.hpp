@@ -86,9 +86,7 @@ SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned 
 template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Vertex& v) const {
     if constexpr (!raster::has_perspective) // whatever is beside the window was divided
         return unprojected;
-    const typename M::Clip clip = M::to_clip(transforms_, v.position);
-    return has_clipping && M::is_far(clip) ? flags_of(M::clip_point(transforms_, v.position))
-                                           : flags_of(clip);
+    return flags_of(M::to_clip(transforms_, v.position));
 }
 
 /// What is current goes with the vertex.
@@ -200,8 +198,7 @@ template <class M, class L> void Pipeline<M, L>::given(const CurrentState& curre
 
 /// The user's planes that a vertex, as it was given, is outside of.
 template <class M, class L> unsigned Pipeline<M, L>::outside(const Vertex& v) const {
-    const typename M::Eye eye = M::to_eye(transforms_, v.position);
-    return M::is_far(eye) ? planes_.outside(M::eye_point(transforms_, v.position)) : planes_.outside(eye);
+    return planes_.outside(M::to_eye(transforms_, v.position));
 }
 
 template <class M, class L> inline void Pipeline<M, L>::color(Vertex& v) {

@@ -64,7 +64,6 @@ struct ShadowMath {
         return {FixedMath::eye_point(t.fixed, v), DoubleMath::eye_point(t.twin, v)};
     }
     static Clip narrow(const Point& v) { return {FixedMath::narrow(v.fixed), v.twin}; }
-    static bool is_far(const Clip& v) { return FixedMath::is_far(v.fixed); }
 
     // What is decided, the integers decide.
     static constexpr int guard_band = FixedMath::guard_band;

@@ -22,7 +22,7 @@ template <class M> class UserPlanes {
     const typename M::Plane& operator[](int i) const { return plane_[i]; }
 
     /// Bit i: the point is outside of plane i.
-    template <class Point> unsigned outside(const Point& eye) const {
+    unsigned outside(const typename M::Eye& eye) const {
         unsigned planes = 0;
         for (int i = 0; i < count_; ++i)
             planes |= M::outside(plane_[i], M::distance(plane_[i], eye)) ? 1u << i : 0u;
@@ -43,7 +43,7 @@ template <class M> class UserPlanes {
     static constexpr bool any() { return false; }
     static constexpr int count() { return 0; }
     typename M::Plane operator[](int) const { return {}; }
-    template <class Point> static constexpr unsigned outside(const Point&) { return 0; }
+    static constexpr unsigned outside(const typename M::Eye&) { return 0; }
 };
 
 #endif

@@ -79,21 +79,10 @@ Setup<Fixed>::Slope Setup<Fixed>::add_steep(Interpolant<std::uint32_t>& at, std:
 // --- attributes
 
 SPANGLE_INLINE void Setup<Fixed>::add_depth() {
-    // k + 1/2 for a code k in the top bits; z31 has half of its last bit.
-    const int bits = !has_format(DepthFormat::z24s8) || state_.depth_format == DepthFormat::z16 ? 16 : 24;
-    std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits), z2 = depth_code(v(2).z, bits);
-    if (bits == 24) {
-        // Half a code is less than the error of a steep plane may be: keep slopes so far from both ends that
-        // no value wraps. A constant depth stays as it is.
-        const std::uint32_t range =
-            range_of(static_cast<std::int32_t>(z0 >> 1), static_cast<std::int32_t>(z1 >> 1),
-                     static_cast<std::int32_t>(z2 >> 1));
-        const std::uint32_t margin = range == 0 ? 0 : (range >> 16) + (1u << 11);
-        const std::uint32_t highest = 0xFFFFFF00u - margin;
-        z0 = numeric::clamp(z0, margin, highest);
-        z1 = numeric::clamp(z1, margin, highest);
-        z2 = numeric::clamp(z2, margin, highest);
-    }
+    // k + 1/2 for a code k in the top bits; halves of differences have half of its last bit.
+    constexpr int bits = 16;
+    const std::uint32_t z0 = depth_code(v(0).z, bits), z1 = depth_code(v(1).z, bits),
+                        z2 = depth_code(v(2).z, bits);
     const std::uint32_t first = z0 + (1u << (31 - bits));
     const auto d1 = static_cast<std::int32_t>((z1 >> 1) - (z0 >> 1)),
                d2 = static_cast<std::int32_t>((z2 >> 1) - (z0 >> 1));
@@ -291,7 +280,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
                                : !has_shortcuts          ? color_range<Rgb>()
                                : !Rgb || !state_.guesses ? color_bits<Rgb>()
                                                          : 2 * (widest_ = color_range<Rgb>());
-    if (state_.needs.z)
+    if (state_.needs.z && !has_24_bits())
         add_depth();
     if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
         with_coordinates(bits, painted);
@@ -339,6 +328,8 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
         attributes_of<true>(provoking);
     else
         attributes(provoking);
+    if (has_24_bits())
+        add_depth_24(a, b, c);
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,
@@ -346,6 +337,8 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
     : span_(span), state_(*span.state) {
     along_axis(a, b, along_x, begin, end);
     attributes(provoking);
+    if (has_24_bits())
+        add_depth_24_along();
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}

@@ -125,6 +125,11 @@ template <> class Setup<Fixed> {
     void add_words(Interpolant<std::uint32_t>& at, std::uint32_t first, const std::int32_t v[3], int up);
     std::uint64_t add_projective(Interpolant<std::uint64_t>& at, const std::int32_t v[3]);
     void add_depth();
+    bool has_24_bits() const {
+        return has_format(DepthFormat::z24s8) && state_.needs.z && state_.depth_format != DepthFormat::z16;
+    }
+    void add_depth_24(const Vertex& a, const Vertex& b, const Vertex& c);
+    void add_depth_24_along();
     void constant_colors(const Vertex& painted);
     void colors(std::uint32_t bits, const Vertex& painted);
     template <bool Rgb> void varying_colors(std::uint32_t bits);

@@ -80,18 +80,19 @@ template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& c
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using System = Colorless<N>;
     using One = OneLane<System>;
-    using Offset = OffsetDepthValue<One>;
+    using Offset16 = OffsetDepthValue<One>;
+    using Offset24 = OffsetDepthValue<One, DepthValueOf<One, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<One>>();
     // Without shortcuts all depths have an offset, if only of 0.
     const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
     if (has_format(DepthFormat::z24s8) && key.stencil)
-        chain.template choose<StencilDepth<One, Offset>, StencilDepth<One>>(offset);
+        chain.template choose<StencilDepth<One, Offset24>, StencilDepth<One>>(offset);
     else if (!key.depth_offset && key.depth == Compare::always && !key.depth_write)
         ; // nothing is asked or kept
     else if (offset)
-        add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset>,
-                  DepthGeneral<One, DepthFormat::z24s8, Offset>>(chain, key);
+        add_depth<N, DepthGeneral<One, DepthFormat::z16, Offset16>,
+                  DepthGeneral<One, DepthFormat::z24s8, Offset24>>(chain, key);
     else
         add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<One, DepthFormat::z24s8>>(chain,
                                                                                                     key);

@@ -14,8 +14,8 @@ struct Surface;
 
 /// The policy of the product.
 ///
-/// Affine:     mod 2^32 (unsigned, so wrap is defined). z: depth code in the top bits, half a code added;
-/// colours: 8.24
+/// Affine:     mod 2^32 (unsigned, so wrap is defined). z: depth code of 16 bits in the top bits, half a code
+///             added, or of 24 bits in the top bits of 64 (z24); colours: 8.24
 ///             255ths, half an 8.8 step added (half a 255th where DrawState::color_bias says so); texture s,
 ///             t: see Coord; fog: s7.24.
 /// Projective: mod 2^64 two's complement, 30-bit values with 16 guard bits below, normalised per primitive.
@@ -107,7 +107,12 @@ template <class P> struct Span {
     std::uint32_t flat_word;   ///< Kind::flat: the colour as stored in a 16-bit surface
 
     Basis basis;
-    Affine z;
+    Affine z; ///< where the depth buffer has 16 bits
+    struct None {};
+    /// Where it has 24: with 40 bits below them a plane is within half a code anywhere.
+    [[no_unique_address]] std::conditional_t<!all && has_format(DepthFormat::z24s8),
+                                             Interpolant<std::uint64_t>, None>
+        z24;
     Affine color_value[4];         ///< RGBA
     Affine secondary[secondaries]; ///< RGB
     Affine fog;

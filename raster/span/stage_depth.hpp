@@ -38,14 +38,12 @@ template <class T> SPANGLE_INLINE constexpr bool compare(Compare func, T incomin
     return (static_cast<unsigned>(func) & outcome) != 0;
 }
 
-/// The interpolated depth of the fixed policy. `code<Bits>()`: what a depth buffer of 16 or 24 bits stores.
+/// The interpolated depth of the fixed policy, for depth buffers of 16 bits.
 template <class N> struct DepthValue : StageBase {
     Ramp<typename N::L> z;
     template <class S> SPANGLE_INLINE DepthValue(const S& s, std::int32_t x) : z(s, x, s.z) {}
     /// All bits (one lane).
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
-    /// The code of 24 bits (one lane).
-    SPANGLE_INLINE std::uint32_t code24() const { return z.at >> 8; }
     SPANGLE_INLINE void step() {
         if constexpr (is_raw<N>)
             z.step_aside();
@@ -55,18 +53,32 @@ template <class N> struct DepthValue : StageBase {
     SPANGLE_INLINE void next_row() { z.next_row(); }
 };
 
+/// The same for depth buffers of 24 bits.
+template <class N> struct DepthValue24 : StageBase {
+    static_assert(N::lanes == 1);
+    std::uint64_t z, dx;
+    SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
+        : z(s.at(x, s.z24)), dx(s.z24.dx) {}
+    SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
+    SPANGLE_INLINE void step() { z += dx; }
+};
+
+/// Of a number system and a format. The reference has one for both.
+template <class N, DepthFormat Format>
+using DepthValueOf =
+    std::conditional_t<Format == DepthFormat::z24s8 && std::is_same_v<typename N::Policy, Fixed>,
+                       DepthValue24<N>, DepthValue<N>>;
+
 /// The same with the offset of polygons (GL 1.3, 3.5.5), clamped.
-template <class N> struct OffsetDepthValue : DepthValue<N> {
+template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value {
     static_assert(N::lanes == 1);
     std::int64_t offset;
     SPANGLE_INLINE OffsetDepthValue(const Span<typename N::Policy>& s, std::int32_t x)
-        : DepthValue<N>(s, x), offset(s.state->fragment.depth_offset ? s.state->primitive->depth_offset : 0) {
-    }
+        : Value(s, x), offset(s.state->fragment.depth_offset ? s.state->primitive->depth_offset : 0) {}
     SPANGLE_INLINE std::uint32_t word() const {
         return static_cast<std::uint32_t>(
-            numeric::clamp<std::int64_t>(offset + this->z.at, 0, INT64_C(0xFFFFFFFF)));
+            numeric::clamp<std::int64_t>(offset + Value::word(), 0, INT64_C(0xFFFFFFFF)));
     }
-    SPANGLE_INLINE std::uint32_t code24() const { return word() >> 8; }
 };
 
 template <class N, DepthFormat Format, Compare Func, bool Write> struct Depth;
@@ -138,10 +150,10 @@ template <class N, Compare Func, bool Write> struct Depth<N, DepthFormat::z16, F
 
 /// 24 bits above 8 of stencil, which stay.
 template <class N, Compare Func, bool Write>
-struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
+struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValueOf<N, DepthFormat::z24s8> {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = Write;
-    using DepthValue<N>::DepthValue;
+    using DepthValueOf<N, DepthFormat::z24s8>::DepthValueOf;
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         auto* const at = static_cast<std::uint8_t*>(__builtin_assume_aligned(p.depth_plane + 4 * p.i, 4));
@@ -158,7 +170,7 @@ struct Depth<N, DepthFormat::z24s8, Func, Write> : DepthValue<N> {
 };
 
 /// Function and write mask at run time: the depth test of the chain.
-template <class N, DepthFormat Format, class Value = DepthValue<N>> struct DepthGeneral : Value {
+template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> struct DepthGeneral : Value {
     static_assert(N::lanes == 1 || Format == DepthFormat::z16);
     static constexpr bool kill = true, effect = true;
     using L = typename N::L;

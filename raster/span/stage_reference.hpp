@@ -35,7 +35,6 @@ template <> struct DepthValue<Reference> : StageBase {
         code();
     }
     std::uint32_t word() const { return z; }
-    std::uint32_t code24() const { return z >> 8; }
     void step() {
         ++x;
         code();

@@ -43,7 +43,7 @@ constexpr std::uint32_t stencil_result(StencilOp op, std::uint32_t stored, std::
 }
 
 /// Stencil test and, when it is on, the depth test behind it; 24 bits of depth above 8 of stencil.
-template <class N, class Value = DepthValue<N>> struct StencilDepth : Value {
+template <class N, class Value = DepthValueOf<N, DepthFormat::z24s8>> struct StencilDepth : Value {
     static_assert(N::lanes == 1);
     static constexpr bool kill = true, effect = true;
     const FragmentState& state;
@@ -62,7 +62,7 @@ template <class N, class Value = DepthValue<N>> struct StencilDepth : Value {
         if (passes) {
             op = stencil.pass;
             if (state.depth_test) {
-                const std::uint32_t incoming = this->code24();
+                const std::uint32_t incoming = this->word() >> 8;
                 passes = compare<std::uint32_t>(state.depth_func, incoming, depth);
                 if (!passes)
                     op = stencil.depth_fail;
