@@ -62,6 +62,12 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);
         }
+        /// What rounding took off place() of 32 bits, in 2^-16: the upper half of the product's low word.
+        SPANGLE_INLINE std::int16_t rest(Factor minus_q) const {
+            const std::uint32_t low =
+                static_cast<std::uint32_t>(minus_half) * static_cast<std::uint32_t>(minus_q);
+            return static_cast<std::int16_t>(low >> 16);
+        }
     };
     static constexpr std::int32_t lift_room[3] = {3, 3, 1};
     using Quotient = Factor;
@@ -219,6 +225,7 @@ struct FixedMath : FixedClipping {
             out.x = t.x.place(minus_x, 32);
             out.y = t.y.place(minus_y, 32);
             out.z = static_cast<std::uint32_t>(t.depth.place(minus_z, depth_quotient_bits));
+            set_rest(out, t.x.rest(minus_x), t.y.rest(minus_y));
             planes = 0;
             if (!beyond(minus_x, one) && !beyond(minus_y, one) && !beyond(minus_z, z_one)) [[likely]]
                 return true;
@@ -442,8 +449,10 @@ struct FixedMath : FixedClipping {
         // A vertex that clipping made between extreme neighbours (|x| > 2^30 w) lies on its plane but for the
         // rounding of 30-bit mantissas, which the division would blow up: held to the guard band.
         constexpr int bits = 28;
-        out.x = limit(place(t.x, c.m[0], r, zeros, bits, bits + half_bits));
-        out.y = limit(place(t.y, c.m[1], r, zeros, bits, bits + half_bits));
+        std::int16_t x_rest, y_rest;
+        out.x = limit(place(t.x, c.m[0], r, zeros, bits, bits + half_bits, &x_rest), x_rest);
+        out.y = limit(place(t.y, c.m[1], r, zeros, bits, bits + half_bits, &y_rest), y_rest);
+        set_rest(out, x_rest, y_rest);
         const std::int64_t depth = place(t.depth, c.m[2], r, zeros, 30, 30);
         out.z = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(depth, 0, raster::depth_one));
     }
@@ -713,18 +722,31 @@ struct FixedMath : FixedClipping {
     }
 
     /// m / w of a range, by a quotient of so many bits, held to 2^30, and of so many with minus_half.
+    /// `rest` gets what rounding took off, in 2^-16.
     SPANGLE_RUN_CALL static std::int64_t place(const Range& range, std::int32_t m, std::uint32_t r, int zeros,
-                                               int quotient_has, int bits) {
+                                               int quotient_has, int bits, std::int16_t* rest = nullptr) {
         constexpr std::int64_t most = std::int64_t{1} << 30; // the guard band of 28 bits, or 1 of 30
         const auto q = static_cast<std::int32_t>(
             numeric::clamp<std::int64_t>(quotient(m, r, zeros, quotient_has), -most, most));
-        return range.middle + (((std::int64_t{1} << (bits - 1)) - product(range.minus_half, q)) >> bits);
+        const std::int64_t from_middle = -product(range.minus_half, q);
+        if (rest != nullptr)
+            *rest = static_cast<std::int16_t>(from_middle >> (bits - 16));
+        return range.middle + (((std::int64_t{1} << (bits - 1)) + from_middle) >> bits);
     }
 
     /// Into what the rasterizer accepts; only rounding in the clipper ever gets here.
-    static std::int32_t limit(std::int64_t v) {
+    static std::int32_t limit(std::int64_t v, std::int16_t& rest) {
         constexpr std::int64_t most = 4 * 2048 * raster::subpixel_one - 1;
+        if (v < -most || v > most)
+            rest = 0;
         return static_cast<std::int32_t>(numeric::clamp<std::int64_t>(v, -most, most));
+    }
+    SPANGLE_INLINE static void set_rest([[maybe_unused]] Window& out, [[maybe_unused]] std::int16_t x,
+                                        [[maybe_unused]] std::int16_t y) {
+#if SPANGLE_TIER_SET & 1
+        out.x_rest = x;
+        out.y_rest = y;
+#endif
     }
 
     // A build without these has no place for them (raster/vertex.hpp).

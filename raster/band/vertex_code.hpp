@@ -13,8 +13,9 @@ class VertexCode {
   public:
     static constexpr int most_words = static_cast<int>(sizeof(FixedVertex) / 4);
 
-    explicit VertexCode(const Needs& needs) : needs_(needs) {
-        words_ = 4 + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
+    VertexCode(const Needs& needs, Tier tier) : needs_(needs), rests_(has_rests && tier == Tier::exact) {
+        words_ =
+            4 + (rests_ ? 1 : 0) + (needs.z ? 1 : 0) + 4 + (needs.secondary ? 3 : 0) + (needs.fog ? 1 : 0);
         for (int i = 0; i < max_texture_units; ++i)
             words_ += needs.unit[i] ? words_of_unit + (needs.r[i] ? 1 : 0) : 0;
     }
@@ -25,6 +26,8 @@ class VertexCode {
         put(to, v.y);
         put(to, v.w_mantissa);
         put(to, exponents(v));
+        if (rests_)
+            put(to, both(v.x_rest, v.y_rest));
         put(to, v.color);
         if (needs_.z)
             put(to, v.z);
@@ -43,13 +46,20 @@ class VertexCode {
 
     void decode(const std::uint32_t* from, FixedVertex& v) const {
         v = FixedVertex{};
-        std::uint32_t both = 0;
+        std::uint32_t pair = 0;
         get(from, v.x);
         get(from, v.y);
         get(from, v.w_mantissa);
-        get(from, both);
-        v.w_exponent = static_cast<std::int16_t>(both >> 16);
-        v.fog_exponent = static_cast<std::int16_t>(both & 0xFFFF);
+        get(from, pair);
+        v.w_exponent = static_cast<std::int16_t>(pair >> 16);
+        v.fog_exponent = static_cast<std::int16_t>(pair & 0xFFFF);
+        if (rests_) {
+            get(from, pair);
+#if SPANGLE_TIER_SET & 1
+            v.x_rest = static_cast<std::int16_t>(pair >> 16);
+            v.y_rest = static_cast<std::int16_t>(pair & 0xFFFF);
+#endif
+        }
         get(from, v.color);
         if (needs_.z)
             get(from, v.z);
@@ -71,10 +81,10 @@ class VertexCode {
 
     /// One word: nobody else's bits lie between.
     std::uint32_t exponents(const FixedVertex& v) const {
-        const auto low = [](std::int16_t e) {
-            return static_cast<std::uint32_t>(static_cast<std::uint16_t>(e));
-        };
-        return low(v.w_exponent) << 16 | (needs_.fog ? low(v.fog_exponent) : 0);
+        return both(v.w_exponent, needs_.fog ? v.fog_exponent : std::int16_t{0});
+    }
+    static std::uint32_t both(std::int16_t high, std::int16_t low) {
+        return std::uint32_t{static_cast<std::uint16_t>(high)} << 16 | static_cast<std::uint16_t>(low);
     }
     template <class T> static void put(std::uint32_t*& to, const T& value) {
         static_assert(sizeof(T) % 4 == 0);
@@ -87,7 +97,10 @@ class VertexCode {
         from += sizeof(T) / 4;
     }
 
+    static constexpr bool has_rests = has_tier(Tier::exact);
+
     Needs needs_;
+    bool rests_; ///< set-up looks at what snapping took off
     int words_;
 };
 

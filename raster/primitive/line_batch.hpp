@@ -134,7 +134,9 @@ template <class L> class LineBatch {
         Span<Fixed> span;
         span.state = &state_;
         span.target = &target_;
-        Setup<Fixed>(span, *vertex_[0], *vertex_[1], provoking(), true, at.begin, at.end);
+        const FixedVertex &a = *vertex_[0], &b = *vertex_[1];
+        Setup<Fixed>(span, a, b, provoking(), true, at.begin, at.end,
+                     Diamond<LineLanes<1>>::is_along_x(a.x, a.y, b.x, b.y));
         if (state_.needs.z) {
             paths_.at(Paths::depth, 0) = static_cast<std::int32_t>(span.z.at(at.from_begin, 0));
             paths_.at(Paths::depth_step, 0) = static_cast<std::int32_t>(span.z.dx);

@@ -21,13 +21,13 @@ SPANGLE_INLINE void Setup<Fixed>::start(std::int32_t x, std::int32_t y) {
             (numeric::mul_long(by().dx[i], ox) + numeric::mul_long(by().dy[i], oy)) >> subpixel_bits);
 }
 
-void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin,
-                              std::int32_t end) {
+void Setup<Fixed>::along_axis(const Vertex& from, const Vertex& to, const Axis& axis) {
     span_.basis = {{&from, &to, &from}, {}, {}};
-    const PerPixel per_pixel(begin, end);
-    (along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
+    axis_ = axis;
+    const PerPixel per_pixel(axis.begin, axis.end);
+    (axis.along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
     by().exponent = per_pixel.exponent;
-    start(along_x ? begin : from.x, along_x ? from.y : begin);
+    start(axis.along_x ? axis.begin : from.x, axis.along_x ? from.y : axis.begin);
 }
 
 /// Of the box of three corners, upwards.
@@ -37,9 +37,9 @@ void Setup<Fixed>::along_longer_axis(const Vertex& a, const Vertex& b, const Ver
     left = c.x < left->x ? &c : left;
     right = c.x > right->x ? &c : right;
     if (right->x - left->x <= c.y - a.y)
-        along_axis(a, c, false, a.y, c.y);
+        along_axis(a, c, {a.y, c.y, false, false});
     else
-        along_axis(*left, *right, true, left->x, right->x);
+        along_axis(*left, *right, {left->x, right->x, true, true});
 }
 
 /// |area2| 2^zeros has its highest bit; `top` is its upper word.
@@ -192,7 +192,10 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     if (q_least_ < 1u << 28 || product >> 52 != 0)
         return divided_colors();
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
-    const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
+    // Beyond the vertices the colour is what it is there (projective_color), the affine one goes on.
+    const std::uint32_t beyond = numeric::mul_high_u32(widest_ << 4, beyond_) + 1,
+                        error =
+                            static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17 + beyond;
     // Steps are no more than the 255ths are, and off by less than 2^-11 of them, which is less than what is
     // left of `lost`.
     const std::uint32_t off = error + lost;
@@ -282,6 +285,8 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
                                                          : 2 * (widest_ = color_range<Rgb>());
     if (state_.needs.z && !has_24_bits())
         add_depth();
+    if (unsnaps(state_) && (bits != 0 || (!Rgb && state_.textured_or_fogged)))
+        unsnap(bits);
     if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
         with_coordinates(bits, painted);
     else
@@ -333,9 +338,9 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,
-                    bool along_x, std::int32_t begin, std::int32_t end)
+                    bool along_x, std::int32_t begin, std::int32_t end, bool of_x)
     : span_(span), state_(*span.state) {
-    along_axis(a, b, along_x, begin, end);
+    along_axis(a, b, {begin, end, along_x, of_x});
     attributes(provoking);
     if (has_24_bits())
         add_depth_24_along();

@@ -17,6 +17,10 @@ template <class P> class Setup;
 /// is off by less than 2^-18 of its range anywhere in a triangle (thin_aspect below), 2^-27 in a compact one.
 /// Values start at the pixel of the lowest vertex: order of vertices, integer translation, scissor and bands
 /// change nothing.
+///
+/// Planes go through the vertices that coverage sees, which are snapped to 1/256 pixel, and so does depth in
+/// every tier. In the exact tier those of all other attributes go through the vertices before snapping
+/// (unsnap()).
 template <> class Setup<Fixed> {
   public:
     using Vertex = FixedVertex;
@@ -39,7 +43,11 @@ template <> class Setup<Fixed> {
           const Area& area);
     /// Line: attributes vary along its major axis, from a at coordinate `begin` to b at `end` (subpixels).
     Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
-          std::int32_t begin, std::int32_t end);
+          std::int32_t begin, std::int32_t end)
+        : Setup(span, a, b, provoking, along_x, begin, end, along_x) {}
+    /// The same, `begin` and `end` being x or y of the vertices, whatever direction planes are to have.
+    Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& provoking, bool along_x,
+          std::int32_t begin, std::int32_t end, bool of_x);
     /// Point: nothing varies.
     Setup(Span<Fixed>& span, const Vertex& v);
 
@@ -84,8 +92,20 @@ template <> class Setup<Fixed> {
         bool homogeneous;    ///< q is not 1: s and t are already over w, q is valid
     };
 
+    /// Of a line, or of a triangle that is interpolated along one axis.
+    struct Axis {
+        std::int32_t begin, end;
+        bool along_x; ///< planes vary along x, else y
+        bool of_x;    ///< begin and end are x of vertices, else y
+    };
+
     void start(std::int32_t x, std::int32_t y);
-    void along_axis(const Vertex& from, const Vertex& to, bool along_x, std::int32_t begin, std::int32_t end);
+    void unsnap(std::uint32_t color_bits);
+    bool unsnap_plane();
+    bool unsnap_axis();
+    bool colors_stay_inside(std::uint32_t color_bits) const;
+    void snap_where_w_ends();
+    void along_axis(const Vertex& from, const Vertex& to, const Axis& axis);
     static Area area_of(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area2);
     void along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c);
     void in_plane(std::uint32_t top, int zeros, bool negative);
@@ -153,6 +173,12 @@ template <> class Setup<Fixed> {
 
     Span<Fixed>& span_;
     const DrawState& state_;
+    Axis axis_;
+    /// Exact tier: by how much of its range an attribute may lie beyond its values at the vertices, within
+    /// coverage, in 2^-32; 0 where planes go through snapped vertices, whose coefficients are `snapped_`.
+    std::uint32_t beyond_;
+    Coefficients snapped_;
+    bool colors_snapped_;
     std::uint32_t q_least_, q_range_;
     std::uint32_t widest_; ///< range of a colour, where it was asked for
 };

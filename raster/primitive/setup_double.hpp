@@ -18,14 +18,20 @@ template <> class Setup<Double> {
     Setup(Span<Double>& span, const Vertex& v);
 
   private:
+    /// How attributes vary through three positions, or along an axis.
+    struct Plane {
+        double origin_x, origin_y; ///< of the reference vertex 0, pixels
+        double x1, y1, x2, y2;     ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
+    };
+    static Plane through(double ax, double ay, double bx, double by, double cx, double cy);
     /// Gradients of an attribute with these values at the three reference vertices.
-    void add(Interpolant<double>& at, double v0, double v1, double v2, double* dy = nullptr);
+    void add(const Plane& plane, Interpolant<double>& at, double v0, double v1, double v2,
+             double* dy = nullptr);
     void attributes(const Vertex& provoking);
 
     Span<Double>& span_;
     const Vertex* v_[3];
-    double origin_x_, origin_y_; ///< of the reference vertex 0, pixels
-    double x1_, y1_, x2_, y2_;   ///< d/dx = d1 x1 + d2 x2, d/dy = d1 y1 + d2 y2
+    Plane snapped_, exact_; ///< of depth, and of all else
 };
 
 } // namespace spangle::raster

@@ -10,6 +10,11 @@
 
 namespace spangle::raster {
 
+/// Attributes go through the vertices as they were before snapping.
+SPANGLE_INLINE bool unsnaps(const DrawState& state) {
+    return has_tier(Tier::exact) && drawn(state.tier) == Tier::exact;
+}
+
 /// The least and the largest of three.
 struct Ends {
     std::int32_t low, high;

@@ -42,6 +42,8 @@ void Setup<Fixed>::project(Span<Fixed>& span) {
 
 /// Nothing is guessed, and nothing else has planes over w.
 void Setup<Fixed>::divided_colors() {
+    if (unsnaps(state_))
+        snap_where_w_ends();
     span_.q_dy = add_projective(span_.q, span_.basis.q);
     projective_colors();
     if (!has_fused_spans || !state_.guesses)

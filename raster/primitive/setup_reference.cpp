@@ -1,3 +1,6 @@
+#include <cmath>
+#include <cstdlib>
+
 #include "raster/primitive/setup_double.hpp"
 
 namespace spangle::raster {
@@ -8,37 +11,60 @@ double pixels(std::int32_t v) {
     return static_cast<double>(v) / subpixel_one;
 }
 
+/// A coordinate before it was snapped, where that is known: what is further away is of another vertex.
+double exact(std::int32_t snapped, double before) {
+    return std::fabs(before * subpixel_one - snapped) < 0.75 ? before : pixels(snapped);
+}
+
 } // namespace
+
+Setup<Double>::Plane Setup<Double>::through(double ax, double ay, double bx, double by, double cx,
+                                            double cy) {
+    const double x1 = bx - ax, y1 = by - ay, x2 = cx - ax, y2 = cy - ay, area = x1 * y2 - x2 * y1;
+    return {ax, ay, y2 / area, -x2 / area, -y1 / area, x1 / area};
+}
 
 Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const Vertex& c,
                      const Vertex& provoking, std::int64_t)
-    : span_(span), v_{&a, &b, &c}, origin_x_(pixels(a.x)), origin_y_(pixels(a.y)) {
-    const double bx = pixels(b.x) - origin_x_, by = pixels(b.y) - origin_y_;
-    const double cx = pixels(c.x) - origin_x_, cy = pixels(c.y) - origin_y_;
-    const double area = bx * cy - cx * by;
-    x1_ = cy / area;
-    x2_ = -by / area;
-    y1_ = -cx / area;
-    y2_ = bx / area;
+    : span_(span), v_{&a, &b, &c},
+      snapped_(through(pixels(a.x), pixels(a.y), pixels(b.x), pixels(b.y), pixels(c.x), pixels(c.y))),
+      exact_(through(exact(a.x, a.x_exact), exact(a.y, a.y_exact), exact(b.x, b.x_exact),
+                     exact(b.y, b.y_exact), exact(c.x, c.x_exact), exact(c.y, c.y_exact))) {
+    // Vertices too near to one line say little of what lies between them: the rule of
+    // Setup<Fixed>::unsnap_plane().
+    const double sum =
+        std::fabs(exact_.x1) + std::fabs(exact_.x2) + std::fabs(exact_.y1) + std::fabs(exact_.y2);
+    if (!(sum / (2 * subpixel_one) <= 1.0 / 16))
+        exact_ = snapped_;
     attributes(provoking);
 }
 
 Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const Vertex& provoking,
                      bool along_x, std::int32_t begin, std::int32_t end)
-    : span_(span), v_{&a, &b, &a}, origin_x_(along_x ? pixels(begin) : 0),
-      origin_y_(along_x ? 0 : pixels(begin)), x1_(0), y1_(0), x2_(0), y2_(0) {
-    const double length = pixels(end) - pixels(begin);
-    (along_x ? x1_ : y1_) = length != 0 ? 1 / length : 0;
+    : span_(span), v_{&a, &b, &a}, snapped_{}, exact_{} {
+    const auto along = [&](double from, double to) {
+        const double one = to != from ? 1 / (to - from) : 0;
+        return along_x ? Plane{from, 0, one, 0, 0, 0} : Plane{0, from, 0, one, 0, 0};
+    };
+    snapped_ = exact_ = along(pixels(begin), pixels(end));
+    const auto end_of = [&](const Vertex& v, std::int32_t at) {
+        const bool moved = at != (along_x ? v.x : v.y);
+        return moved ? pixels(at) : exact(at, along_x ? v.x_exact : v.y_exact);
+    };
+    if (std::abs(end - begin) >= 16)
+        exact_ = along(end_of(a, begin), end_of(b, end));
     attributes(provoking);
 }
 
 Setup<Double>::Setup(Span<Double>& span, const Vertex& v) : Setup(span, v, v, v, true, v.x, v.x) {}
 
-void Setup<Double>::add(Interpolant<double>& at, double v0, double v1, double v2, double* dy) {
+void Setup<Double>::add(const Plane& plane, Interpolant<double>& at, double v0, double v1, double v2,
+                        double* dy) {
     const double d1 = v1 - v0, d2 = v2 - v0;
-    at.dx = d1 * x1_ + d2 * x2_;
-    at.dy = d1 * y1_ + d2 * y2_;
-    at.value = v0 + at.dx * (span_.anchor_x + 0.5 - origin_x_) + at.dy * (span_.anchor_y + 0.5 - origin_y_);
+    at.dx = d1 * plane.x1 + d2 * plane.x2;
+    at.dy = d1 * plane.y1 + d2 * plane.y2;
+    at.value = v0 + at.dx * (span_.anchor_x + 0.5 - plane.origin_x) +
+               at.dy * (span_.anchor_y + 0.5 - plane.origin_y);
     if (dy != nullptr)
         *dy = at.dy;
 }
@@ -52,9 +78,9 @@ void Setup<Double>::attributes(const Vertex& provoking) {
     for (int i = 0; i < 3; ++i)
         w[i] = state.fragment.perspective ? v_[i]->inv_w : 1;
     const auto over_w = [&](Interpolant<double>& at, double a, double b, double c, double* dy = nullptr) {
-        add(at, a * w[0], b * w[1], c * w[2], dy);
+        add(exact_, at, a * w[0], b * w[1], c * w[2], dy);
     };
-    add(span_.z, v_[0]->z, v_[1]->z, v_[2]->z);
+    add(snapped_, span_.z, v_[0]->z, v_[1]->z, v_[2]->z);
     over_w(span_.q, 1, 1, 1, &span_.q_dy);
     const bool flat = state.fragment.flat;
     const Vertex& a = flat ? provoking : *v_[0];

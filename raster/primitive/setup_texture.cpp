@@ -296,12 +296,21 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
         q_range_ = 0;
         q_least_ = 1u << 29;
     }
+    if (unsnaps(state_))
+        snap_where_w_ends();
     span_.kind = choose_kind(units, same_w, color_bits, fog);
     span_.gray = state_.variant[static_cast<unsigned>(span_.kind)].gray && grays(color_bits, painted);
 
     if (has_division && span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, span_.basis.q);
-    colors(color_bits, painted);
+    if (unsnaps(state_) && colors_snapped_ && span_.kind != Kind::full) [[unlikely]] {
+        const Coefficients kept = by();
+        by() = snapped_;
+        colors(color_bits, painted);
+        by() = kept;
+    } else {
+        colors(color_bits, painted);
+    }
     if (has_fog && needs.fog) {
         if (span_.kind == Kind::affine) {
             add_words(span_.fog, static_cast<std::uint32_t>(fog[0]), fog, 0);

@@ -7,8 +7,8 @@
 
 namespace spangle::raster {
 
-/// Reference policy: same snapped x, y; everything else in double, in GL's own units (colours and depth
-/// 0..1).
+/// Reference policy: same snapped x, y, for coverage and depth; everything else in double, in GL's own units
+/// (colours and depth 0..1), on planes through the position before snapping.
 struct DoubleVertex {
     std::int32_t x, y;
     double z, inv_w, fog;
@@ -16,7 +16,7 @@ struct DoubleVertex {
     struct TexCoord {
         double s, t, q, r;
     } tex[max_texture_units];
-    double x_exact, y_exact; ///< window position before snapping, for the coverage_unsnapped report
+    double x_exact, y_exact; ///< window position before snapping
 };
 
 /// Both at once, every step recorded (design 2: diagnosis and profiling). The picture comes from `fixed`.
@@ -60,6 +60,8 @@ constexpr void place(FixedVertex& v, const Position& p) {
     v.y = p.y;
 }
 constexpr void place(DoubleVertex& v, const Position& p) {
+    v.x_exact += (p.x - v.x) / double{subpixel_one};
+    v.y_exact += (p.y - v.y) / double{subpixel_one};
     v.x = p.x;
     v.y = p.y;
 }

@@ -58,6 +58,11 @@ inline FixedVertex fixed_vertex(const Point& p) {
     };
     v.x = static_cast<std::int32_t>(std::lround(p.x * 256));
     v.y = static_cast<std::int32_t>(std::lround(p.y * 256));
+    const auto rest = [](double at, std::int32_t snapped) {
+        return static_cast<std::int16_t>(std::fmin(std::floor((at * 256 - snapped) * 65536), 32767));
+    };
+    v.x_rest = rest(p.x, v.x);
+    v.y_rest = rest(p.y, v.y);
     v.z = static_cast<std::uint32_t>(std::lround(p.z * depth_one));
     mantissa(1 / p.w, v.w_mantissa, v.w_exponent);
     mantissa(p.fog, v.fog_mantissa, v.fog_exponent);

@@ -20,6 +20,13 @@ struct FixedVertex {
     std::uint32_t w_mantissa; ///< 1/w = w_mantissa * 2^w_exponent, mantissa in [2^31, 2^32)
     std::int16_t w_exponent;
     std::int16_t fog_exponent; ///< eye distance |z_e|, or fog coordinate = fog_mantissa * 2^fog_exponent
+    /// What snapping took off x and y, in 2^-16 of their last bit: the exact tier has planes of attributes,
+    /// but not coverage and depth, go through x + x_rest, y + y_rest.
+#if SPANGLE_TIER_SET & 1
+    std::int16_t x_rest, y_rest;
+#else
+    static constexpr std::int16_t x_rest = 0, y_rest = 0;
+#endif
 #if SPANGLE_FEATURE_FOG
     std::int32_t fog_mantissa;
 #else
