@@ -22,7 +22,12 @@ function(spangle_pkg_config name text)
         string(APPEND libs " -pthread")
     endif()
     set(definitions $<REMOVE_DUPLICATES:$<TARGET_PROPERTY:spangle_${name},INTERFACE_COMPILE_DEFINITIONS>>)
-    set(options $<REMOVE_DUPLICATES:$<TARGET_PROPERTY:spangle_${name},INTERFACE_COMPILE_OPTIONS>>)
+    # A file has no language. Its options are those of C++, of the rooms themselves: what they require brings its own.
+    get_target_property(options spangle_${name} INTERFACE_COMPILE_OPTIONS)
+    if(NOT options)
+        set(options)
+    endif()
+    string(REPLACE "COMPILE_LANG_AND_ID:CXX," "CXX_COMPILER_ID:" options "${options}")
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/pkgconfig/spangle-${name}.pc CONTENT
 "prefix=${SPANGLE_PC_PREFIX}
 libdir=${SPANGLE_PC_LIBDIR}

@@ -94,7 +94,8 @@ if(CONFIG_SPANGLE)
     zephyr_library_include_directories(${{root}})
     zephyr_library_compile_options(-std=gnu++20 {' '.join(ABOUT["flags"])}
         "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:{";".join(ABOUT["gcc_flags"])}>")
-    set_source_files_properties(${{root}}/raster/span/fused_table.cpp PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fipa-modref>)
+    file(GLOB spans ${{root}}/raster/span/fused_part_*.cpp)
+    set_source_files_properties(${{spans}} PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fipa-modref>)
     zephyr_compile_definitions({' '.join(ABOUT["definitions"])})
     foreach(folder
 {rows(ABOUT["includes"], 12)})
@@ -141,9 +142,9 @@ def export(folder):
         (source / room).mkdir(parents=True, exist_ok=True)
         for path in (ROOT / room).iterdir():
             if path.suffix in (".cpp", ".hpp", ".h") and not path.name.endswith("_reference.cpp"):
-                # fused_table.cpp keeps the second of them: raster/CMakeLists.txt says why.
+                # The parts of the table of fused spans keep the second of them: raster/CMakeLists.txt says why.
                 before = pragma() if path.suffix == ".cpp" else ""
-                if path.name == "fused_table.cpp":
+                if path.name.startswith("fused_part_"):
                     before = before.replace(', "no-ipa-modref"', "")
                 (source / room / path.name).write_text(before + path.read_text())
     for public in ABOUT["includes"]:

@@ -60,7 +60,7 @@ def sound_calls(compiler):
 
 def source_flags(source):
     """What one source gets behind SOUND_CALLS: the loops of the fused spans keep the pass (raster/CMakeLists.txt)."""
-    return ["-fipa-modref"] if source.name == "fused_table.cpp" else []
+    return ["-fipa-modref"] if source.name.startswith("fused_part_") else []
 
 
 def missing(targets):

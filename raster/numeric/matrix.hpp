@@ -173,12 +173,13 @@ SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
 }
 
-/// Column j of a * b in r, which holds that of a. With `rest`, three elements, the rows and columns are those
-/// of 3 x 3 matrices, and `rest` has more bits of b's.
-SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix& b, int j,
+/// Column j of a * b in r, which holds that of a. The rows and columns have `half` elements, 4; or 3, those
+/// of 3 x 3 matrices, where `rest` has as many with more bits of b's. A number decides: an address may be
+/// null for all that compilers are told.
+SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix& b, int j, int half,
                                                   const Element* rest, Matrix& r) {
     Element column[6];
-    const int half = rest != nullptr ? 3 : 4, n = rest != nullptr ? 6 : 4;
+    const int n = half == 3 ? 6 : 4;
     gather(b, 4 * j, 1, half, column);
     for (int i = half; i < n; ++i)
         column[i] = rest[i - half];
@@ -187,7 +188,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
     for (int i = 0; i < 4; ++i) {
         Element row[6];
         gather(a, i, 4, half, row);
-        if (rest != nullptr)
+        if (half == 3)
             gather(a, i, 4, half, row + half);
         r.set(i, j, sum_of_products(row, column, n));
     }
@@ -210,7 +211,7 @@ constexpr void row_times(const Real (&v)[4], const Matrix& a, Real (&out)[4]) {
 SPANGLE_RUN_CALL constexpr Matrix multiply(const Matrix& a, const Matrix& b) {
     Matrix r = a;
     for (int j = 0; j < 4; ++j)
-        detail::multiply_column(a, b, j, nullptr, r);
+        detail::multiply_column(a, b, j, 4, nullptr, r);
     return r;
 }
 

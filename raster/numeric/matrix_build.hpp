@@ -62,7 +62,7 @@ constexpr Rotation rotation(Real degrees, Real x, Real y, Real z) {
 constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
     Matrix r = a; // the last column stays
     for (int j = 0; j < 3; ++j)
-        detail::multiply_column(a, b.matrix, j, b.rest[j], r);
+        detail::multiply_column(a, b.matrix, j, 3, b.rest[j], r);
     return r;
 }
 

@@ -5,7 +5,7 @@ usage: calls.py recipes|spans|pure|boards COMPILER BUILD_DIR
 
 recipes: every way to build the library has the flags: the build in BUILD_DIR, firmware, packages, scripts that call a
 compiler, and C++ of a project that links the library; C of that project has none.
-spans: the one source that keeps the pass ipa-modref passes no structure by value from memory, which the pass forgets.
+spans: the sources that keep the pass ipa-modref pass no structure by value from memory, which the pass forgets.
 pure: GCC takes no function for pure that has something to write through.
 boards: the cases of calls.hpp on emulated Cortex-M3, M4 and RV32, at -O2, at -Os, and linked as one.
 """
@@ -24,7 +24,7 @@ import firmware  # noqa: E402
 import generate  # noqa: E402
 from checks import check, failures  # noqa: E402
 
-SPANS = "raster/span/fused_table.cpp"
+SPANS = sorted((ROOT / "raster/span").glob("fused_part_*.cpp"))
 # Scripts may call a compiler with flags of their own if they name the list, or if nothing is compiled to code.
 NAMES_THE_LIST = re.compile(r"SOUND_CALLS|sound_calls|gcc_flags|firmware\.FLAGS|-fsyntax-only")
 USER = """cmake_minimum_required(VERSION 3.22)
@@ -71,8 +71,9 @@ def recipes(compiler, build):
             commands = {pathlib.Path(entry["file"]).name: entry["command"] for entry in built(folder / "build")}
             check(not gcc or not flags_missing(commands["draw.cpp"]), f"C++ that links {library} is compiled without {flags_missing(commands['draw.cpp'])}")
             check(len(flags_missing(commands["main.c"])) == len(firmware.SOUND_CALLS), f"C that links {library} has flags of C++: {commands['main.c']}")
-            kept = commands["fused_table.cpp"].split()
-            check(not gcc or ("-fipa-modref" in kept and kept.index("-fipa-modref") > kept.index("-fno-ipa-modref")), "the loops of spans keep the pass")
+            for source in SPANS:
+                kept = commands[source.name].split()
+                check(not gcc or ("-fipa-modref" in kept and kept.index("-fipa-modref") > kept.index("-fno-ipa-modref")), f"{source.name} keeps the pass")
 
 
 def arm(source, *more):
@@ -94,13 +95,17 @@ def from_memory(call):
 
 
 def spans(compiler, build):
+    check(SPANS != [], "the table of fused spans has parts")
     for flag in ("-O2", "-Os"):
-        dump = arm(ROOT / SPANS, flag, "-fdump-ipa-modref")[1]
-        calls = set(re.findall(r"\(indirect\).* in call (.*)", dump))
-        check(dump != "", "the compiler tells what the pass found")
-        for call in calls:
-            check(not from_memory(call), f"{SPANS} {flag}: a structure is passed by value from memory: {call}")
-        print(f"{flag}: {len(calls)} calls hand on what they loaded, none of them from memory itself")
+        seen = 0
+        for source in SPANS:
+            dump = arm(source, flag, "-fdump-ipa-modref")[1]
+            calls = set(re.findall(r"\(indirect\).* in call (.*)", dump))
+            check(dump != "", f"the compiler tells what the pass found in {source.name}")
+            for call in calls:
+                check(not from_memory(call), f"{source.name} {flag}: a structure is passed by value from memory: {call}")
+            seen += len(calls)
+        print(f"{flag}: {seen} calls hand on what they loaded, none of them from memory itself")
 
 
 def writes(signature):
