@@ -1,5 +1,8 @@
 #include "host_sim/dropin/x_windows.hpp"
 
+// The rasterizer's headers come before Xlib, which defines None as a macro.
+#include "host_sim/dropin/stage.hpp"
+
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -9,7 +12,6 @@
 #include <X11/Xutil.h>
 #include <xcb/shm.h>
 
-#include "host_sim/dropin/stage.hpp"
 #include "host_sim/dropin/x_window.hpp"
 
 namespace spangle::dropin {

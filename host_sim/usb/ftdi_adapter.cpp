@@ -15,8 +15,7 @@ enum Request : std::uint8_t { RESET = 0, SET_LATENCY_TIMER = 9, SET_BITMODE = 11
 std::vector<std::uint8_t> FtdiAdapter::descriptors() const {
     const unsigned interfaces = two_channels ? 2 : 1;
     const auto word = [](std::vector<std::uint8_t>& to, unsigned value) {
-        to.push_back(static_cast<std::uint8_t>(value));
-        to.push_back(static_cast<std::uint8_t>(value >> 8));
+        to.insert(to.end(), {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8)});
     };
     std::vector<std::uint8_t> d = {18, 1, 0x00, 0x02, 0, 0, 0, 64};
     word(d, 0x0403);

@@ -64,6 +64,20 @@ SPANGLE_INLINE void Setup<Fixed>::in_plane(std::uint32_t top, int zeros, bool ne
     start(v(0).x, v(0).y);
 }
 
+/// Through the snapped vertices again (unsnap()).
+[[gnu::noinline]] void Setup<Fixed>::snap() {
+    if (beyond_ == 0)
+        return;
+    beyond_ = 0;
+    if (&v(0) == &v(2))
+        return along_axis(v(0), v(1), axis_);
+    const Vertex &a = v(0), &b = v(1), &c = v(2);
+    const Area area =
+        area_of(a, b, c, numeric::mul_s32(b.x - a.x, c.y - a.y) - numeric::mul_s32(c.x - a.x, b.y - a.y));
+    const int unused = clz32(area.word); // not thin: there are planes through the others
+    in_plane(area.word << unused, 32 - area.exponent + unused, area.sign < 0);
+}
+
 // --- planes
 
 /// Not in line where add_lifted() is.
@@ -183,7 +197,8 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::affine_colors(std::uint32_
     steep_colors(bias);
 }
 
-/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded()), and by what set-up loses:
+/// The affine colour is off by range(c) range(q) / (4 min(q)) at most (bounded(); a 16th beyond the vertices,
+/// which unsnap() allows, changes that by less), and by what set-up loses:
 /// 2^-18 of 255 in affine colours, thrice that in planes over w where 1/w varies by no more than twice, which
 /// is 2^-8 of a 255th.
 SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
@@ -192,10 +207,7 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     if (q_least_ < 1u << 28 || product >> 52 != 0)
         return divided_colors();
     // 16 product / (4 q), below 2^26; the quotients leave out less than 16 and 1.
-    // Beyond the vertices the colour is what it is there (projective_color), the affine one goes on.
-    const std::uint32_t beyond = numeric::mul_high_u32(widest_ << 4, beyond_) + 1,
-                        error =
-                            static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17 + beyond;
+    const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
     // Steps are no more than the 255ths are, and off by less than 2^-11 of them, which is less than what is
     // left of `lost`.
     const std::uint32_t off = error + lost;
@@ -251,13 +263,17 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::plain(std::uint32_t bits, 
         kind = state_.variant[0].run != nullptr ? Kind::flat : Kind::affine;
     else if (has_full && state_.fragment.perspective && needs_division<Rgb>(bits))
         kind = Kind::full;
+    const bool guesses = Rgb && has_fused_spans && state_.guesses;
+    if (unsnaps(state_) && bits != 0 && (kind == Kind::affine || guesses) &&
+        !colors_stay_inside(guesses ? widest_ : 2 * bits))
+        snap();
     span_.kind = kind;
     if (kind == Kind::flat)
         span_.flat_word = flat_word(state_, painted.color);
     else if (bits == 0)
         constant_colors(painted);
     else if (has_full && kind == Kind::full)
-        Rgb&& has_fused_spans&& state_.guesses ? guessed_colors(bits) : divided_colors();
+        guesses ? guessed_colors(bits) : divided_colors();
     else if constexpr (Rgb)
         varying_colors<Rgb>(bits);
     else
@@ -285,12 +301,22 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
                                                          : 2 * (widest_ = color_range<Rgb>());
     if (state_.needs.z && !has_24_bits())
         add_depth();
-    if (unsnaps(state_) && (bits != 0 || (!Rgb && state_.textured_or_fogged)))
-        unsnap(bits);
+    if constexpr (Rgb) {
+        if (unsnaps(state_) && bits != 0)
+            return smooth_exactly(bits);
+    } else if (unsnaps(state_) && (bits != 0 || state_.textured_or_fogged)) {
+        unsnap();
+    }
     if ((has_textures || has_fog) && !Rgb && state_.textured_or_fogged)
         with_coordinates(bits, painted);
     else
         plain<Rgb>(bits, painted);
+}
+
+/// Not in line, lest the other tiers keep registers for it.
+void Setup<Fixed>::smooth_exactly(std::uint32_t bits) {
+    unsnap();
+    plain<true>(bits, v(0));
 }
 
 /// Not in line: all but the usual triangle.

@@ -100,16 +100,18 @@ template <> class Setup<Fixed> {
     };
 
     void start(std::int32_t x, std::int32_t y);
-    void unsnap(std::uint32_t color_bits);
+    void unsnap();
+    void snap();
     bool unsnap_plane();
     bool unsnap_axis();
-    bool colors_stay_inside(std::uint32_t color_bits) const;
+    bool colors_stay_inside(std::uint32_t range) const;
     void snap_where_w_ends();
     void along_axis(const Vertex& from, const Vertex& to, const Axis& axis);
     static Area area_of(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area2);
     void along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c);
     void in_plane(std::uint32_t top, int zeros, bool negative);
     template <bool Rgb> void attributes_of(const Vertex& provoking);
+    [[gnu::noinline]] void smooth_exactly(std::uint32_t bits);
     void attributes(const Vertex& provoking);
     template <bool Rgb> void plain(std::uint32_t color_bits, const Vertex& painted);
     void with_coordinates(std::uint32_t color_bits, const Vertex& painted);
@@ -175,10 +177,8 @@ template <> class Setup<Fixed> {
     const DrawState& state_;
     Axis axis_;
     /// Exact tier: by how much of its range an attribute may lie beyond its values at the vertices, within
-    /// coverage, in 2^-32; 0 where planes go through snapped vertices, whose coefficients are `snapped_`.
+    /// coverage, in 2^-32; 0 where planes go through snapped vertices.
     std::uint32_t beyond_;
-    Coefficients snapped_;
-    bool colors_snapped_;
     std::uint32_t q_least_, q_range_;
     std::uint32_t widest_; ///< range of a colour, where it was asked for
 };

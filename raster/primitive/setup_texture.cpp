@@ -303,11 +303,14 @@ void Setup<Fixed>::with_coordinates(std::uint32_t color_bits, const Vertex& pain
 
     if (has_division && span_.kind != Kind::affine)
         span_.q_dy = add_projective(span_.q, span_.basis.q);
-    if (unsnaps(state_) && colors_snapped_ && span_.kind != Kind::full) [[unlikely]] {
+    if (unsnaps(state_) && color_bits != 0 && span_.kind != Kind::full && !colors_stay_inside(2 * color_bits))
+        [[unlikely]] {
         const Coefficients kept = by();
-        by() = snapped_;
+        const std::uint32_t beyond = beyond_;
+        snap();
         colors(color_bits, painted);
         by() = kept;
+        beyond_ = beyond;
     } else {
         colors(color_bits, painted);
     }

@@ -31,47 +31,60 @@ constexpr std::uint32_t most_beyond = 1u << 28; // 1/16
 
 } // namespace
 
-/// In place of by(), through three vertices. False: they are those of snapped vertices, or too near to one
-/// line for any other.
-bool Setup<Fixed>::unsnap_plane() {
+/// In place of by(), through three vertices. False: they are too near to one line for any other planes than
+/// those of snapped vertices.
+SPANGLE_INLINE bool Setup<Fixed>::unsnap_plane() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
-    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x;
+    const std::int32_t y2 = c.y - a.y, y1 = a.y - b.y, x2 = a.x - c.x, x1 = b.x - a.x; // y2 >= |y1|
     // Half a step of two vertices is one: with it |d| 2^up is less than 2^31.
-    const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(y1) | abs_u32(x2) | abs_u32(x1)) - 2;
-    const std::int32_t d[4] = {with_rest(y2, c.y_rest - a.y_rest, up), with_rest(y1, a.y_rest - b.y_rest, up),
-                               with_rest(x2, a.x_rest - c.x_rest, up),
-                               with_rest(x1, b.x_rest - a.x_rest, up)};
+    const int up = clz32(static_cast<std::uint32_t>(y2) | abs_u32(x2) | abs_u32(x1)) - 2;
+    const std::int32_t ry2 = c.y_rest - a.y_rest, ry1 = a.y_rest - b.y_rest, rx2 = a.x_rest - c.x_rest,
+                       rx1 = b.x_rest - a.x_rest;
+    std::int32_t d[4];
+    if (up >= 16) [[likely]] { // within 64 pixels
+        const int more = up - 16;
+        d[0] = (y2 * 65536 + ry2) * (1 << more), d[1] = (y1 * 65536 + ry1) * (1 << more);
+        d[2] = (x2 * 65536 + rx2) * (1 << more), d[3] = (x1 * 65536 + rx1) * (1 << more);
+    } else {
+        d[0] = with_rest(y2, ry2, up), d[1] = with_rest(y1, ry1, up);
+        d[2] = with_rest(x2, rx2, up), d[3] = with_rest(x1, rx1, up);
+    }
     const std::int64_t area = numeric::mul_long(d[3], d[0]) - numeric::mul_long(d[2], d[1]);
     const std::uint64_t size = numeric::abs_u64(area);
-    const int zeros = numeric::clz64(size | 1);
-    const std::uint32_t reciprocal = numeric::reciprocal(numeric::high_word_before(size | 1, zeros));
+    // One of the differences has 29 bits at least: of all but a line the upper word has some.
+    const auto high = static_cast<std::uint32_t>(size >> 32);
+    if (high == 0)
+        return false;
+    const int zeros = clz32(high);
+    const std::uint32_t top = high << zeros | static_cast<std::uint32_t>(size) >> 1 >> (31 - zeros),
+                        reciprocal = numeric::reciprocal(top);
     // A fragment lies half a step beyond in x and in y at most, so half the sum of what differences are
-    // there, over the area.
-    std::uint32_t half_sum = 0;
-    for (const std::int32_t of : d)
-        half_sum += abs_u32(of) >> 1;
+    // there, over the area; y1 counts as y2.
+    const std::uint32_t half_sum = abs_u32(d[0]) + (1u << up) + (abs_u32(d[2]) >> 1) + (abs_u32(d[3]) >> 1);
     const int exponent = 54 - up - zeros; // 256 d / area = c 2^-exponent
-    const int down = exponent - 24;
-    if (down < 0 || down > 31)
+    const auto down = static_cast<std::uint32_t>(exponent - 24);
+    if (down > 31)
         return false;
     beyond_ = (numeric::mul_high_u32(half_sum, reciprocal) >> down) + 1;
     if (beyond_ > most_beyond)
         return false;
     const auto inverse = static_cast<std::int32_t>(reciprocal - (reciprocal >> 31));
     const std::int32_t signed_inverse = area < 0 ? -inverse : inverse;
+    const std::int32_t ox = to_center(a.x, a.x_rest), oy = to_center(a.y, a.y_rest);
     for (int i = 0; i < 2; ++i) {
-        by().dx[i] = numeric::mul_high_s32(d[i], signed_inverse);
-        by().dy[i] = numeric::mul_high_s32(d[2 + i], signed_inverse);
+        const std::int32_t dx = numeric::mul_high_s32(d[i], signed_inverse),
+                           dy = numeric::mul_high_s32(d[2 + i], signed_inverse);
+        by().dx[i] = dx;
+        by().dy[i] = dy;
+        by().center[i] = static_cast<std::int32_t>( // |dx ox + dy oy| < 2^30 2^25
+            (numeric::mul_long(dx, ox) + numeric::mul_long(dy, oy)) >> (subpixel_bits + 16));
     }
     by().exponent = exponent;
-    const std::int32_t ox = to_center(a.x, a.x_rest), oy = to_center(a.y, a.y_rest);
-    for (int i = 0; i < 2; ++i) // |dx ox + dy oy| < 2^30 2^25
-        by().center[i] = static_cast<std::int32_t>(
-            (numeric::mul_long(by().dx[i], ox) + numeric::mul_long(by().dy[i], oy)) >> (subpixel_bits + 16));
     return true;
 }
 
-/// The same along an axis. Ends that were moved to a fragment (detail::LineInterval) have nothing taken off.
+/// unsnap_plane() along an axis. Ends that were moved to a fragment (detail::LineInterval) have nothing taken
+/// off.
 bool Setup<Fixed>::unsnap_axis() {
     const Vertex &a = v(0), &b = v(1);
     const bool x = axis_.of_x;
@@ -85,9 +98,9 @@ bool Setup<Fixed>::unsnap_axis() {
     const std::int32_t fine = with_rest(length, end_rest - begin_rest, up);
     const std::uint32_t size = abs_u32(fine);
     const int zeros = clz32(size);
-    beyond_ = (1u << 31) / abs_u32(length) + 1;
-    // PerPixel counts zeros of a length in steps.
-    const PerPixel per_pixel(numeric::reciprocal(size << zeros), up + zeros, fine < 0);
+    const std::uint32_t reciprocal = numeric::reciprocal(size << zeros);
+    beyond_ = (reciprocal >> (32 - up - zeros)) + 1;
+    const PerPixel per_pixel(reciprocal, up + zeros, fine < 0); // whose zeros are those of a length in steps
     (axis_.along_x ? by().dx[0] : by().dy[0]) = per_pixel.coefficient;
     by().exponent = per_pixel.exponent;
     by().center[0] = static_cast<std::int32_t>(
@@ -96,12 +109,12 @@ bool Setup<Fixed>::unsnap_axis() {
 }
 
 /// What colours may lie beyond 0 and 1, and be stored as these: where no more than the top bits of a plane
-/// counts, 1/10 of a 255th (half of one is added, or thresholds are an eighth at least); else 2^-10.
-bool Setup<Fixed>::colors_stay_inside(std::uint32_t color_bits) const {
+/// counts, 1/10 of a 255th (half of one is added, or thresholds are an eighth at least); else 2^-10. `range`:
+/// no colour has more.
+bool Setup<Fixed>::colors_stay_inside(std::uint32_t range) const {
     const bool tops = state_.variant[static_cast<unsigned>(Kind::affine)].color_bias != 1u << 15;
     const std::uint32_t margin = tops && !state_.textured_or_fogged ? color_one / 2550 : 1u << 10;
-    // The range of three values is at most the sum of two differences.
-    if (numeric::mul_high_u32(2 * color_bits, beyond_) < margin)
+    if (numeric::mul_high_u32(range, beyond_) < margin)
         return true;
     bool inside = true;
     each_color<false>([&](const ColorSource& from, int i, auto&, auto&) {
@@ -115,36 +128,20 @@ bool Setup<Fixed>::colors_stay_inside(std::uint32_t color_bits) const {
     return inside;
 }
 
-/// After depth, before all else. Of colours that would not stay inside: alone, or with what they are divided
-/// by.
-[[gnu::noinline]] void Setup<Fixed>::unsnap(std::uint32_t color_bits) {
-    snapped_ = by();
-    beyond_ = 0;
-    colors_snapped_ = false;
+/// After depth, before all else.
+void Setup<Fixed>::unsnap() {
     const Vertex &a = v(0), &b = v(1), &c = v(2);
-    if ((a.x_rest | a.y_rest | b.x_rest | b.y_rest | c.x_rest | c.y_rest) == 0)
-        return;
-    if (!(&a == &c ? unsnap_axis() : unsnap_plane())) {
+    beyond_ = 0;
+    if ((a.x_rest | a.y_rest | b.x_rest | b.y_rest | c.x_rest | c.y_rest) != 0 &&
+        !(&a == &c ? unsnap_axis() : unsnap_plane()))
         beyond_ = 0;
-        return;
-    }
-    if (color_bits == 0 || colors_stay_inside(color_bits))
-        return;
-    colors_snapped_ = true;
-    if (!state_.textured_or_fogged) {
-        by() = snapped_;
-        beyond_ = 0;
-    }
 }
 
 /// Where 1/w would come near 0 beyond its least vertex, all planes go through snapped vertices.
 void Setup<Fixed>::snap_where_w_ends() {
-    if constexpr (!has_division)
-        return;
-    if (beyond_ == 0 || numeric::mul_high_u32(q_range_, beyond_) <= q_least_ >> 2)
-        return;
-    by() = snapped_;
-    beyond_ = 0;
+    if constexpr (has_division)
+        if (beyond_ != 0 && numeric::mul_high_u32(q_range_, beyond_) > q_least_ >> 2)
+            snap();
 }
 
 } // namespace spangle::raster

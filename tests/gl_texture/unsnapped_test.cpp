@@ -1,0 +1,127 @@
+// The exact tier has planes of attributes go through vertices as they are given, not as coverage sees them,
+// snapped to 1/256 pixel: held against the formulas of GL 1.3, 3.5.1 and 3.8.8 in double.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <spangle/GL/gl.h>
+
+#include "tests/headless_gl.hpp"
+#include "tests/random.hpp"
+
+namespace spangle::test {
+namespace {
+
+constexpr int size = 256, texels = 2048;
+
+struct Corner {
+    float x, y, w, s;
+};
+
+/// Window x, y and 1/w, s/w as they are given.
+struct Exact {
+    double x, y, q, s;
+};
+
+class TexelNumbers {
+  public:
+    explicit TexelNumbers(EGLint precision) : gl_(size, size, {EGL_PRECISION_SPANGLE, precision}) {
+        std::vector<GLubyte> image(texels * 4);
+        for (std::size_t i = 0; i < texels; ++i) {
+            image[4 * i] = static_cast<GLubyte>(i);
+            image[4 * i + 1] = static_cast<GLubyte>(i >> 8);
+            image[4 * i + 3] = 255;
+        }
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, texels, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+        glEnable(GL_TEXTURE_2D);
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glOrtho(0, size, 0, size, -1, 1);
+    }
+
+    long fragments = 0, wrong = 0;
+    double worst = 0; ///< how far from its texel a coordinate is that takes it
+
+    void draw(const Corner (&corner)[3]) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        Exact e[3];
+        glBegin(GL_TRIANGLES);
+        for (int i = 0; i < 3; ++i) {
+            const Corner& c = corner[i];
+            glTexCoord2f(c.s, 0);
+            const float x = c.x * c.w, y = c.y * c.w;
+            glVertex4f(x, y, 0, c.w);
+            e[i] = {double{x} / c.w, double{y} / c.w, 1.0 / c.w, double{c.s} / c.w};
+        }
+        glEnd();
+        std::vector<GLubyte> picture(size * size * 4);
+        glReadPixels(0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+        const double area = cross(e[0], e[1], e[2].x, e[2].y);
+        for (std::size_t pixel = 0; pixel < size * size; ++pixel)
+            if (const GLubyte* const at = picture.data() + 4 * pixel; at[3] != 0) {
+                const double x = static_cast<double>(pixel % size) + 0.5,
+                             y = static_cast<double>(pixel / size) + 0.5;
+                const double a = cross(e[1], e[2], x, y) / area, b = cross(e[2], e[0], x, y) / area,
+                             c = 1 - a - b;
+                const double u =
+                    texels * (a * e[0].s + b * e[1].s + c * e[2].s) / (a * e[0].q + b * e[1].q + c * e[2].q);
+                judge(u + 1.0 / 8192, at[0] + 256 * at[1]); // NEAREST's own bias
+            }
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+
+  private:
+    static double cross(const Exact& a, const Exact& b, double x, double y) {
+        return (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y);
+    }
+    void judge(double u, int texel) {
+        ++fragments;
+        const double inside = u - std::floor(u);
+        const long whole = static_cast<long>(std::floor(u));
+        const int more = static_cast<int>(((texel - whole) % texels + texels) % texels);
+        if (more == 0)
+            return;
+        ++wrong;
+        worst = std::max(worst, more == 1 ? 1 - inside : more == texels - 1 ? inside : 1);
+    }
+
+    HeadlessGl gl_;
+};
+
+/// Triangles of 30 to 250 pixels, `span` repeats of the texture over each.
+void draw_triangles(TexelNumbers& drawn, float span, bool perspective) {
+    Random random(17);
+    const auto any = [&](float low, float high) {
+        return low + (high - low) * static_cast<float>(random.below(1 << 20)) / (1 << 20);
+    };
+    for (int n = 0; n < 60; ++n) {
+        Corner c[3];
+        for (int i = 0; i < 3; ++i)
+            c[i] = {any(3, 253), any(3, 253), perspective ? any(1, 3) : 1, any(0, span)};
+        const float area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (c[1].y - c[0].y);
+        if (std::fabs(area) > 2000)
+            drawn.draw(c);
+    }
+}
+
+TEST(Unsnapped, TexelsAreThoseOfTheVerticesAsGiven) {
+    for (const bool perspective : {false, true})
+        for (const float span : {1.0f, 16.0f}) {
+            TexelNumbers drawn(EGL_PRECISION_EXACT_SPANGLE);
+            draw_triangles(drawn, span, perspective);
+            std::printf("span %g%s: %ld of %ld texels wrong, at most %.4f texel\n", double{span},
+                        perspective ? ", perspective" : "", drawn.wrong, drawn.fragments, drawn.worst);
+            EXPECT_GT(drawn.fragments, 200'000);
+            EXPECT_LE(drawn.wrong, drawn.fragments / 5000);
+            EXPECT_LE(drawn.worst, 0.002) << "span " << span << (perspective ? ", perspective" : "");
+        }
+}
+
+} // namespace
+} // namespace spangle::test
