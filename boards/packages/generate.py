@@ -141,7 +141,7 @@ def export(folder):
     for room in ABOUT["rooms"]:
         (source / room).mkdir(parents=True, exist_ok=True)
         for path in (ROOT / room).iterdir():
-            if path.suffix in (".cpp", ".hpp", ".h") and not path.name.endswith("_reference.cpp"):
+            if path.suffix in (".cpp", ".hpp", ".h", ".inc") and not path.name.endswith("_reference.cpp"):
                 # The parts of the table of fused spans keep the second of them: raster/CMakeLists.txt says why.
                 before = pragma() if path.suffix == ".cpp" else ""
                 if path.name.startswith("fused_part_"):

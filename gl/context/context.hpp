@@ -52,7 +52,7 @@ struct Drawable {
     raster::Surface surface; ///< drawn to
     raster::Surface read;    ///< read from: the same, unless EGL was given two
     bool double_buffered = false, read_double_buffered = false; ///< BACK names its buffer
-    bool front_buffered = true, read_front_buffered = true;     ///< FRONT does
+    bool front_buffered = false, read_front_buffered = false;   ///< FRONT does
     std::uint8_t index_bits = 0;         ///< of a pixel of an index framebuffer, 8 at most; 0: it has colours
     void (*show)(bool finish) = nullptr; ///< what Flush and Finish do to it; null: nothing
 #if SPANGLE_HAS_PLATFORMS

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -30,11 +31,13 @@ Setup<Double>::Setup(Span<Double>& span, const Vertex& a, const Vertex& b, const
       snapped_(through(pixels(a.x), pixels(a.y), pixels(b.x), pixels(b.y), pixels(c.x), pixels(c.y))),
       exact_(through(exact(a.x, a.x_exact), exact(a.y, a.y_exact), exact(b.x, b.x_exact),
                      exact(b.y, b.y_exact), exact(c.x, c.x_exact), exact(c.y, c.y_exact))) {
-    // Vertices too near to one line say little of what lies between them: the rule of
-    // Setup<Fixed>::unsnap_plane().
+    // Vertices too near to one line say little of what lies between them, and 1/w must not come near 0 beyond
+    // its least vertex: the rules of Setup<Fixed>::unsnap_plane() and snap_where_w_ends().
     const double sum =
-        std::fabs(exact_.x1) + std::fabs(exact_.x2) + std::fabs(exact_.y1) + std::fabs(exact_.y2);
-    if (!(sum / (2 * subpixel_one) <= 1.0 / 16))
+        2 * std::fabs(exact_.x1) + std::fabs(exact_.y1) + std::fabs(exact_.y2); // x1 counts as x2
+    const double beyond = sum / (2 * subpixel_one);
+    const auto [least, most] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
+    if (!(beyond <= 1.0 / 16) || (span.state->fragment.perspective && (most - least) * beyond > least / 4))
         exact_ = snapped_;
     attributes(provoking);
 }

@@ -341,6 +341,7 @@ TEST_F(FragmentSetup, MasksAndBuffers) {
     for (const auto& v : cases)
         for (bool twice : {false, true}) {
             c.drawable.double_buffered = c.drawable.read_double_buffered = twice;
+            c.drawable.front_buffered = c.drawable.read_front_buffered = !twice;
             cmd::DrawBuffer(c, v.mode);
             EXPECT_EQ(b.take_error(), twice ? v.double_draw : v.single_draw) << std::hex << v.mode << twice;
             cmd::ReadBuffer(c, v.mode);
