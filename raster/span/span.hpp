@@ -108,10 +108,10 @@ template <class P> struct Span {
 
     Basis basis;
     Affine z; ///< where the depth buffer has 16 bits
-    struct None {};
+    struct Absent {};
     /// Where it has 24: with 40 bits below them a plane is within half a code anywhere.
     [[no_unique_address]] std::conditional_t<!all && has_format(DepthFormat::z24s8),
-                                             Interpolant<std::uint64_t>, None>
+                                             Interpolant<std::uint64_t>, Absent>
         z24;
     Affine color_value[4];         ///< RGBA
     Affine secondary[secondaries]; ///< RGB

@@ -63,11 +63,11 @@ template <class N> struct DepthValue24 : StageBase {
     SPANGLE_INLINE void step() { z += dx; }
 };
 
-/// Of a number system and a format. The reference has one for both.
+/// Of a number system and a format. The reference has one for both, and so have builds without 24 bits.
 template <class N, DepthFormat Format>
-using DepthValueOf =
-    std::conditional_t<Format == DepthFormat::z24s8 && std::is_same_v<typename N::Policy, Fixed>,
-                       DepthValue24<N>, DepthValue<N>>;
+using DepthValueOf = std::conditional_t<has_format(DepthFormat::z24s8) && Format == DepthFormat::z24s8 &&
+                                            std::is_same_v<typename N::Policy, Fixed>,
+                                        DepthValue24<N>, DepthValue<N>>;
 
 /// The same with the offset of polygons (GL 1.3, 3.5.5), clamped.
 template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value {
