@@ -130,8 +130,9 @@ EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, 
     return create_shown(dpy, config, *static_cast<const unsigned long*>(handle), pixmap, list);
 }
 
-EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
-                          const EGLAttrib* list) {
+/// Takes the attributes of EGL 1.5 and has a name of its own: where pointers have 32 bits, both are EGLint.
+EGLSurface create_pointed_wide(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
+                               const EGLAttrib* list) {
     EGLint narrowed[2 * most_attributes + 1];
     if (!narrow(list, narrowed)) {
         fail(EGL_BAD_ATTRIBUTE);
@@ -182,7 +183,7 @@ EGLSurface eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, v
 
 EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void* native_window,
                                           const EGLAttrib* attrib_list) {
-    return create_pointed(dpy, config, native_window, false, attrib_list);
+    return create_pointed_wide(dpy, config, native_window, false, attrib_list);
 }
 
 EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
@@ -192,7 +193,7 @@ EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, v
 
 EGLSurface eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
                                           const EGLAttrib* attrib_list) {
-    return create_pointed(dpy, config, native_pixmap, true, attrib_list);
+    return create_pointed_wide(dpy, config, native_pixmap, true, attrib_list);
 }
 
 EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType pixmap,
