@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT / "tests/bench"))
 import mcu  # noqa: E402
 
 HOST_BUILDS = [(compiler, flags) for compiler in ("g++", "clang++-14") for flags in ("-O0", "-O2", "-O3")] + [("clang++-14", "-O3 -march=native")]
-HOST_FLAGS = ["-std=c++20", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *mcu.INCLUDES]
+HOST_FLAGS = ["-std=c++20", "-Wno-psabi", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", *mcu.INCLUDES]
 # {processor: (compiler, what runs its programs here)}
 MACHINES = {"s390x": ("s390x-linux-gnu-g++", ["qemu-s390x"]), "aarch64": ("aarch64-linux-gnu-g++", ["qemu-aarch64"]),
             "riscv64": ("riscv64-linux-gnu-g++", ["qemu-riscv64"]), "i686": ("i686-linux-gnu-g++", [])}
