@@ -100,6 +100,7 @@ void set_environment(const ExecOptions& options, const fs::path& pair, const std
 /// The program in a process of its own, to its end; 127 and 126 as of a shell.
 int run_program(const std::vector<std::string>& program) {
     std::vector<char*> arguments;
+    arguments.reserve(program.size() + 1);
     for (const std::string& word : program)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);

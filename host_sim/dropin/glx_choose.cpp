@@ -2,6 +2,7 @@
 // (3.3.1, 3.3.2).
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
 #include <tuple>
 
@@ -88,6 +89,23 @@ bool read_wishes(const int* list, std::vector<Wish>& out) {
         at->value = static_cast<unsigned>(list[1]);
     }
     return true;
+}
+
+/// The configurations that fulfil all wishes, in memory that the program frees with XFree (GLX 1.4, 3.3.3);
+/// null when there is none.
+GLXFBConfig* list_of(const std::vector<SpangleFbConfig>& all, const std::vector<Wish>& wishes, int& count) {
+    std::vector<GLXFBConfig> chosen;
+    for (const SpangleFbConfig& config : all)
+        if (std::all_of(wishes.begin(), wishes.end(), [&](const Wish& w) { return holds(config, w); }))
+            chosen.push_back(&config);
+    count = 0;
+    const std::size_t bytes = chosen.size() * sizeof(GLXFBConfig);
+    auto* const out = bytes == 0 ? nullptr : static_cast<GLXFBConfig*>(std::malloc(bytes));
+    if (out == nullptr)
+        return nullptr;
+    std::memcpy(out, chosen.data(), bytes);
+    count = static_cast<int>(chosen.size());
+    return out;
 }
 
 XVisualInfo* visual_info(Display* display, const SpangleFbConfig& config) {
@@ -218,33 +236,13 @@ const char* glXQueryServerString(Display* display, int, int name) {
 }
 
 GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
-    const std::vector<SpangleFbConfig>& all = configs(display, screen);
-    auto* const out = static_cast<GLXFBConfig*>(std::malloc((all.size() + 1) * sizeof(GLXFBConfig)));
-    *count = static_cast<int>(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        out[i] = &all[i];
-    if (!all.empty())
-        return out;
-    std::free(out);
-    return nullptr;
+    return list_of(configs(display, screen), {}, *count);
 }
 
 GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* list, int* count) {
     std::vector<Wish> wishes;
     *count = 0;
-    if (!read_wishes(list, wishes))
-        return nullptr;
-    GLXFBConfig* const all = glXGetFBConfigs(display, screen, count);
-    if (all == nullptr)
-        return nullptr;
-    GLXFBConfig* end = std::remove_if(all, all + *count, [&](GLXFBConfig config) {
-        return !std::all_of(wishes.begin(), wishes.end(), [&](const Wish& w) { return holds(*config, w); });
-    });
-    *count = static_cast<int>(end - all);
-    if (*count != 0)
-        return all;
-    std::free(all);
-    return nullptr;
+    return read_wishes(list, wishes) ? list_of(configs(display, screen), wishes, *count) : nullptr;
 }
 
 int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int name, int* value) {

@@ -52,7 +52,7 @@ bool follow(std::string& path) {
         if (length <= 0 || static_cast<std::size_t>(length) == sizeof text || hops == most_links)
             return false;
         const std::string there(text, static_cast<std::size_t>(length));
-        path = there[0] == '/' ? there : folder_of(path) + "/" + there;
+        path = there[0] == '/' ? there : folder_of(path).append("/").append(there);
     }
     return true;
 }
@@ -212,7 +212,7 @@ std::string Output::commit() {
     // Some file systems tell only now that there was no room.
     if (file_ >= 0 && !replaces_ && close(std::exchange(file_, -1)) != 0 && error_ == 0)
         error_ = errno;
-    const std::string text = error_ == 0 ? "" : problem(error_);
+    std::string text = error_ == 0 ? "" : problem(error_);
     discard();
     return text;
 }

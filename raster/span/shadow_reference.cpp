@@ -69,8 +69,8 @@ template <class N> class Fragment {
 
     void depth(const DrawState& state) {
         const int bits = state.depth_format == DepthFormat::z16 ? 16 : 24;
-        const std::uint32_t word =
-            bits == 16 ? DepthValue<Exact>(fixed_, x_).word() : DepthValue24<Exact>(fixed_, x_).word();
+        const std::uint32_t word = bits == 16 ? DepthValue<Exact>(fixed_, x_).word()
+                                              : DepthValueOf<Exact, DepthFormat::z24s8>(fixed_, x_).word();
         const double code = word >> (32 - bits);
         report_[ShadowStage::depth].add(code / ((1 << bits) - 1), clamp01(twin_.at(x_, twin_.z)), 1.0);
     }
