@@ -13,6 +13,7 @@ the same test program, so that only one is built. .ci/run takes N from the commi
 import argparse
 import concurrent.futures
 import datetime
+import fcntl
 import os
 import queue
 import shlex
@@ -39,6 +40,10 @@ class Worker:
     """One copy of the tree with its own build folder; mutants are tried in it one after the other."""
 
     def __init__(self, number, jobs, end):
+        # The lock is that of the tree, so that two runs at a time do not meet in one; it goes with the process.
+        (ROOT / "build/mutants").mkdir(parents=True, exist_ok=True)
+        while not self.locks(number):
+            number += 1
         self.tree = ROOT / f"build/mutants/tree{number}"
         # Where a build lies in its tree as build/test does, and compiles with the same flags, ccache serves both.
         self.build = self.tree / "build/test"
@@ -53,6 +58,14 @@ class Worker:
         launcher = [str(HERE / "compile.sh"), *filter(None, [shutil.which("ccache")])]
         self.quiet(["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja", "-DSPANGLE_TESTS=ON",
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={';'.join(launcher)}"])
+
+    def locks(self, number):
+        self.lock = open(ROOT / f"build/mutants/tree{number}.lock", "w")
+        try:
+            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
 
     def quiet(self, command):
         done = subprocess.run(command, capture_output=True, text=True, env=self.environment)
