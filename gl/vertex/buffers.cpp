@@ -114,7 +114,9 @@ bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
 /// Some byte of the range, which is in_range(), is mapped.
 bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     const auto begin = static_cast<std::size_t>(offset), end = begin + static_cast<std::size_t>(size);
-    return buffer.mapped && begin < buffer.map_offset + buffer.map_length && end > buffer.map_offset;
+    const std::size_t map_end = buffer.map_offset + buffer.map_length;
+    return buffer.mapped &&
+           (begin > buffer.map_offset ? begin : buffer.map_offset) < (end < map_end ? end : map_end);
 }
 
 bool is_usage(GLenum usage) { // STREAM, STATIC, DYNAMIC; each DRAW, READ, COPY

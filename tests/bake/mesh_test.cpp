@@ -16,6 +16,7 @@
 #include "host_sim/bake/mesh.hpp"
 #include "host_sim/bake/vertex_cache.hpp"
 #include "tests/headless_gl.hpp"
+#include "tests/source_dir.hpp"
 
 namespace spangle::bake {
 namespace {

@@ -308,6 +308,17 @@ TEST_F(LostDisplays, TheEntryOfACurrentSurfaceIsNotGivenAway) {
             EXPECT_EQ(eglInitialize(other, nullptr, nullptr), yes);
             EXPECT_EQ(eglTerminate(other), yes);
         }
+        // Those that stay take every other entry.
+        std::vector<EGLDisplay> open;
+        for (const auto& one : others)
+            if (const EGLDisplay other = eglGetDisplay(native(*one)); other != EGL_NO_DISPLAY) {
+                EXPECT_NE(other, display);
+                EXPECT_EQ(eglInitialize(other, nullptr, nullptr), yes);
+                open.push_back(other);
+            }
+        EXPECT_EQ(open.size(), gl::most_displays - 1u);
+        for (const EGLDisplay other : open)
+            EXPECT_EQ(eglTerminate(other), yes);
         EXPECT_EQ(eglGetCurrentDisplay(), display);
         draw_and_read();
         EXPECT_EQ(eglReleaseThread(), yes);

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/source_dir.hpp"
+
 namespace {
 
 TEST(CommandStream, RandomStreams) {

@@ -12,6 +12,7 @@
 #include "gl/api/names.hpp"
 #include "gl/context/version.hpp"
 #include "tests/gl_api/command_table.hpp"
+#include "tests/source_dir.hpp"
 
 namespace spangle::test {
 namespace {

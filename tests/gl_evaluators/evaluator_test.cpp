@@ -152,23 +152,23 @@ TEST_F(Evaluators, AutoNormalIsTheCrossProductOfTheDerivatives) {
                     points.push_back(static_cast<GLfloat>(w));
             }
         const GLenum target = four ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
-        const bool turned = n % 3 == 0; // the domain of u runs backwards
-        glMap2f(target, turned ? 1 : 0, turned ? 0 : 1, k * orders[1], orders[0], 0, 1, k, orders[1],
-                points.data());
+        const bool turned[2] = {n % 3 == 0, n % 5 < 2}; // the domains of u and v that run backwards
+        glMap2f(target, turned[0] ? 1 : 0, turned[0] ? 0 : 1, k * orders[1], orders[0], turned[1] ? 1 : 0,
+                turned[1] ? 0 : 1, k, orders[1], points.data());
         glEnable(target);
         const auto u = static_cast<GLfloat>(real(0, 1)), v = static_cast<GLfloat>(real(0, 1));
         const Event e = vertex_of([&] { glEvalCoord2f(u, v); });
         glDisable(target);
         double p[4] = {0, 0, 0, 0}, pu[4] = {}, pv[4] = {};
-        const double at = turned ? 1 - double{u} : double{u};
+        const double at = turned[0] ? 1 - double{u} : double{u}, over = turned[1] ? 1 - double{v} : double{v};
         for (int i = 0; i < orders[0]; ++i)
             for (int j = 0; j < orders[1]; ++j)
                 for (int c = 0; c < k; ++c) {
                     const double r = points[static_cast<std::size_t>((i * orders[1] + j) * k + c)];
                     const int a = orders[0] - 1, b = orders[1] - 1;
-                    p[c] += r * bernstein(i, a, at) * bernstein(j, b, v);
-                    pu[c] += r * bernstein_slope(i, a, at) * bernstein(j, b, v) * (turned ? -1 : 1);
-                    pv[c] += r * bernstein(i, a, at) * bernstein_slope(j, b, v);
+                    p[c] += r * bernstein(i, a, at) * bernstein(j, b, over);
+                    pu[c] += r * bernstein_slope(i, a, at) * bernstein(j, b, over) * (turned[0] ? -1 : 1);
+                    pv[c] += r * bernstein(i, a, at) * bernstein_slope(j, b, over) * (turned[1] ? -1 : 1);
                 }
         double q[2][3];
         for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,7 @@
 // The accumulation buffer against sums of rational numbers (GL 1.3, 4.2.4; gl-commands.md G22).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gl/api/generated/commands.hpp"
@@ -168,6 +169,44 @@ TEST(Accum, ReturnIsClampedMaskedAndDithered) {
                         }
                     }
             }
+}
+
+/// What RETURN stores is the product rounded to nearest, for every sum there is (GL 1.3, 4.2.4 and 2.13.9).
+TEST(Accum, ReturnIsTheNearest) {
+    Twin t(PixelFormat::rgba8888);
+    const auto sum_of = [](int first, std::size_t i) {
+        return static_cast<std::int16_t>(std::min(first + static_cast<int>(i), 32767));
+    };
+    for (const double v : {1., 0.5, 0.75, 1.5, 3.5, 1 / 3.}) {
+        const double used = std::round(v * 65536) / 65536;
+        for (int first = -40; first <= 32767; first += static_cast<int>(t.plane.size())) {
+            for (std::size_t i = 0; i < t.plane.size(); ++i)
+                t.plane[i] = sum_of(first, i);
+            cmd::Accum(t.c, GL_RETURN, real(v));
+            for (std::size_t i = 0; i < t.plane.size(); ++i) {
+                const double wanted = std::fmax(0, std::fmin(1, sum_of(first, i) / 32767. * used)) * 255;
+                ASSERT_NEAR(t.b.color[i], wanted, 0.500001) << sum_of(first, i) << " times " << v;
+            }
+        }
+    }
+}
+
+/// A product halfway between two codes is rounded up, as every colour is; 5 and 6 bits are the first of
+/// its 8.
+TEST(Accum, ReturnRoundsHalfUp) {
+    for (const PixelFormat format : formats)
+        for (const int divisor : {1, 7, 31, 151, 217, 1057, 4681, 32767}) {
+            Twin t(format);
+            cmd::Disable(t.c, GL_DITHER);
+            std::fill(t.plane.begin(), t.plane.end(), static_cast<std::int16_t>(32767 / divisor));
+            cmd::Accum(t.c, GL_RETURN, real(divisor / 2.)); // 127.5 of 255
+            const FormatInfo info = format_info(format);
+            const unsigned bits[4] = {info.red_bits, info.green_bits, info.blue_bits, info.alpha_bits};
+            for (unsigned c = 0; c < 4; ++c)
+                if (bits[c] != 0) {
+                    EXPECT_EQ(t.pixel(1, 1).c[c].k, 1u << (bits[c] - 1)) << divisor << ' ' << c;
+                }
+        }
 }
 
 TEST(Accum, ErrorsChangeNothing) {

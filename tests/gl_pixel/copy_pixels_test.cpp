@@ -140,6 +140,30 @@ TEST(CopyPixels, TransferIsAppliedOnce) {
     glCopyPixels(0, 0, 2, 2, GL_STENCIL);
     EXPECT_EQ(canvas.stencil_at(11, 11), 7);
 }
+
+/// What transfer makes of a colour of 16 bits need not be one: it is dithered.
+TEST(CopyPixels, ColoursOf565GoThroughTransfer) {
+    for (const PixelFormat format : {PixelFormat::rgb565_be, PixelFormat::rgb565_le})
+        for (const bool maps : {false, true}) {
+            PixelCanvas canvas({.format = format});
+            glClearColor(15 / 31.0f, 0, 0, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+            if (maps) {
+                const GLfloat half[3] = {7.5f / 31, 7.5f / 31, 1};
+                glPixelMapfv(GL_PIXEL_MAP_R_TO_R, 3, half);
+                glPixelTransferi(GL_MAP_COLOR, GL_TRUE);
+            } else {
+                glPixelTransferf(GL_RED_SCALE, 0.5f);
+            }
+            glRasterPos2i(16, 8);
+            glCopyPixels(0, 0, 16, 16, GL_COLOR);
+            int sum = 0;
+            for (int y = 8; y < 24; ++y)
+                for (int x = 16; x < 32; ++x)
+                    sum += static_cast<int>(raster::read_color(canvas.surface(), x, y).c[0].k);
+            EXPECT_NEAR(sum / 256., 7.5, 0.05) << maps;
+        }
+}
 #endif
 
 TEST(CopyPixels, ZoomedOntoItselfWithoutMemoryIsAnError) {

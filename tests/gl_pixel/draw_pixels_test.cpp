@@ -5,6 +5,8 @@
 #if SPANGLE_FEATURE_DRAW_PIXELS
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "tests/gl_pixel/client_oracle.hpp"
 #include "tests/gl_pixel/pixel_canvas.hpp"
@@ -349,6 +351,48 @@ TEST(DrawPixels, IndicesAreExpandedByTheMaps) {
     glPixelTransferi(GL_INDEX_OFFSET, 2);
     glDrawPixels(3, 1, GL_COLOR_INDEX, GL_BITMAP, &bits);
     EXPECT_EQ(canvas.at(2, 3, 0), 64);
+}
+
+/// Colours of 5, 6 and 5 bits that transfer changes are those of the same numbers in floats, dithered.
+TEST(DrawPixels, ColoursOf565GoThroughTransfer) {
+    const GLfloat curve[5] = {0.9f, 0.1f, 0.35f, 0.6f, 0};
+    std::vector<std::uint16_t> image(64 * 64);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image[i] = static_cast<std::uint16_t>(i * 40503);
+    std::vector<GLfloat> numbers;
+    for (const std::uint16_t word : image)
+        for (const auto& [code, most] : {std::pair{word >> 11, 31}, {word >> 5 & 63, 63}, {word & 31, 31}})
+            numbers.push_back(static_cast<GLfloat>(code) / static_cast<GLfloat>(most));
+    const auto drawn = [](const PixelCanvas& canvas, GLenum type, const void* pixels) {
+        glDrawPixels(64, 64, GL_RGB, type, pixels);
+        return canvas.color;
+    };
+    for (const PixelFormat format : surfaces)
+        for (const bool maps : {false, true})
+            for (const bool swapped : {false, true}) {
+                PixelCanvas canvas({.format = format, .width = 64, .height = 64});
+                if (maps) {
+                    for (const GLenum map : {GL_PIXEL_MAP_R_TO_R, GL_PIXEL_MAP_G_TO_G, GL_PIXEL_MAP_B_TO_B})
+                        glPixelMapfv(map, 5, curve);
+                    glPixelTransferi(GL_MAP_COLOR, GL_TRUE);
+                } else {
+                    glPixelTransferf(GL_RED_SCALE, 0.37f);
+                    glPixelTransferf(GL_GREEN_BIAS, 0.21f);
+                    glPixelTransferf(GL_BLUE_SCALE, -0.5f);
+                    glPixelTransferf(GL_BLUE_BIAS, 0.9f);
+                }
+                const auto wanted = drawn(canvas, GL_FLOAT, numbers.data());
+                std::vector<std::uint16_t> words = image;
+                if (swapped)
+                    for (std::uint16_t& word : words)
+                        word = __builtin_bswap16(word);
+                glPixelStorei(GL_UNPACK_SWAP_BYTES, swapped ? GL_TRUE : GL_FALSE);
+                const auto got = drawn(canvas, GL_UNSIGNED_SHORT_5_6_5, words.data());
+                const auto differ = std::inner_product(got.begin(), got.end(), wanted.begin(), 0,
+                                                       std::plus<>(), std::not_equal_to<>());
+                // Floats of k / 31 are not exact: few of them round to the other side.
+                EXPECT_LE(differ, static_cast<int>(got.size() / 200)) << int(format) << maps << swapped;
+            }
 }
 
 TEST(DrawPixels, TransferIsAppliedBeforeClamping) {

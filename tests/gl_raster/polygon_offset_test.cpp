@@ -73,6 +73,56 @@ TEST_F(PolygonOffset, FactorsMultiplyTheLargerSlope) {
     }
 }
 
+/// A slope is that of its plane, however small the polygon.
+TEST_F(PolygonOffset, SlopesOfSmallPolygons) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    for (const double side : {1., 1.25, 2., 3., 5., 8., 12., 20., 60.})
+        for (int n = 0; n < 30; ++n) {
+            const double steep = 0.1 / side;
+            const Plane plane{0.5, lot(-steep, steep) / 8, lot(-steep, steep) / 8};
+            const double factor = lot(-8, 8), low = side < 30 ? 20 : 2;
+            const auto drawn = [&](double times) {
+                glPolygonOffset(static_cast<GLfloat>(times), 0);
+                clear();
+                glBegin(GL_QUADS);
+                quad(plane, low, low + side);
+                glEnd();
+                return depths();
+            };
+            const auto before = drawn(0), after = drawn(factor);
+            const double expected = factor * std::fmax(std::fabs(plane.dx), std::fabs(plane.dy)) * codes;
+            int fragments = 0;
+            for (std::size_t i = 0; i < after.size(); ++i)
+                if (before[i] != codes) {
+                    ++fragments;
+                    ASSERT_NEAR(difference(after[i], before[i]), expected, 1.5 + std::fabs(factor)) << side;
+                }
+            EXPECT_GE(fragments, static_cast<int>(side) * static_cast<int>(side));
+        }
+}
+
+/// Depth 1 is the largest code, 2^24 - 1: offsets of nearly the whole range are right in the mean of many.
+TEST_F(PolygonOffset, SlopesAreFractionsOfTheLargestCode) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    double sum = 0;
+    int fragments = 0;
+    for (int n = 0; n < 100; ++n) {
+        const Plane plane{lot(0.02, 0.03), lot(0.0005, 0.0009), lot(-0.0001, 0.0001)};
+        const auto factor = static_cast<GLfloat>(0.9 / plane.dx);
+        glPolygonOffset(0, 0);
+        draw(plane);
+        const auto before = depths();
+        glPolygonOffset(factor, 0);
+        draw(plane);
+        const auto after = depths();
+        const double expected = double{factor} * plane.dx * codes;
+        for (int y = 8; y < 56; y += 5)
+            for (int x = 8; x < 56; x += 3, ++fragments)
+                sum += difference(after[y * size + x], before[y * size + x]) - expected;
+    }
+    EXPECT_NEAR(sum / fragments, 0, 0.3);
+}
+
 /// Each fragment is clamped by itself: the rest of a polygon keeps its slope.
 TEST_F(PolygonOffset, FragmentsAreClamped) {
     const Plane plane{0, 1.0 / size, 0};

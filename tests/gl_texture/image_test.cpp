@@ -301,6 +301,38 @@ TEST_F(Images, LevelsFollowTheBaseLevel) {
     EXPECT_EQ(glGetError(), GLenum{GL_INVALID_OPERATION}); // five faces are missing
 }
 
+/// A mean halfway between two codes is the upper one, in every dimension and format.
+TEST_F(Images, MeansOfTexelsRoundHalfUp) {
+    const struct {
+        GLenum target;
+        GLsizei w, h, d;
+    } shapes[] = {{GL_TEXTURE_1D, 2, 1, 1}, {GL_TEXTURE_2D, 2, 1, 1}, {GL_TEXTURE_2D, 1, 2, 1},
+                  {GL_TEXTURE_2D, 2, 2, 1}, {GL_TEXTURE_3D, 2, 2, 2}, {GL_TEXTURE_3D, 1, 1, 2}};
+    for (const auto& s : shapes) {
+        const int texels = s.w * s.h * s.d;
+        for (int more = 0; more <= texels; ++more) { // so many texels are one larger
+            std::vector<GLubyte> image(static_cast<std::size_t>(texels), 6);
+            std::fill_n(image.begin(), more, GLubyte{7});
+            if (s.target == GL_TEXTURE_1D)
+                glTexImage1D(s.target, 0, GL_LUMINANCE8, s.w, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                             image.data());
+            else if (s.target == GL_TEXTURE_2D)
+                glTexImage2D(s.target, 0, GL_LUMINANCE8, s.w, s.h, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                             image.data());
+            else
+                glTexImage3D(s.target, 0, GL_LUMINANCE8, s.w, s.h, s.d, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                             image.data());
+            glGenerateMipmap(s.target);
+            EXPECT_EQ(read(s.target, 1, GL_LUMINANCE, 1)[0], 2 * more < texels ? 6 : 7)
+                << s.w << 'x' << s.h << 'x' << s.d << ", " << more;
+        }
+    }
+    const GLubyte colors[2][4] = {{1, 2, 3, 4}, {2, 3, 4, 5}};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colors);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    EXPECT_EQ(read(GL_TEXTURE_2D, 1, GL_RGBA, 4), (std::vector<GLubyte>{2, 3, 4, 5}));
+}
+
 TEST_F(Images, ObjectsKeepTheirTarget) {
     GLint value = -1;
     const GLenum targets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};

@@ -264,6 +264,34 @@ TEST_F(TexImage, PackedColoursAndSwappedBytes) {
     }
 }
 
+#if SPANGLE_FEATURE_PIXEL_TRANSFER
+/// Images that are laid out as their texels are go through transfer as others do.
+TEST_F(TexImage, WhatCouldBeCopiedGoesThroughTransfer) {
+    const std::uint16_t word = 30 << 11 | 20 << 5 | 10;
+    const std::uint8_t bytes[4] = {200, 100, 50, 30};
+    for (const bool maps : {false, true}) {
+        for (BareContext* const b : {&bare, &board}) {
+            if (maps) {
+                const float half[2] = {0, 0.5f}; // of two entries index c (2 - 1) rounded is looked up
+                cmd::PixelMap(b->context, GL_PIXEL_MAP_R_TO_R, 2, {half, GL_FLOAT});
+                b->context.pixel_mode.map_color = true;
+            } else {
+                b->context.pixel_mode.linear[0].scale = numeric::from_float(0.5f);
+            }
+        }
+        tex_image_2d(board.context, GL_TEXTURE_2D, 0, GL_RGB, 1, 1, 0, GL_RGB, GL_UNSIGNED_SHORT_5_6_5,
+                     &word);
+        std::uint16_t stored;
+        std::memcpy(&stored, view(board).level[0].texels, 2);
+        EXPECT_EQ(stored, (maps ? 16 : 15) << 11 | (maps ? 0 : 20) << 5 | (maps ? 0 : 10)) << maps;
+        tex_image_2d(bare.context, GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+        EXPECT_EQ(view(bare).level[0].texels[0], maps ? 128 : 100);
+        for (BareContext* const b : {&bare, &board})
+            b->context.pixel_mode.linear[0].scale = numeric::one;
+    }
+}
+#endif
+
 TEST_F(TexImage, UnpackModesChooseARectangle) {
     std::vector<std::uint8_t> image(16 * 8);
     for (std::size_t i = 0; i < image.size(); ++i)

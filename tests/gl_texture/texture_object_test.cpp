@@ -175,6 +175,17 @@ TEST(TextureObject, Completeness) {
     EXPECT_EQ(levels(b), 1);
     parameter(b, GL_TEXTURE_BASE_LEVEL, 1); // base > max
     EXPECT_EQ(levels(b), 0);
+    for (const GLint base : {2, 3}) // by more than one, and of a base level that is the last of its chain
+        for (GLint max = 0; max < base; ++max) {
+            parameter(b, GL_TEXTURE_BASE_LEVEL, base);
+            parameter(b, GL_TEXTURE_MAX_LEVEL, max);
+            EXPECT_EQ(levels(b), 0) << base << ' ' << max;
+            EXPECT_EQ(complete_texture(b.context.texture.bound(0)), nullptr);
+        }
+    parameter(b, GL_TEXTURE_MAX_LEVEL, 3);
+    EXPECT_EQ(levels(b), 1);
+    parameter(b, GL_TEXTURE_BASE_LEVEL, 1);
+    parameter(b, GL_TEXTURE_MAX_LEVEL, 0);
     parameter(b, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     EXPECT_EQ(levels(b), 1);
     EXPECT_EQ(complete_texture(b.context.texture.bound(0))->level[0].width, 4);

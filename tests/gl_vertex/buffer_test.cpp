@@ -160,6 +160,97 @@ TEST_F(Buffers, Mapping) {
     refused(token, "access");
 }
 
+/// Ranges that share a byte with a mapping are refused; those that only touch it, or have none, are not
+/// (GL 3.0, 2.9.3).
+TEST_F(Buffers, RangesBesideAMappingAreNotMapped) {
+    constexpr GLintptr size = 8;
+    std::array<GLubyte, size> bytes = {1, 2, 3, 4, 5, 6, 7, 8};
+    glBindBuffer(GL_ARRAY_BUFFER, 1);
+    glBufferData(GL_ARRAY_BUFFER, size, bytes.data(), GL_STATIC_DRAW);
+    for (GLintptr begin = 0; begin <= size; ++begin)
+        for (GLintptr end = begin; end <= size; ++end) {
+            ASSERT_NE(
+                glMapBufferRange(GL_ARRAY_BUFFER, begin, end - begin, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT),
+                nullptr);
+            for (GLintptr from = 0; from <= size; ++from)
+                for (GLintptr to = from; to <= size; ++to) {
+                    const bool common = std::max(begin, from) < std::min(end, to);
+                    const GLenum wanted = common ? operation : GLenum{GL_NO_ERROR};
+                    glBufferSubData(GL_ARRAY_BUFFER, from, to - from, bytes.data() + from);
+                    EXPECT_EQ(glGetError(), wanted) << begin << ' ' << end << ", " << from << ' ' << to;
+                    glGetBufferSubData(GL_ARRAY_BUFFER, from, to - from, bytes.data() + from);
+                    EXPECT_EQ(glGetError(), wanted) << begin << ' ' << end << ", " << from << ' ' << to;
+                }
+            EXPECT_TRUE(glUnmapBuffer(GL_ARRAY_BUFFER));
+        }
+    glBufferSubData(GL_ARRAY_BUFFER, 0, size, bytes.data()); // nothing is mapped any more
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+/// The offset into a buffer that is deleted is no address: the array has none then, and others keep theirs.
+TEST_F(Buffers, ADeletedBufferLeavesNoAddresses) {
+    const GLfloat mesh[3][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0, 0.5f}};
+    const GLubyte own[9] = {};
+    struct Array {
+        GLenum pointer, binding;
+    };
+    const Array arrays[] = {{GL_VERTEX_ARRAY_POINTER, GL_VERTEX_ARRAY_BUFFER_BINDING},
+                            {GL_NORMAL_ARRAY_POINTER, GL_NORMAL_ARRAY_BUFFER_BINDING},
+                            {GL_COLOR_ARRAY_POINTER, GL_COLOR_ARRAY_BUFFER_BINDING},
+                            {GL_INDEX_ARRAY_POINTER, GL_INDEX_ARRAY_BUFFER_BINDING},
+                            {GL_TEXTURE_COORD_ARRAY_POINTER, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING},
+                            {GL_EDGE_FLAG_ARRAY_POINTER, GL_EDGE_FLAG_ARRAY_BUFFER_BINDING}};
+    const auto set = [](std::size_t i, const void* pointer) {
+        switch (i) {
+        case 0:
+            return glVertexPointer(2, GL_FLOAT, 0, pointer);
+        case 1:
+            return glNormalPointer(GL_BYTE, 0, pointer);
+        case 2:
+            return glColorPointer(3, GL_UNSIGNED_BYTE, 0, pointer);
+        case 3:
+            return glIndexPointer(GL_UNSIGNED_BYTE, 0, pointer);
+        case 4:
+            return glTexCoordPointer(2, GL_FLOAT, 0, pointer);
+        default:
+            return glEdgeFlagPointer(0, pointer);
+        }
+    };
+    const GLuint gone = 1, kept = 2;
+    for (std::size_t i = 0; i < std::size(arrays); ++i) {
+        for (const GLuint name : {gone, kept}) {
+            glBindBuffer(GL_ARRAY_BUFFER, name);
+            glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh, GL_STATIC_DRAW);
+        }
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+        for (std::size_t j = 0; j < std::size(arrays); ++j)
+            set(j, own);
+        glBindBuffer(GL_ARRAY_BUFFER, kept);
+        set((i + 1) % std::size(arrays), at(4));
+        glBindBuffer(GL_ARRAY_BUFFER, gone);
+        set(i, at(8));
+        glDeleteBuffers(1, &gone);
+        for (std::size_t j = 0; j < std::size(arrays); ++j) {
+            void* pointer = &pointer;
+            glGetPointerv(arrays[j].pointer, &pointer);
+            const bool in_kept = j == (i + 1) % std::size(arrays);
+            EXPECT_EQ(pointer, j == i ? nullptr : in_kept ? at(4) : own) << i << ' ' << j;
+            GLint binding = -1;
+            glGetIntegerv(arrays[j].binding, &binding);
+            EXPECT_EQ(binding, in_kept ? static_cast<GLint>(kept) : 0) << i << ' ' << j;
+        }
+        glDeleteBuffers(1, &kept);
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, gone);
+    glBufferData(GL_ARRAY_BUFFER, sizeof mesh, mesh, GL_STATIC_DRAW);
+    glVertexPointer(2, GL_FLOAT, 0, at(0));
+    glEnableClientState(GL_VERTEX_ARRAY);
+    const auto draw = [] { glDrawArrays(GL_TRIANGLES, 0, 3); };
+    EXPECT_EQ(drawn(draw).size(), 9u);
+    glDeleteBuffers(1, &gone);
+    EXPECT_TRUE(drawn(draw).empty()) << "no array, no vertices";
+}
+
 /// A mesh that lies in flash is drawn from where it is.
 TEST_F(Buffers, ConstantMemoryIsNotCopied) {
     static const GLfloat mesh[3][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0, 0.5f}};

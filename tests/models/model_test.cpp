@@ -10,6 +10,7 @@
 
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/session.hpp"
+#include "tests/source_dir.hpp"
 
 namespace {
 

@@ -17,6 +17,7 @@
 #include "raster/span/draw_state.hpp"
 #include "tests/present/watched_display.hpp"
 #include "tests/scene_player.hpp"
+#include "tests/source_dir.hpp"
 
 namespace {
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/source_dir.hpp"
+
 namespace {
 
 TEST(ControllerStream, SeedsAndTheirMutations) {
