@@ -76,10 +76,10 @@ def folder(name):
 
 @contextlib.contextmanager
 def xvfb(size="800x600x24", *options):
-    """An X server of its own; gives the value of DISPLAY."""
+    """An X server of its own, which stays as it is when its last client goes; gives the value of DISPLAY."""
     need("Xvfb")
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp", *options],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-noreset", "-nolisten", "tcp", *options],
                               pass_fds=(write,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     try:
