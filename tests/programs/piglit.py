@@ -10,6 +10,7 @@ what Spangle does with the table. The lists of programs are piglit's own (opengl
 """
 import argparse
 import ast
+import collections
 import concurrent.futures
 import csv
 import fnmatch
@@ -20,6 +21,7 @@ import random
 import re
 import signal
 import sys
+import threading
 import time
 import xml.etree.ElementTree
 
@@ -129,18 +131,111 @@ def run_all(options, pair):
     return wanted, state
 
 
+def why_skipped(words):
+    """What a program that skips asks for, in its own words."""
+    for pattern, sentence in ((r"Test requires (\w+)", "asks for {}, which is no part of OpenGL 1.5"),
+                              (r'Function "(\w+)" not supported', "calls {} of a later version"),
+                              (r"(GL_EXT_texture_swizzle) is required", "asks for {}, which is no part of OpenGL 1.5"),
+                              (r"Failed to create any GL (context)", "asks for a {} of OpenGL ES")):
+        found = re.search(pattern, words)
+        if found:
+            return sentence.format(found[1])
+    return ""
+
+
+def reason_of(test, entries, reasons):
+    """Why Spangle's result is not the better one of Mesa's; empty where it is."""
+    if not differs(entries):
+        return ""
+    for pattern, reason in reasons:
+        if fnmatch.fnmatchcase(test, pattern):
+            return reason
+    return why_skipped(entries["spangle"]["words"]) if entries["spangle"]["result"] == "skip" else ""
+
+
+def differs(entries):
+    ours, theirs = entries["spangle"]["result"], [entries[o]["result"] for o in ORACLES]
+    return ours in ("fail", "crash", "timeout") or (ours != "pass" and "pass" in theirs)
+
+
+def write_table(wanted, state):
+    """Makes the table; a difference without a reason is a failure."""
+    with REASONS.open(newline="") as lines:
+        reasons = [(row["test"], row["reason"]) for row in csv.DictReader(lines)]
+    with TABLE.open("w", newline="") as out:
+        rows = csv.writer(out, lineterminator="\n")
+        rows.writerow(["test", *DRIVERS, "reason"])
+        for name in sorted({p.name for p in wanted}):
+            entries = {d: state[d, name] for d in DRIVERS}
+            reason = reason_of(name, entries, reasons)
+            check(reason or not differs(entries), f"{name}: {entries['spangle']['result']}, and no reason is known")
+            rows.writerow([name, *(entries[d]["result"] for d in DRIVERS), reason])
+
+
+def read_table():
+    with TABLE.open(newline="") as lines:
+        return {row["test"]: row for row in csv.DictReader(lines)}
+
+
+def print_counts():
+    table = read_table()
+    for driver in DRIVERS:
+        count = collections.Counter(row[driver] for row in table.values())
+        print(f"{driver}: " + ", ".join(f"{n} {what}" for what, n in count.most_common()))
+    theirs = [row for row in table.values() if any(row[o] == "pass" for o in ORACLES)]
+    print(f"of {len(theirs)} that one of Mesa's passes, Spangle passes {sum(row['spangle'] == 'pass' for row in theirs)}")
+
+
+def sample(pair, seconds, turn):
+    """As many as fit into so many seconds, from another place on for each turn: Spangle does what the table says."""
+    table = read_table()
+    every = [p for p in programs(pair) if table.get(p.name, {}).get("spangle") not in ("timeout", None)]
+    random.Random(1).shuffle(every)
+    begin = turn % len(every)
+    queue, end, done = iter(every[begin:] + every[:begin]), time.monotonic() + seconds, []
+    lock = threading.Lock()
+
+    def work():
+        while time.monotonic() < end:
+            with lock:
+                program = next(queue, None)
+            if program is None:
+                return
+            done.append((program, *execute(program, "spangle", pair, display)))
+
+    with xvfb("1024x768x24") as display, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for job in [pool.submit(work) for _ in range(2)]:
+            job.result()
+    for program, what, _, words in done:
+        expected = table[program.name]["spangle"]
+        check(what == expected, f"{program.name}: {what}; the table says {expected}\n{words[-1500:]}")
+    print(f"{len(done)} programs of {len(every)}, from number {begin} on, do what the table says" if not failures else "")
+
+
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("pair", type=pathlib.Path)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("pair", type=pathlib.Path, help="folder of the drop-in pair")
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--state", type=pathlib.Path, default=pathlib.Path("build/piglit.jsonl"))
-    parser.add_argument("--only")
-    parser.add_argument("--again", action="store_true")
+    parser.add_argument("--only", help="programs whose names this regular expression finds")
+    parser.add_argument("--again", action="store_true", help="Spangle's results in the state do not count")
     parser.add_argument("--spangle-only", action="store_true")
+    parser.add_argument("--sample", type=float, metavar="SECONDS")
+    parser.add_argument("--turn", type=int, default=0)
     options = parser.parse_args()
     need(PIGLIT / "gl-1.0-readpixsanity", "wflinfo", "Xvfb")
-    run_all(options, options.pair.resolve())
+    pair = options.pair.resolve()
+    if options.all:
+        wanted, state = run_all(options, pair)
+        if options.write:
+            write_table(wanted, state)
+            print_counts()
+    if options.sample:
+        sample(pair, options.sample, options.turn)
+    sys.exit(1 if failures else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()
