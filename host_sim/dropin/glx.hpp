@@ -61,6 +61,7 @@ enum Token : int {
     X_RENDERABLE = 0x8012,
     FBCONFIG_ID = 0x8013,
     RGBA_TYPE = 0x8014,
+    COLOR_INDEX_TYPE = 0x8015,
     MAX_PBUFFER_WIDTH = 0x8016,
     MAX_PBUFFER_HEIGHT = 0x8017,
     MAX_PBUFFER_PIXELS = 0x8018,
@@ -84,6 +85,8 @@ enum Token : int {
 };
 
 inline constexpr int WINDOW_BIT = 1, PIXMAP_BIT = 2, PBUFFER_BIT = 4, RGBA_BIT = 1;
+inline constexpr int CONTEXT_DEBUG_BIT = 1, CONTEXT_FORWARD_COMPATIBLE_BIT = 2; // of CONTEXT_FLAGS
+inline constexpr int CONTEXT_CORE_PROFILE_BIT = 1, CONTEXT_COMPATIBILITY_PROFILE_BIT = 2;
 inline constexpr unsigned DONT_CARE = 0xFFFFFFFF;
 
 /// Of glXGetConfig.

@@ -62,6 +62,64 @@ void report_refusal(Display* display, Request request, GLXDrawable drawable) {
     }
 }
 
+/// What glXCreateContextAttribsARB is asked for.
+struct ContextWish {
+    int major = 1, minor = 0, flags = 0;
+    int error = Success;        ///< X's error that the list is refused with
+    bool profile_error = false; ///< the list is refused with GLXBadProfileARB
+};
+
+bool is_defined_version(int major, int minor) {
+    constexpr int last_minor[] = {-1, 5, 1, 3, 6}; // of OpenGL 1, 2, 3 and 4
+    return major >= 1 && major <= 4 && minor >= 0 && minor <= last_minor[major];
+}
+
+/// Profiles exist from OpenGL 3.2 on, but a mask that names none or several of them is refused for every
+/// version.
+bool is_profile(int mask) {
+    return mask == CONTEXT_CORE_PROFILE_BIT || mask == CONTEXT_COMPATIBILITY_PROFILE_BIT;
+}
+
+/// Values that no version knows are BadValue; a version that does not exist, or lacks what is asked for with
+/// it, is BadMatch (GLX_ARB_create_context, GLX_ARB_create_context_profile).
+ContextWish context_wish(const int* list) {
+    ContextWish wish;
+    bool color_index = false;
+    for (; list != nullptr && *list != 0; list += 2) {
+        const int value = list[1];
+        bool known = true;
+        switch (list[0]) {
+        case CONTEXT_MAJOR_VERSION:
+            wish.major = value;
+            break;
+        case CONTEXT_MINOR_VERSION:
+            wish.minor = value;
+            break;
+        case CONTEXT_FLAGS:
+            wish.flags = value;
+            known = (value & ~(CONTEXT_DEBUG_BIT | CONTEXT_FORWARD_COMPATIBLE_BIT)) == 0;
+            break;
+        case CONTEXT_PROFILE_MASK:
+            wish.profile_error = wish.profile_error || !is_profile(value);
+            break;
+        case RENDER_TYPE:
+            color_index = value == COLOR_INDEX_TYPE;
+            known = color_index || value == RGBA_TYPE;
+            break;
+        default:
+            known = false;
+        }
+        if (!known) {
+            wish.error = BadValue;
+            return wish;
+        }
+    }
+    const bool forward = (wish.flags & CONTEXT_FORWARD_COMPATIBLE_BIT) != 0 && wish.major < 3;
+    if (!is_defined_version(wish.major, wish.minor) || forward || color_index)
+        wish.error = BadMatch;
+    return wish;
+}
+
 GLXContext create(Display* display, GLXFBConfig config, GLXContext share, const EGLint* attributes,
                   Request request, Problem refusal) {
     if (share != nullptr && !exists(share)) {
@@ -184,28 +242,22 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
         report(display, Problem::fb_config, Request::create_context_attribs, 0);
         return nullptr;
     }
-    EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
-                           1,
-                           EGL_CONTEXT_MINOR_VERSION_KHR,
-                           0,
-                           EGL_CONTEXT_FLAGS_KHR,
-                           0,
-                           EGL_NONE};
-    for (; list != nullptr && *list != 0; list += 2) {
-        if (list[0] == CONTEXT_MAJOR_VERSION)
-            attributes[1] = list[1];
-        else if (list[0] == CONTEXT_MINOR_VERSION)
-            attributes[3] = list[1];
-        else if (list[0] == CONTEXT_FLAGS)
-            attributes[5] = list[1];
-        else if (list[0] == RENDER_TYPE && list[1] != RGBA_TYPE) {
-            report_core(display, BadMatch, Request::create_context_attribs, 0);
-            return nullptr;
-        } else if (list[0] != RENDER_TYPE && list[0] != CONTEXT_PROFILE_MASK) {
-            report_core(display, BadValue, Request::create_context_attribs, 0);
-            return nullptr;
-        }
+    const ContextWish wish = context_wish(list);
+    if (wish.profile_error) {
+        report(display, Problem::profile, Request::create_context_attribs, 0);
+        return nullptr;
     }
+    if (wish.error != Success) {
+        report_core(display, wish.error, Request::create_context_attribs, 0);
+        return nullptr;
+    }
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                                 wish.major,
+                                 EGL_CONTEXT_MINOR_VERSION_KHR,
+                                 wish.minor,
+                                 EGL_CONTEXT_FLAGS_KHR,
+                                 wish.flags,
+                                 EGL_NONE};
     return create(display, found, share, attributes, Request::create_context_attribs, Problem::fb_config);
 }
 

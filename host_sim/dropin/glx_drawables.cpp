@@ -81,8 +81,12 @@ void destroy(Display* display, XID id, Kind kind, Problem problem, Request reque
     const auto at = drawables().find({display, id});
     if (at == drawables().end() || at->second->kind != kind)
         return report(display, problem, request, id);
+    // A window of GLX goes with its window of X (GLX 1.4, 3.3.4): its name is none any more.
+    const bool gone = kind == Kind::window && XWindows::of(display)->is_gone(at->second->native);
     destroy_surface(display, *at->second);
     drawables().erase(at);
+    if (gone)
+        report(display, problem, request, id);
 }
 
 } // namespace

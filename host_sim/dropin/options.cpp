@@ -111,6 +111,7 @@ Options read() {
     out.frames = number_of("SPANGLE_FRAMES", 1, 1000000000, 0);
     out.memory =
         static_cast<std::size_t>(number_of("SPANGLE_MEMORY", 1, most_memory, usual_memory)) * megabyte;
+    out.end_by_signal = flag_of("SPANGLE_SIGNAL");
     out.messages = flag_of("SPANGLE_MESSAGES");
     return out;
 }

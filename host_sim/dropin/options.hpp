@@ -11,13 +11,14 @@ namespace spangle::dropin {
 struct Options {
     const hal::Board* board = nullptr; ///< SPANGLE_BOARD; null: none
     EGLint precision = EGL_PRECISION_EXACT_SPANGLE;
-    int width = 0, height = 0; ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
-    bool panel_format = false; ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
-    std::string shot;          ///< SPANGLE_SHOT: PNG of the last picture
-    std::string report;        ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
-    long frames = 0;           ///< SPANGLE_FRAMES: the program ends after so many; 0: by itself
-    std::size_t memory = 0;    ///< bytes
-    bool messages = false;     ///< SPANGLE_MESSAGES: Spangle's sentences go to standard error
+    int width = 0, height = 0;  ///< SPANGLE_SIZE, or the board's; 0: windows keep their size
+    bool panel_format = false;  ///< SPANGLE_FORMAT=panel: windows have the panel's own pixels
+    std::string shot;           ///< SPANGLE_SHOT: PNG of the last picture
+    std::string report;         ///< SPANGLE_REPORT: figures of the run, for `spangle exec`
+    long frames = 0;            ///< SPANGLE_FRAMES: the program ends after so many; 0: by itself
+    std::size_t memory = 0;     ///< bytes
+    bool end_by_signal = false; ///< SPANGLE_SIGNAL: it ends by SIGTERM, so that a tracer writes what it has
+    bool messages = false;      ///< SPANGLE_MESSAGES: Spangle's sentences go to standard error
 };
 
 /// Read once. A value that means nothing ends the program with a sentence that says so.

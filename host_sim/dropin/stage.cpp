@@ -1,6 +1,7 @@
 #include "host_sim/dropin/stage.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -146,7 +147,9 @@ void Stage::show(const hal::Frame& frame, const hal::DisplayInfo& info) {
     counters_.triangles = counters_.fragments = 0;
     if (++frames_ == options().frames) {
         finish();
-        std::_Exit(0);
+        if (!options().end_by_signal)
+            std::_Exit(0);
+        std::raise(SIGTERM); // a program that catches it ends by itself
     }
 }
 

@@ -61,6 +61,12 @@ def run(command, environment, seconds=120, folder=None):
         return Ended(None, (late.stdout or b"").decode(errors="replace"))
 
 
+def turn():
+    """A number from the name of the commit: what only a part of is run takes another part each time."""
+    words = run(["git", "-C", HERE, "rev-parse", "HEAD"], dict(os.environ)).words[:7]
+    return int(words, 16) if all(c in "0123456789abcdef" for c in words) and words else 0
+
+
 @contextlib.contextmanager
 def folder(name):
     """Where a test leaves pictures; gone afterwards unless SPANGLE_KEEP is set."""
@@ -76,10 +82,10 @@ def folder(name):
 
 @contextlib.contextmanager
 def xvfb(size="800x600x24", *options):
-    """An X server of its own; gives the value of DISPLAY."""
+    """An X server of its own, which stays as it is when its last client goes; gives the value of DISPLAY."""
     need("Xvfb")
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp", *options],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-noreset", "-nolisten", "tcp", *options],
                               pass_fds=(write,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     try:

@@ -1,0 +1,180 @@
+// Contexts of GLX: what lists of attributes are refused with, and what goes with a window of X.
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "host_sim/dropin/glx.hpp"
+
+extern char** environ;
+
+namespace {
+
+using namespace spangle::dropin::glx;
+
+/// An Xvfb of the test's own, which tells its number through a pipe.
+class Server {
+  public:
+    Server() {
+        int ends[2];
+        if (pipe(ends) != 0)
+            return;
+        std::string number = std::to_string(ends[1]);
+        std::vector<std::string> words = {"Xvfb",       "-displayfd", number, "-screen", "0",
+                                          "320x240x24", "-nolisten",  "tcp",  "-noreset"};
+        std::vector<char*> arguments;
+        for (std::string& word : words)
+            arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        posix_spawn_file_actions_t quiet;
+        posix_spawn_file_actions_init(&quiet);
+        posix_spawn_file_actions_addopen(&quiet, 2, "/dev/null", 1, 0);
+        if (posix_spawnp(&process_, "Xvfb", &quiet, nullptr, arguments.data(), environ) != 0)
+            process_ = 0;
+        posix_spawn_file_actions_destroy(&quiet);
+        close(ends[1]);
+        FILE* const said = fdopen(ends[0], "r");
+        int screen = -1;
+        if (process_ != 0 && std::fscanf(said, "%d", &screen) == 1)
+            name_ = ":" + std::to_string(screen);
+        std::fclose(said);
+    }
+    ~Server() {
+        if (process_ != 0) {
+            kill(process_, SIGTERM);
+            waitpid(process_, nullptr, 0);
+        }
+    }
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+    const std::string& name() const { return name_; }
+
+  private:
+    pid_t process_ = 0;
+    std::string name_;
+};
+
+int last_error = Success;
+
+int note_error(Display*, XErrorEvent* error) {
+    last_error = error->error_code;
+    return 0;
+}
+
+class GlxContexts : public testing::Test {
+  protected:
+    static void SetUpTestSuite() { server = new Server; }
+    static void TearDownTestSuite() {
+        delete server;
+        server = nullptr;
+    }
+    void SetUp() override {
+        if (server->name().empty())
+            GTEST_SKIP() << "There is no Xvfb";
+        display = XOpenDisplay(server->name().c_str());
+        ASSERT_NE(display, nullptr);
+        XSetErrorHandler(note_error);
+        ASSERT_EQ(glXQueryExtension(display, &error_base, nullptr), True);
+        int count = 0;
+        GLXFBConfig* const all = glXGetFBConfigs(display, DefaultScreen(display), &count);
+        ASSERT_GT(count, 0);
+        config = all[0];
+        XFree(all);
+        last_error = Success;
+    }
+    void TearDown() override {
+        if (display != nullptr)
+            XCloseDisplay(display);
+    }
+
+    /// The X error that a list of attributes is refused with; Success where a context is made.
+    int made_with(std::vector<int> list) {
+        list.push_back(0);
+        last_error = Success;
+        const GLXContext context = glXCreateContextAttribsARB(display, config, nullptr, True, list.data());
+        XSync(display, False);
+        EXPECT_EQ(context != nullptr, last_error == Success);
+        glXDestroyContext(display, context);
+        return last_error;
+    }
+    int of_glx(Problem problem) const { return error_base + static_cast<int>(problem); }
+
+    static Server* server;
+    Display* display = nullptr;
+    GLXFBConfig config = nullptr;
+    int error_base = 0;
+};
+
+Server* GlxContexts::server = nullptr;
+
+TEST_F(GlxContexts, EveryVersionUpToItsOwnIsMade) {
+    EXPECT_EQ(made_with({}), Success);
+    for (int minor = 0; minor <= 5; ++minor)
+        EXPECT_EQ(made_with({CONTEXT_MAJOR_VERSION, 1, CONTEXT_MINOR_VERSION, minor}), Success) << minor;
+    EXPECT_EQ(made_with({RENDER_TYPE, RGBA_TYPE, CONTEXT_FLAGS, CONTEXT_DEBUG_BIT}), Success);
+}
+
+TEST_F(GlxContexts, HigherVersionsAreRefusedByTheConfiguration) {
+    for (const auto& [major, minor] : {std::pair(2, 0), {2, 1}, {3, 3}, {4, 6}})
+        EXPECT_EQ(made_with({CONTEXT_MAJOR_VERSION, major, CONTEXT_MINOR_VERSION, minor}),
+                  of_glx(Problem::fb_config))
+            << major << '.' << minor;
+}
+
+TEST_F(GlxContexts, VersionsThatDoNotExistAreABadMatch) {
+    for (const auto& [major, minor] :
+         {std::pair(-1, 0), {0, 0}, {1, -1}, {1, 6}, {2, -1}, {2, 2}, {3, 4}, {4, 7}, {5, 0}})
+        EXPECT_EQ(made_with({CONTEXT_MAJOR_VERSION, major, CONTEXT_MINOR_VERSION, minor}), BadMatch)
+            << major << '.' << minor;
+}
+
+TEST_F(GlxContexts, ForwardCompatibleContextsBeginWithVersionThree) {
+    EXPECT_EQ(made_with({CONTEXT_FLAGS, CONTEXT_FORWARD_COMPATIBLE_BIT}), BadMatch);
+    EXPECT_EQ(made_with({CONTEXT_FLAGS, CONTEXT_FORWARD_COMPATIBLE_BIT, CONTEXT_MAJOR_VERSION, 3}),
+              of_glx(Problem::fb_config));
+}
+
+TEST_F(GlxContexts, UnknownValuesAreBadValues) {
+    for (int bit = 2; bit < 32; ++bit)
+        EXPECT_EQ(made_with({CONTEXT_FLAGS, static_cast<int>(1u << bit)}), BadValue) << bit;
+    for (const int type : {0, -1, RGBA_BIT, 0x20B9, 0x20B1})
+        EXPECT_EQ(made_with({RENDER_TYPE, type}), BadValue) << type;
+    EXPECT_EQ(made_with({DEPTH_SIZE, 24}), BadValue);
+}
+
+TEST_F(GlxContexts, NoConfigurationHasColourIndices) {
+    EXPECT_EQ(made_with({RENDER_TYPE, COLOR_INDEX_TYPE}), BadMatch);
+}
+
+TEST_F(GlxContexts, MasksOfNoneOrSeveralProfilesAreBadProfiles) {
+    for (const int mask : {0, 3, 4, 8, -1})
+        EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, mask}), of_glx(Problem::profile)) << mask;
+    EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, CONTEXT_CORE_PROFILE_BIT}), Success); // ignored before 3.2
+    EXPECT_EQ(made_with({CONTEXT_PROFILE_MASK, CONTEXT_COMPATIBILITY_PROFILE_BIT}), Success);
+}
+
+TEST_F(GlxContexts, AWindowOfGlxGoesWithItsWindowOfX) {
+    const auto window_of_glx = [this](Window& window) {
+        window = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 16, 16, 0, 0, 0);
+        return glXCreateWindow(display, config, window, nullptr);
+    };
+    Window window = 0;
+    GLXWindow drawable = window_of_glx(window);
+    glXDestroyWindow(display, drawable);
+    XDestroyWindow(display, window);
+    XSync(display, False);
+    EXPECT_EQ(last_error, Success);
+    drawable = window_of_glx(window);
+    XDestroyWindow(display, window);
+    glXDestroyWindow(display, drawable);
+    XSync(display, False);
+    EXPECT_EQ(last_error, of_glx(Problem::window));
+}
+
+} // namespace
