@@ -7,6 +7,9 @@
 
 #include "gl/context/limits.hpp"
 #include "gl/context/threads.hpp"
+#ifdef SPANGLE_SEPARATE_BLOCKS
+#include "gl/context/separate_arena.hpp"
+#endif
 
 namespace spangle::gl {
 
@@ -84,7 +87,11 @@ class GrowingArena {
     std::size_t used_ = 0, left_ = 0;
 };
 
+#ifdef SPANGLE_SEPARATE_BLOCKS
+using UnguardedArena = SeparateArena;
+#else
 using UnguardedArena = std::conditional_t<reuses_memory, ReusingArena, GrowingArena>;
+#endif
 
 #if SPANGLE_THREADS
 

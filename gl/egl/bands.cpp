@@ -51,6 +51,7 @@ bool open_band(Display& display, Surface& surface, std::int32_t first, std::int3
     if (surface.cut_off)
         return fail_cut_off();
     if (band.colors) {
+        surface.frame = {}; // the last band may be the display's again
         const hal::Result<hal::Frame> frame = native_of(display, surface).acquire_band(first, rows);
         if (!frame.ok())
             return fail(EGL_BAD_NATIVE_WINDOW, frame.error().rule) != EGL_FALSE;
@@ -99,21 +100,26 @@ bool send_band(Display& display, Surface& surface) {
     if (surface.cut_off)
         return fail_cut_off();
     raster::resolve(pixels_of(surface));
-    if (!surface.band.colors)
+    if (!surface.band.colors) {
         gather_extents(surface);
-    else if (const hal::Result<void> sent = native_of(display, surface).present_band(); !sent.ok())
-        return fail(EGL_BAD_NATIVE_WINDOW, sent.error().rule) != EGL_FALSE;
-    return true;
+        return true;
+    }
+    const hal::Result<void> sent = native_of(display, surface).present_band();
+    surface.frame = {}; // the band's buffer is the display's again
+    return sent.ok() || fail(EGL_BAD_NATIVE_WINDOW, sent.error().rule) != EGL_FALSE;
 }
 
 namespace {
 
-bool present_whole(Display& display, const Surface& surface) {
+bool present_whole(Display& display, Surface& surface) {
     const gl::Held held(display.native_lock);
     if (surface.cut_off)
         return fail_cut_off();
     const hal::Result<void> shown = native_of(display, surface).present();
-    return shown.ok() || fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
+    if (!shown.ok())
+        return fail(EGL_BAD_NATIVE_WINDOW, shown.error().rule) != EGL_FALSE;
+    surface.frame = {}; // the buffer of the whole frame is the display's again
+    return true;
 }
 
 /// Every band, until one fails.

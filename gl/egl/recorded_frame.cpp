@@ -55,6 +55,7 @@ raster::Surface rows_of(std::int32_t y) {
     if (frame.record.full())
         return none; // what would be drawn is not known
     if (frame.shown != first || frame.used != frame.record.used()) {
+        frame.shown = -1; // also where the display has no buffer for another one
         if (!open_band(*thread().display, surface, first, step < left ? step : left))
             return none;
         raster::resolve(replayed(surface, false));

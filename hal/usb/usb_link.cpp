@@ -61,9 +61,10 @@ int code_of(libusb_transfer_status status) {
     }
 }
 
-/// The first bulk endpoint of that direction, or null.
+/// The first bulk endpoint of that direction, or null. A device may say that it has more endpoints than it
+/// describes, which libusb repeats: then none are there.
 const libusb_endpoint_descriptor* bulk_endpoint(const libusb_interface_descriptor& side, int direction) {
-    for (int e = 0; e < side.bNumEndpoints; ++e) {
+    for (int e = 0; side.endpoint != nullptr && e < side.bNumEndpoints; ++e) {
         const libusb_endpoint_descriptor& endpoint = side.endpoint[e];
         if ((endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK &&
             (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == direction)

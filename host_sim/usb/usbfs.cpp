@@ -49,7 +49,8 @@ class UsbfsFile final : public OpenFile {
     long read(void* into, std::size_t count) override {
         const std::size_t left = at_ < descriptors_.size() ? descriptors_.size() - at_ : 0;
         const std::size_t taken = std::min(count, left);
-        std::memcpy(into, descriptors_.data() + at_, taken);
+        if (taken != 0) // a device may have no descriptors
+            std::memcpy(into, descriptors_.data() + at_, taken);
         at_ += taken;
         return static_cast<long>(taken);
     }

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Builds the fuzzers with clang, ASan and UBSan, runs each for a while and says what was executed, and which lines the
-inputs cover (by llvm-cov, in a second build without sanitizers).
+"""Builds the fuzzers with clang, ASan and UBSan, runs each for a while and says what was executed.
 
-usage: ./dev fuzz [--seconds N] [--only NAME] [--keep] [--build FOLDER]
+usage: ./dev fuzz [--seconds N] [--only NAME] [--coverage] [--keep] [--build FOLDER]
+
+--coverage says which lines the inputs reach, too, by llvm-cov in a second build without sanitizers.
 
 The committed inputs of tests/fuzz/corpus/NAME and those found in earlier runs (BUILD/corpus/NAME) are where a run starts.
 An input that breaks something is left in BUILD/crashes, with the command that replays it, and the exit status is 1.
@@ -10,6 +11,7 @@ An input that breaks something is left in BUILD/crashes, with the command that r
 """
 import argparse
 import collections
+import hashlib
 import json
 import os
 import pathlib
@@ -22,9 +24,12 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "tests/fuzz/corpus"
 # The rooms each fuzzer is meant to reach.
-ROOMS = {"gl_commands": ("gl/", "raster/"), "controller": ("host_sim/bus/pins", "host_sim/controller")}
-LONGEST = {"gl_commands": 2048, "controller": 1024}  # bytes of an input
-SANITIZE = "-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -g1"
+ROOMS = {"gl_commands": ("gl/", "raster/"), "egl": ("gl/", "raster/"), "gud": ("hal/usb/",),
+         "controller": ("host_sim/bus/pins", "host_sim/controller")}
+LONGEST = {"gl_commands": 2048, "egl": 1536, "gud": 600, "controller": 1024}  # bytes of an input
+MOST = {"egl": 48, "gud": 48}  # committed inputs, which the everyday tests replay; of others all that reach something new
+# As ./dev sanitize has them: objects that a compiler cache holds from there are not compiled again.
+SANITIZE = "-fsanitize=address,undefined -fno-sanitize-recover=all -gline-tables-only"
 COVERAGE = "-fprofile-instr-generate -fcoverage-mapping"
 ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1", "ASAN_SYMBOLIZER_PATH": shutil.which("llvm-symbolizer-14") or ""}
 
@@ -32,8 +37,8 @@ ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1", "ASAN_SYMBOL
 def build(folder, flags, targets):
     folder.mkdir(parents=True, exist_ok=True)
     log = folder / "build.log"
-    for command in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DSPANGLE_TESTS=OFF", "-DSPANGLE_FUZZ=ON", "-DSPANGLE_WERROR=OFF",
-                     "-DCMAKE_CXX_COMPILER=clang++-14", f"-DCMAKE_CXX_FLAGS={flags}"],
+    for command in (["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DSPANGLE_TESTS=OFF", "-DSPANGLE_FUZZ=ON",
+                     "-DCMAKE_CXX_COMPILER=clang++-14", "-DCMAKE_CXX_FLAGS_RELEASE=-O1", f"-DCMAKE_CXX_FLAGS={flags}"],
                     ["cmake", "--build", folder, "-j", os.environ.get("JOBS", str(os.cpu_count() or 2)), "--target", *targets]):
         with open(log, "w") as out:
             if subprocess.run([str(word) for word in command], stdout=out, stderr=subprocess.STDOUT).returncode != 0:
@@ -82,39 +87,66 @@ def coverage(name, folder):
     return rooms
 
 
+def furthest(control, most):
+    """Of the files that a merge looked at, at most so many, each of which reaches more that is new than any other left would."""
+    lines = control.read_text().splitlines()
+    count = int(lines[0])
+    paths, left = lines[2:2 + count], {}
+    for line in lines[2 + count:]:
+        kind, number, *features = line.split()
+        if kind == "FT":
+            left[int(number)] = set(features)
+    chosen, reached = [], set()
+    while left and len(chosen) < most:
+        best = max(left, key=lambda number: len(left[number] - reached))
+        if not left[best] - reached:
+            break
+        reached |= left.pop(best)
+        chosen.append(paths[best])
+    return chosen
+
+
 def keep(name, folder):
     """Makes the committed inputs the fewest that reach every edge known; what only runs more often is left out."""
-    program, target, chosen = folder / "tests/fuzz" / f"fuzz_{name}", CORPUS / name, folder / f"{name}-kept"
+    program, target, chosen, control = folder / "tests/fuzz" / f"fuzz_{name}", CORPUS / name, folder / f"{name}-kept", folder / f"{name}.merge"
     shutil.rmtree(chosen, ignore_errors=True)
     chosen.mkdir()
+    control.unlink(missing_ok=True)
     inputs = [str(path) for path in (target, folder / "corpus" / name) if path.is_dir()]
-    done = subprocess.run([program, "-merge=1", "-use_counters=0", f"-max_len={LONGEST[name]}", chosen, *inputs], capture_output=True, text=True, env=ENVIRONMENT)
+    done = subprocess.run([program, "-merge=1", "-use_counters=0", f"-max_len={LONGEST[name]}", f"-merge_control_file={control}", chosen, *inputs],
+                          capture_output=True, text=True, env=ENVIRONMENT)
     if done.returncode != 0:
         sys.exit(f"fuzz: merging {name} failed\n{done.stderr[-2000:]}")
+    files = furthest(control, MOST[name]) if name in MOST else [str(path) for path in chosen.iterdir()]
+    kept = {hashlib.sha1(data).hexdigest(): data for data in (pathlib.Path(path).read_bytes() for path in files)}
     shutil.rmtree(target, ignore_errors=True)
-    shutil.copytree(chosen, target)
-    print(f"{name}: {len(list(target.iterdir()))} inputs in {target.relative_to(ROOT)}")
+    target.mkdir(parents=True)
+    for digest, data in kept.items():
+        (target / digest).write_bytes(data)
+    print(f"{name}: {len(kept)} inputs in {target.relative_to(ROOT)}")
 
 
 def failure(name, folder, log, status, text):
     print(f"\n{name}: FAILED with status {status} after {executions(text):,} executions: {log}")
-    for line in re.findall(r"^.*(?:ERROR: |runtime error: |controller stream: |the arena is ).*$", text, re.M)[:3]:
+    for line in re.findall(r"^.*(?:ERROR: |runtime error: |stream: |the arena is ).*$", text, re.M)[:3]:
         print(f"  {line}")
     for path in crash_files(text):
         print(f"  replay: {folder / 'tests/fuzz' / ('fuzz_' + name)} {path}")
     return 1
 
 
-def report(name, folder, log, status, seconds):
+def report(name, folder, log, status, seconds, with_lines):
     text = log.read_text(errors="replace")
     if status != 0 or executions(text) == 0:
         return failure(name, folder, log, status, text)
-    rooms = coverage(name, folder)
-    reached, total = sum(r for r, _ in rooms.values()), sum(t for _, t in rooms.values())
     inputs = sum(1 for path in (folder / "corpus" / name, CORPUS / name) if path.is_dir() for _ in path.iterdir())
     edges = re.findall(r" cov: (\d+)", text)
-    print(f"\n{name}: {executions(text):,} executions in {seconds} s, {inputs} inputs, {edges[-1] if edges else 0} edges, "
-          f"{reached} of {total} lines ({100 * reached / total:.1f} %)")
+    print(f"\n{name}: {executions(text):,} executions in {seconds} s, {inputs} inputs, {edges[-1] if edges else 0} edges")
+    if not with_lines:
+        return 0
+    rooms = coverage(name, folder)
+    reached, total = sum(r for r, _ in rooms.values()), sum(t for _, t in rooms.values())
+    print(f"  {reached} of {total} lines ({100 * reached / total:.1f} %)")
     for room, (hit, of) in sorted(rooms.items()):
         print(f"  {room:<24}{hit:>6} of {of:>6} lines {100 * hit / of:>6.1f} %")
     return 0
@@ -124,6 +156,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=int, default=300, help="each fuzzer runs so long (300)")
     parser.add_argument("--only", help="just this fuzzer")
+    parser.add_argument("--coverage", action="store_true", help="say which lines were reached, too")
     parser.add_argument("--keep", action="store_true", help="renew tests/fuzz/corpus from what was found")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/fuzz")
     options = parser.parse_args()
@@ -134,7 +167,8 @@ def main():
     folder = options.build.resolve()
     fuzzers = [f"fuzz_{name}" for name in names]
     build(folder, SANITIZE, [*fuzzers, "fuzz_seeds"])
-    build(folder / "coverage", COVERAGE, fuzzers)
+    if options.coverage:
+        build(folder / "coverage", COVERAGE, fuzzers)
     for name in names:
         (folder / "corpus" / name).mkdir(parents=True, exist_ok=True)
         subprocess.run([folder / "tests/fuzz/fuzz_seeds", name, folder / "corpus" / name], check=True)
@@ -142,7 +176,7 @@ def main():
     running = {name: start(name, folder, options.seconds) for name in names}
     for name, (process, log) in running.items():
         status = process.wait()
-        failed += report(name, folder, log, status, min(options.seconds, round(time.monotonic() - begin)))
+        failed += report(name, folder, log, status, min(options.seconds, round(time.monotonic() - begin)), options.coverage)
         if status == 0 and options.keep:
             keep(name, folder)
     return 1 if failed else 0

@@ -1,21 +1,31 @@
 // Writes what a fuzzer's corpus starts from.
-// usage: fuzz_seeds gl_commands|controller FOLDER
+// usage: fuzz_seeds NAME FOLDER
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "tests/gl_api/command_seeds.hpp"
+#include "tests/hal_usb/gud_stream.hpp"
 #include "tests/sim/controller_stream.hpp"
+#include "tests/streams/egl_stream.hpp"
 
-int main(int argc, char** argv) {
-    const std::string what = argc == 3 ? argv[1] : "";
-    if (what != "gl_commands" && what != "controller") {
-        std::fputs("usage: fuzz_seeds gl_commands|controller FOLDER\n", stderr);
-        return 2;
-    }
+namespace {
+
+using Seeds = std::vector<std::vector<std::uint8_t>>;
+
+struct Fuzzer {
+    const char* name;
+    Seeds (*seeds)();
+};
+constexpr Fuzzer fuzzers[] = {{"gl_commands", spangle::test::command_seeds},
+                              {"egl", spangle::test::egl_seeds},
+                              {"gud", gud_test::gud_seeds},
+                              {"controller", sim_test::controller_seeds}};
+
+int write(const Seeds& seeds, const std::string& folder) {
     int number = 0;
-    for (const auto& seed :
-         what == "controller" ? sim_test::controller_seeds() : spangle::test::command_seeds()) {
-        const std::string path = std::string(argv[2]) + "/seed-" + std::to_string(number++);
+    for (const auto& seed : seeds) {
+        const std::string path = folder + "/seed-" + std::to_string(number++);
         std::FILE* const file = std::fopen(path.c_str(), "wb");
         const bool good = file != nullptr && std::fwrite(seed.data(), 1, seed.size(), file) == seed.size();
         if (file == nullptr || std::fclose(file) != 0 || !good) {
@@ -24,4 +34,14 @@ int main(int argc, char** argv) {
         }
     }
     return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    for (const Fuzzer& fuzzer : fuzzers)
+        if (argc == 3 && std::string(argv[1]) == fuzzer.name)
+            return write(fuzzer.seeds(), argv[2]);
+    std::fputs("usage: fuzz_seeds gl_commands|egl|gud|controller FOLDER\n", stderr);
+    return 2;
 }

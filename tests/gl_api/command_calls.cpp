@@ -78,6 +78,10 @@ bool reads_by_number(std::string_view family) {
 
 } // namespace
 
+const std::uint8_t* source() {
+    return numbers().data();
+}
+
 std::uint8_t* result() {
     static std::vector<std::uint8_t> bytes(client_bytes);
     return bytes.data();
@@ -89,25 +93,36 @@ Calls::Calls(Bytes& stream) : in_(stream) {
     std::fill(std::begin(elements_), std::end(elements_), client_.data());
 }
 
+/// Lists that call twice take exponential time, which is what was asked for; one call each is linear.
+bool Calls::may_call_a_list(bool& compiling) {
+    const gl::Context* const context = gl::current_context();
+    compiling = context != nullptr && context->list.index != 0;
+    if (!compiling)
+        return true;
+    const Called here = {context, context->list.index};
+    if (std::find(called_.begin(), called_.end(), here) != called_.end())
+        return false;
+    called_.push_back(here);
+    return true;
+}
+
 const Command& Calls::one(unsigned selected, bool (*wanted)(std::string_view family)) {
     const auto table = commands();
     const Command& c = table[selected % table.size()];
-    const gl::Context* const context = gl::current_context();
     const std::string_view family = c.family;
+    bool compiling = false;
     if (family == "CallList" || family == "CallLists") {
-        // Lists that call twice take exponential time, which is what was asked for; one call each is
-        // linear.
-        if (called_in_ == context->list.index && called_in_ != 0)
+        if (!may_call_a_list(compiling))
             return c;
-        called_in_ = context->list.index;
-    } else if (family == "NewList") {
-        called_in_ = 0;
+    } else if (family == "EndList") {
+        const void* const context = gl::current_context();
+        std::erase_if(called_, [=](const Called& c) { return c.context == context; });
     }
     Value values[12];
     const Pname* pname = nullptr;
     for (std::size_t i = 0; i < c.args.size(); ++i)
         values[i] = argument(c, c.args[i], family, pname);
-    if (family == "CallLists" && called_in_ != 0 && values[0].integer > 1)
+    if (family == "CallLists" && compiling && values[0].integer > 1)
         values[0].integer = 1;
     if (wanted == nullptr || wanted(family))
         c.call(values);

@@ -30,6 +30,9 @@ class Bytes {
 /// What answers are written to; holds the largest image.
 std::uint8_t* result();
 
+/// What images, arrays and parameters are read from; as large, and nobody writes to it.
+const std::uint8_t* source();
+
 /// Calls of the context that is current, with client memory of their own. Every argument may be anything, but
 /// for what GL cannot check: client memory is large enough for the sizes that are given.
 class Calls {
@@ -47,8 +50,16 @@ class Calls {
     static double number(Bytes& in, const Command& c, std::uint8_t how);
 
     Bytes& in_;
+    /// A list being compiled that has had its call.
+    struct Called {
+        const void* context;
+        std::uint32_t list;
+        bool operator==(const Called&) const = default;
+    };
+    bool may_call_a_list(bool& compiling);
+
     void* elements_[most_items] = {}; ///< of MultiDrawElements
-    GLuint called_in_ = 0;            ///< the list being compiled that has had its call
+    std::vector<Called> called_;
     std::vector<std::uint8_t> client_ = std::vector<std::uint8_t>(4096);
 };
 

@@ -324,6 +324,46 @@ TEST(GudFaults, AModeThatCannotBeSentIsPassedOver) {
             "USB display 1d50:614d: GET_CONNECTOR_MODES: the device's buffer is too small for its modes"));
 }
 
+/// A device that says of itself that it has what it does not describe, or describes nothing at all.
+class Braggart final : public sim::UsbFunction {
+  public:
+    std::vector<std::uint8_t> bytes;
+
+    std::vector<std::uint8_t> descriptors() const override { return bytes; }
+    bool control(const sim::UsbSetup&, const std::uint8_t*, std::vector<std::uint8_t>&) override {
+        return false;
+    }
+    bool bulk_out(std::uint8_t, const std::uint8_t*, std::size_t) override { return false; }
+    bool bulk_in(std::uint8_t, std::size_t, std::vector<std::uint8_t>&) override { return false; }
+    void clear_halt() override {}
+};
+
+TEST(GudFaults, DescriptorsThatSayMoreThanTheyDescribe) {
+    const std::vector<std::uint8_t> honest = sim::GudDevice().descriptors();
+    constexpr std::size_t interfaces = 18 + 4; // bNumInterfaces, behind the descriptor of the device
+    for (std::size_t kept = 0; kept <= honest.size(); ++kept)
+        for (const unsigned claimed : {1u, 2u, 32u}) {
+            Braggart function;
+            function.bytes = honest;
+            function.bytes[interfaces] = static_cast<std::uint8_t>(claimed);
+            for (std::size_t at = 18 + 9; at + 9 <= honest.size(); at += 9) // bNumEndpoints, of interfaces
+                if (honest[at + 1] == 4)
+                    function.bytes[at + 4] = static_cast<std::uint8_t>(claimed);
+            function.bytes.resize(kept);
+            sim::Kernel& kernel = sim::Kernel::instance();
+            sim::UsbfsDevice usb(function);
+            usb.attach(kernel, path);
+            {
+                hal::GudConfig config;
+                config.device_file = path;
+                hal::GudDisplay display(config);
+                EXPECT_FALSE(display.init().ok());
+            }
+            EXPECT_EQ(kernel.open_files(), 0);
+            kernel.forget_all();
+        }
+}
+
 TEST(GudFaults, NoDisplayIsPluggedIn) {
     hal::GudDisplay display; // looks for one
     const auto none = display.init();
