@@ -22,8 +22,9 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "tests/fuzz/corpus"
 # The rooms each fuzzer is meant to reach.
-ROOMS = {"gl_commands": ("gl/", "raster/"), "controller": ("host_sim/bus/pins", "host_sim/controller")}
-LONGEST = {"gl_commands": 2048, "controller": 1024}  # bytes of an input
+ROOMS = {"gl_commands": ("gl/", "raster/"), "controller": ("host_sim/bus/pins", "host_sim/controller"),
+         "model": ("host_sim/bake", "host_sim/cli/model_wire"), "picture": ("host_sim/picture/image",)}
+LONGEST = {"gl_commands": 2048, "controller": 1024, "model": 4096, "picture": 1024}  # bytes of an input
 SANITIZE = "-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -g1"
 COVERAGE = "-fprofile-instr-generate -fcoverage-mapping"
 ENVIRONMENT = {**os.environ, "UBSAN_OPTIONS": "print_stacktrace=1", "ASAN_SYMBOLIZER_PATH": shutil.which("llvm-symbolizer-14") or ""}

@@ -1,21 +1,44 @@
 // Writes what a fuzzer's corpus starts from.
-// usage: fuzz_seeds gl_commands|controller FOLDER
+// usage: fuzz_seeds gl_commands|controller|model|picture FOLDER
 #include <cstdio>
 #include <string>
+#include <vector>
 
+#include <spangle/sim/image.hpp>
+
+#include "tests/bake/packed_model.hpp"
 #include "tests/gl_api/command_seeds.hpp"
 #include "tests/sim/controller_stream.hpp"
 
-int main(int argc, char** argv) {
-    const std::string what = argc == 3 ? argv[1] : "";
-    if (what != "gl_commands" && what != "controller") {
-        std::fputs("usage: fuzz_seeds gl_commands|controller FOLDER\n", stderr);
-        return 2;
+namespace {
+
+using Seeds = std::vector<std::vector<std::uint8_t>>;
+
+/// With alpha and without.
+Seeds pictures() {
+    Seeds out;
+    for (const std::uint8_t alpha : {255, 90}) {
+        spangle::sim::Image image(9, 5);
+        image.rgba[3] = alpha;
+        std::string bytes;
+        spangle::sim::encode_png(image, bytes);
+        out.emplace_back(bytes.begin(), bytes.end());
     }
+    return out;
+}
+
+const struct {
+    const char* fuzzer;
+    Seeds (*seeds)();
+} all[] = {{"gl_commands", spangle::test::command_seeds},
+           {"controller", sim_test::controller_seeds},
+           {"model", bake_test::packed_models},
+           {"picture", pictures}};
+
+int write(const Seeds& seeds, const std::string& folder) {
     int number = 0;
-    for (const auto& seed :
-         what == "controller" ? sim_test::controller_seeds() : spangle::test::command_seeds()) {
-        const std::string path = std::string(argv[2]) + "/seed-" + std::to_string(number++);
+    for (const auto& seed : seeds) {
+        const std::string path = folder + "/seed-" + std::to_string(number++);
         std::FILE* const file = std::fopen(path.c_str(), "wb");
         const bool good = file != nullptr && std::fwrite(seed.data(), 1, seed.size(), file) == seed.size();
         if (file == nullptr || std::fclose(file) != 0 || !good) {
@@ -24,4 +47,14 @@ int main(int argc, char** argv) {
         }
     }
     return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    for (const auto& [fuzzer, seeds] : all)
+        if (argc == 3 && std::string(argv[1]) == fuzzer)
+            return write(seeds(), argv[2]);
+    std::fputs("usage: fuzz_seeds gl_commands|controller|model|picture FOLDER\n", stderr);
+    return 2;
 }
