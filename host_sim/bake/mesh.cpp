@@ -251,8 +251,12 @@ BakedMesh bake_mesh(const cli::Model& model, const MeshOptions& options) {
         step(options.texcoord,
              largest(model, [](const cli::ModelVertex& v) { return std::to_array(v.texcoord); }));
     // GL is given floats: what they undo is what was measured.
-    mesh.position_step = static_cast<double>(static_cast<float>(mesh.position_step));
-    mesh.texcoord_step = static_cast<double>(static_cast<float>(mesh.texcoord_step));
+    const auto as_float = [](double step) {
+        const auto kept = static_cast<float>(step);
+        return kept > 0.0f ? static_cast<double>(kept) : 1.0; // what is below every float is nothing
+    };
+    mesh.position_step = as_float(mesh.position_step);
+    mesh.texcoord_step = as_float(mesh.texcoord_step);
     for (const cli::ModelPart& from : model.parts) {
         BakedPart part;
         part.from = &from;

@@ -110,6 +110,8 @@ class TriangleOrder {
 
 /// Strips that go on from triangle to triangle across the edge that a strip leaves by.
 class StripBuilder {
+    static constexpr std::size_t most_asked = 32;
+
   public:
     StripBuilder(const IndexList& triangles, std::size_t reach)
         : triangles_(triangles), reach_(reach), used_(triangles.size() / 3, false) {
@@ -139,9 +141,13 @@ class StripBuilder {
 
     /// The unused triangle up to `last` whose edge runs from `from` to `to`, and its third corner.
     std::size_t across(std::uint32_t from, std::uint32_t to, std::size_t last, std::uint32_t& apex) const {
+        // Surfaces have one triangle at an edge and direction. Where thousands share one, only the first few
+        // are asked, or time would grow with the square of their number.
+        std::size_t asked = 0;
         for (auto e = std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0});
-             e != edges_.end() && e->from == from && e->to == to; ++e)
-            if (!used_[e->triangle] && e->triangle <= last)
+             e != edges_.end() && e->from == from && e->to == to && e->triangle <= last && asked < most_asked;
+             ++e, ++asked)
+            if (!used_[e->triangle])
                 for (std::size_t c = 0; c < 3; ++c)
                     if (corner(e->triangle, c) == from && corner(e->triangle, c + 1) == to) {
                         apex = corner(e->triangle, c + 2);

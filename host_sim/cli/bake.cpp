@@ -38,8 +38,9 @@ bake::MeshOptions mesh_options(const BakeOptions& o) {
 /// Without folders, so that it says the same on every machine; what is as usual is left out.
 std::string command_of(const BakeOptions& o) {
     const BakeOptions usual;
-    std::string out = fmt::format("spangle bake {} -o {}", fs::path(o.input).filename().string(),
-                                  fs::path(o.output).filename().string());
+    // Names of files may hold line breaks; in the header this is a comment of one line.
+    std::string out = fmt::format("spangle bake {} -o {}", one_line(fs::path(o.input).filename().string()),
+                                  one_line(fs::path(o.output).filename().string()));
     const auto add = [&out](const char* option, const auto& value, const auto& normally) {
         if (value != normally)
             out += fmt::format(" {} {}", option, value);
@@ -74,7 +75,7 @@ std::string read_input(const BakeOptions& o, Baked& out) {
     }
     ModelResult model = load_model(o.input, o.texture_size);
     if (!model.error.empty())
-        return "neither a picture nor a model: " + model.error;
+        return is_model_name(o.input) ? model.error : picture.error;
     out.is_model = true;
     out.model = std::move(model.model);
     return "";

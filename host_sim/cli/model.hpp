@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/cli/confined.hpp"
+
 namespace spangle::cli {
 
 struct ModelVertex {
@@ -58,11 +60,17 @@ struct ImageResult {
 inline constexpr int usual_texture_size = 256;
 
 /// Reads a file of any format libassimp knows and scales it into the unit sphere around the origin. Textures
-/// become powers of two no larger than that.
-ModelResult load_model(const std::string& path, int largest_texture = usual_texture_size);
+/// become powers of two no larger than that. Whatever the file holds, what comes out can be drawn: see
+/// unpack().
+ModelResult load_model(const std::string& path, int largest_texture = usual_texture_size,
+                       const ReadLimits& limits = {});
 
 /// A picture by itself, of any format SDL_image knows.
-ImageResult load_image(const std::string& path, int largest = usual_texture_size);
+ImageResult load_image(const std::string& path, int largest = usual_texture_size,
+                       const ReadLimits& limits = {});
+
+/// Whether libassimp reads files whose names end like this one.
+bool is_model_name(const std::string& path);
 
 /// Sets up GL for the model in a fresh context, then draws frame f of its turn (360 frames, 2 degrees each).
 void setup_model(const Model& model, int width, int height);

@@ -1,19 +1,19 @@
 #include <algorithm>
-#include <bit>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <new>
 
-#include <sys/resource.h>
-
-#include <SDL2/SDL_image.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include "host_sim/cli/model.hpp"
+#include "host_sim/cli/model_wire.hpp"
+#include "host_sim/cli/picture_load.hpp"
 
 namespace spangle::cli {
 
@@ -21,60 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_triangles = 2'000'000; // beyond this no board, and no patience, follows
-constexpr float sharpest_smooth_edge = 66.0f;     // degrees; cubes stay cubes where a file has no normals
-constexpr rlim_t most_memory = rlim_t{2} << 30;   // of a model while it is read
+constexpr float sharpest_smooth_edge = 66.0f; // degrees; cubes stay cubes where a file has no normals
 
-// AddressSanitizer's own memory is beyond every limit.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
-
-/// Box-filters an RGBA surface to powers of two no larger than `largest`.
-ModelImage shrink(const SDL_Surface& s, int largest) {
-    ModelImage out;
-    const auto fit = [largest](int n) {
-        return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::min(n, largest))));
-    };
-    out.width = fit(s.w);
-    out.height = fit(s.h);
-    out.rgba.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4);
-    const auto* pixels = static_cast<const std::uint8_t*>(s.pixels);
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x) {
-            const int x0 = x * s.w / out.width, x1 = std::max(x0 + 1, (x + 1) * s.w / out.width);
-            const int y0 = y * s.h / out.height, y1 = std::max(y0 + 1, (y + 1) * s.h / out.height);
-            unsigned sum[4] = {};
-            for (int v = y0; v < y1; ++v)
-                for (int u = x0; u < x1; ++u)
-                    for (int c = 0; c < 4; ++c)
-                        sum[c] += pixels[v * s.pitch + 4 * u + c];
-            const auto n = static_cast<unsigned>((x1 - x0) * (y1 - y0));
-            // GL's t runs upwards, image files downwards.
-            std::uint8_t* to =
-                &out.rgba[static_cast<std::size_t>(((out.height - 1 - y) * out.width + x) * 4)];
-            for (int c = 0; c < 4; ++c)
-                to[c] = static_cast<std::uint8_t>((sum[c] + n / 2) / n);
-            out.translucent = out.translucent || to[3] != 255;
-        }
-    return out;
-}
-
-/// What was decoded, in bytes of RGBA; takes the surface. False: there is nothing to see.
-bool take(SDL_Surface* raw, int largest, ModelImage& out) {
-    if (raw == nullptr)
-        return false;
-    SDL_Surface* const rgba = SDL_ConvertSurfaceFormat(raw, SDL_PIXELFORMAT_RGBA32, 0);
-    SDL_FreeSurface(raw);
-    const bool seen = rgba != nullptr && rgba->w > 0 && rgba->h > 0;
-    if (seen)
-        out = shrink(*rgba, largest);
-    SDL_FreeSurface(rgba);
-    return seen;
+/// What is no number is 0, so that a broken file has a picture all the same.
+float tame(float v) {
+    return std::isfinite(v) ? v : 0.0f;
 }
 
 class Reader {
@@ -83,6 +34,16 @@ class Reader {
         : scene_(scene), folder_(file.parent_path()), largest_texture_(largest_texture), model_(model) {}
 
     void read() { node(*scene_.mRootNode, aiMatrix4x4()); }
+    bool too_much() const {
+        return model_.triangles > most_triangles || vertices_ > most_vertices || indices_ > most_indices;
+    }
+    std::string how_much() const {
+        return model_.triangles > most_triangles
+                   ? std::to_string(model_.triangles) + " triangles; at most " +
+                         std::to_string(most_triangles) + " are drawn"
+                   : std::to_string(vertices_) + " vertices and " + std::to_string(indices_) +
+                         " indices; at most " + std::to_string(most_vertices) + " are drawn";
+    }
 
   private:
     const aiScene& scene_;
@@ -90,13 +51,14 @@ class Reader {
     int largest_texture_;
     Model& model_;
     std::map<std::string, int> images_;
+    std::size_t vertices_ = 0, indices_ = 0, texels_ = 0;
 
     void node(const aiNode& n, const aiMatrix4x4& parent) {
         const aiMatrix4x4 world = parent * n.mTransformation;
         // A few nodes can repeat a mesh without end: stop as soon as there is too much.
-        for (unsigned i = 0; i < n.mNumMeshes && model_.triangles <= most_triangles; ++i)
+        for (unsigned i = 0; i < n.mNumMeshes && !too_much(); ++i)
             mesh(*scene_.mMeshes[n.mMeshes[i]], world);
-        for (unsigned i = 0; i < n.mNumChildren; ++i)
+        for (unsigned i = 0; i < n.mNumChildren && !too_much(); ++i)
             node(*n.mChildren[i], world);
     }
 
@@ -124,8 +86,10 @@ class Reader {
             const aiVector3D t = m.HasTextureCoords(0) ? m.mTextureCoords[0][i] : aiVector3D(0, 0, 0);
             const aiColor4D c = part.colored ? m.mColors[0][i] : aiColor4D(1, 1, 1, 1);
             const std::array<float, 4>& d = part.diffuse;
-            part.vertices.push_back(
-                {{p.x, p.y, p.z}, {n.x, n.y, n.z}, {t.x, t.y}, {c.r * d[0], c.g * d[1], c.b * d[2], d[3]}});
+            part.vertices.push_back({{p.x, p.y, p.z},
+                                     {tame(n.x), tame(n.y), tame(n.z)},
+                                     {tame(t.x), tame(t.y)},
+                                     {tame(c.r * d[0]), tame(c.g * d[1]), tame(c.b * d[2]), d[3]}});
         }
         std::vector<std::uint32_t> by_kind[3];
         for (unsigned i = 0; i < m.mNumFaces; ++i) {
@@ -140,6 +104,10 @@ class Reader {
             if (!by_kind[kind].empty()) {
                 part.kind = static_cast<ModelPart::Kind>(kind);
                 part.indices = std::move(by_kind[kind]);
+                vertices_ += part.vertices.size();
+                indices_ += part.indices.size();
+                if (too_much()) // before they are copied
+                    return;
                 model_.parts.push_back(part);
             }
     }
@@ -148,18 +116,18 @@ class Reader {
         const auto color = [&m](const char* key, unsigned type, unsigned index, std::array<float, 4>& into) {
             aiColor4D c;
             if (m.Get(key, type, index, c) == AI_SUCCESS)
-                into = {c.r, c.g, c.b, c.a};
+                into = {tame(c.r), tame(c.g), tame(c.b), tame(c.a)};
         };
         color(AI_MATKEY_COLOR_DIFFUSE, part.diffuse);
         color(AI_MATKEY_COLOR_SPECULAR, part.specular);
         color(AI_MATKEY_COLOR_EMISSIVE, part.emission);
         float value = 0.0f;
         if (m.Get(AI_MATKEY_SHININESS, value) == AI_SUCCESS)
-            part.shininess = std::clamp(value, 0.0f, 128.0f);
+            part.shininess = std::clamp(tame(value), 0.0f, 128.0f);
         if (part.shininess <= 0.0f) // no highlight was meant; an exponent of 0 would light everything
             part.specular = {0.0f, 0.0f, 0.0f, 1.0f};
         if (m.Get(AI_MATKEY_OPACITY, value) == AI_SUCCESS)
-            part.diffuse[3] = std::clamp(value, 0.0f, 1.0f);
+            part.diffuse[3] = std::clamp(tame(value), 0.0f, 1.0f);
         if (part.diffuse[3] <= 0.0f) // exporters write 0 for opaque; nobody models what cannot be seen
             part.diffuse[3] = 1.0f;
         aiString name;
@@ -172,12 +140,16 @@ class Reader {
         if (const auto known = images_.find(name); known != images_.end())
             return known->second;
         int index = -1;
-        if (ModelImage picture; take(decode(name), largest_texture_, picture)) {
+        ModelImage picture;
+        if (!decode(name, picture)) {
+            model_.notes.push_back("texture " + name + " cannot be read; drawn without it");
+        } else if (texels_ + picture.rgba.size() / 4 > most_texels) {
+            model_.notes.push_back("texture " + name + " is one too many; drawn without it");
+        } else {
+            texels_ += picture.rgba.size() / 4;
             index = static_cast<int>(model_.images.size());
             model_.images.push_back(std::move(picture));
         }
-        if (index < 0)
-            model_.notes.push_back("texture " + name + " cannot be read; drawn without it");
         return images_[name] = index;
     }
 
@@ -206,14 +178,9 @@ class Reader {
         return fs::is_regular_file(folder, ignored) ? folder : fs::path{};
     }
 
-    SDL_Surface* decode(const std::string& name) const {
-        if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str())) {
-            if (t->mHeight == 0)
-                return IMG_Load_RW(SDL_RWFromConstMem(t->pcData, static_cast<int>(t->mWidth)), 1);
-            return SDL_CreateRGBSurfaceWithFormatFrom(
-                t->pcData, static_cast<int>(t->mWidth), static_cast<int>(t->mHeight), 32,
-                static_cast<int>(t->mWidth * 4), SDL_PIXELFORMAT_BGRA32);
-        }
+    bool decode(const std::string& name, ModelImage& out) const {
+        if (const aiTexture* t = scene_.GetEmbeddedTexture(name.c_str()))
+            return embedded(*t, out);
         // Exporters leave Windows paths, absolute paths and odd case behind: look for what they name, then
         // for the bare name near the model.
         std::string bare = name.substr(
@@ -222,9 +189,16 @@ class Reader {
         const fs::path leaf = fs::path(bare).filename();
         for (const fs::path& candidate : {fs::path(bare), leaf, ".." / leaf, "textures" / leaf})
             if (const fs::path file = find(folder_, candidate); !file.empty())
-                if (SDL_Surface* s = IMG_Load(file.c_str()))
-                    return s;
-        return nullptr;
+                if (read_picture(file.string(), largest_texture_, out).empty())
+                    return true;
+        return false;
+    }
+
+    /// A picture within the model's file: in a format of pictures, or as texels.
+    bool embedded(const aiTexture& t, ModelImage& out) const {
+        return (t.mHeight == 0 ? read_picture(t.pcData, t.mWidth, largest_texture_, out)
+                               : read_texels(t.pcData, t.mWidth, t.mHeight, largest_texture_, out))
+            .empty();
     }
 };
 
@@ -258,71 +232,82 @@ bool fit(Model& model) {
     return true;
 }
 
-/// A few bytes of a broken file can ask for all memory there is, and the system would end the program for it.
-class MemoryLimit {
-  public:
-    MemoryLimit() {
-        getrlimit(RLIMIT_DATA, &before_);
-        rlimit during = before_;
-        during.rlim_cur = std::min<rlim_t>(before_.rlim_cur, most_memory);
-        if (!sanitized)
-            setrlimit(RLIMIT_DATA, &during);
+/// What the process that reads the file does.
+std::string read_scene(const std::string& path, int largest_texture, Model& model) {
+    Assimp::Importer importer;
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, sharpest_smooth_edge);
+    const aiScene* const scene = importer.ReadFile(
+        path, aiProcess_Triangulate | aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
+                  aiProcess_FindDegenerates | aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        const std::string why = importer.GetErrorString();
+        if (why == "std::bad_alloc")
+            throw std::bad_alloc();
+        return "cannot read model '" + path + "': " + why;
     }
-    ~MemoryLimit() { setrlimit(RLIMIT_DATA, &before_); }
-    MemoryLimit(const MemoryLimit&) = delete;
-    MemoryLimit& operator=(const MemoryLimit&) = delete;
-
-  private:
-    rlimit before_{};
-};
-
-} // namespace
-
-ImageResult load_image(const std::string& path, int largest) {
-    ImageResult result;
-    std::error_code ignored;
-    const MemoryLimit limit;
-    if (!fs::is_regular_file(path, ignored) || !take(IMG_Load(path.c_str()), largest, result.image))
-        result.error = "cannot read picture '" + path + "'";
-    return result;
+    model.name = fs::path(path).filename().string();
+    Reader reader(*scene, path, largest_texture, model);
+    reader.read();
+    if (reader.too_much())
+        return "model '" + path + "' has " + reader.how_much();
+    return model.parts.empty() ? "model '" + path + "' holds nothing to draw"
+           : !fit(model)       ? "model '" + path + "' has no extent"
+                               : "";
 }
 
-ModelResult load_model(const std::string& path, int largest_texture) {
+/// Lets a process of its own fill a result; `what` is "picture" or "model".
+ModelResult read_apart(const char* what, const std::string& path, const ReadLimits& limits,
+                       const std::function<std::string(Model&)>& read) {
     ModelResult result;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
-        result.error = "cannot read model '" + path +
+        result.error = std::string("cannot read ") + what + " '" + path +
                        "': " + (fs::is_directory(path, ignored) ? "it is a folder" : "no such file");
         return result;
     }
-    Assimp::Importer importer;
-    const aiScene* scene = nullptr;
-    const MemoryLimit limit;
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, sharpest_smooth_edge);
-    try {
-        scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals |
-                                            aiProcess_JoinIdenticalVertices | aiProcess_FindDegenerates |
-                                            aiProcess_SortByPType | aiProcess_ValidateDataStructure);
-    } catch (const std::exception& problem) {
-        result.error = "cannot read model '" + path + "': " + problem.what();
-        return result;
-    }
-    if (scene == nullptr || scene->mRootNode == nullptr) {
-        const std::string why = importer.GetErrorString();
-        result.error = "cannot read model '" + path +
-                       "': " + (why == "std::bad_alloc" ? "it asks for more than 2 GiB of memory" : why);
-        return result;
-    }
-    result.model.name = fs::path(path).filename().string();
-    Reader(*scene, path, largest_texture, result.model).read();
-    if (result.model.parts.empty())
-        result.error = "model '" + path + "' holds nothing to draw";
-    else if (result.model.triangles > most_triangles)
-        result.error = "model '" + path + "' has " + std::to_string(result.model.triangles) +
-                       " triangles; at most 2000000 are drawn";
-    else if (!fit(result.model))
-        result.error = "model '" + path + "' has no extent";
+    const auto work = [&]() {
+        ModelResult there;
+        try {
+            there.error = read(there.model);
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception& problem) {
+            there.error = std::string("cannot read ") + what + " '" + path + "': " + problem.what();
+        }
+        if (!there.error.empty())
+            there.model = {};
+        return pack(there);
+    };
+    std::string bytes;
+    std::string problem = confined(work, limits, bytes);
+    if (problem.empty())
+        problem = unpack(bytes, result);
+    if (!problem.empty())
+        result.error = one_line(std::string("cannot read ") + what + " '" + path + "': it " + problem);
     return result;
+}
+
+} // namespace
+
+ImageResult load_image(const std::string& path, int largest, const ReadLimits& limits) {
+    ModelResult read = read_apart("picture", path, limits, [&](Model& model) {
+        const std::string problem = read_picture(path, largest, model.images.emplace_back());
+        return problem.empty() ? "" : "cannot read picture '" + path + "': " + problem;
+    });
+    ImageResult result{{}, std::move(read.error)};
+    if (result.error.empty())
+        result.image = std::move(read.model.images.at(0));
+    return result;
+}
+
+ModelResult load_model(const std::string& path, int largest_texture, const ReadLimits& limits) {
+    return read_apart("model", path, limits,
+                      [&](Model& model) { return read_scene(path, largest_texture, model); });
+}
+
+bool is_model_name(const std::string& path) {
+    const std::string dot = fs::path(path).extension().string();
+    return !dot.empty() && Assimp::Importer().IsExtensionSupported(dot);
 }
 
 } // namespace spangle::cli

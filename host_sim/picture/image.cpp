@@ -49,18 +49,46 @@ std::string write_png(const Image& image, const std::string& path) {
     return problem.empty() ? write_file(path, bytes) : "cannot write '" + path + "': " + problem;
 }
 
-std::string read_png(const std::string& path, Image& out) {
+namespace {
+
+/// What png_image_begin_read_from_... began. It is freed here, whether it was read or not.
+std::string finish_reading(png_image& png, Image& out) {
+    const std::uint64_t width = png.width, height = png.height;
+    if (width > longest_side || height > longest_side || width * height > most_pixels) {
+        png_image_free(&png);
+        return "it is " + std::to_string(width) + "x" + std::to_string(height) + "; at most " +
+               std::to_string(longest_side) + " pixels a side and " + std::to_string(most_pixels >> 20) +
+               " Mi together are read";
+    }
+    png.format = PNG_FORMAT_RGBA;
+    Image image(static_cast<int>(width), static_cast<int>(height));
+    if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0)
+        return png.message;
+    out = std::move(image);
+    return "";
+}
+
+png_image reader() {
     png_image png;
     std::memset(&png, 0, sizeof png);
     png.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_file(&png, path.c_str()) == 0)
-        return "cannot read '" + path + "': " + png.message;
-    png.format = PNG_FORMAT_RGBA;
-    Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-    if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0)
-        return "cannot read '" + path + "': " + png.message;
-    out = std::move(image);
-    return "";
+    return png;
+}
+
+} // namespace
+
+std::string read_png(const std::string& path, Image& out) {
+    png_image png = reader();
+    const std::string problem = png_image_begin_read_from_file(&png, path.c_str()) == 0
+                                    ? std::string(png.message)
+                                    : finish_reading(png, out);
+    return problem.empty() ? "" : "cannot read '" + path + "': " + problem;
+}
+
+std::string decode_png(std::string_view bytes, Image& out) {
+    png_image png = reader();
+    return png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0 ? std::string(png.message)
+                                                                                   : finish_reading(png, out);
 }
 
 std::string hash(const Image& image) {

@@ -54,7 +54,7 @@ def errors():
         (folder / "noise.obj").write_bytes(b"\x00\x01 no model \xff")
         (folder / "speck.obj").write_text("".join(f"v {x} {y} 0\n" for x, y in ((0, 0), (0.001, 0), (0, 0.001), (9, 9), (9.001, 9), (9, 9.001))) + "f 1 2 3\nf 4 5 6\n")
         rocket = str(MODELS / "rocket.obj")
-        for words, advice in ((["nothing.obj", "-o", "x.hpp"], "no such file"), (["noise.obj", "-o", "x.hpp"], "neither a picture nor a model"),
+        for words, advice in ((["nothing.obj", "-o", "x.hpp"], "no such file"), (["noise.obj", "-o", "x.hpp"], "cannot read model"),
                               (["."], "output"), ([rocket, "-o", "no/such/folder/x.hpp"], "cannot write"), ([rocket, "-o", "x.hpp", "--positions", "float"], "--positions"),
                               ([rocket, "-o", "x.hpp", "--texture", "rgb31"], "--texture"), ([rocket, "-o", "x.hpp", "--cache", "0"], "--cache"),
                               ([rocket, "-o", "x.hpp", "--texture-size", "9000"], "--texture-size"), ([rocket, "-o", "-.hpp"], "--name"),

@@ -25,8 +25,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "tests/fuzz/corpus"
 # The rooms each fuzzer is meant to reach.
 ROOMS = {"gl_commands": ("gl/", "raster/"), "egl": ("gl/", "raster/"), "gud": ("hal/usb/",),
-         "controller": ("host_sim/bus/pins", "host_sim/controller")}
-LONGEST = {"gl_commands": 2048, "egl": 1536, "gud": 600, "controller": 1024}  # bytes of an input
+         "controller": ("host_sim/bus/pins", "host_sim/controller"),
+         "model": ("host_sim/bake", "host_sim/cli/model_wire"), "picture": ("host_sim/picture/image",)}
+LONGEST = {"gl_commands": 2048, "egl": 1536, "gud": 600, "controller": 1024, "model": 4096, "picture": 1024}  # bytes of an input
 MOST = {"egl": 48, "gud": 48}  # committed inputs, which the everyday tests replay; of others all that reach something new
 # As ./dev sanitize has them: objects that a compiler cache holds from there are not compiled again.
 SANITIZE = "-fsanitize=address,undefined -fno-sanitize-recover=all -gline-tables-only"

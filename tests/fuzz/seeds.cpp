@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include <spangle/sim/image.hpp>
+
+#include "tests/bake/packed_model.hpp"
 #include "tests/gl_api/command_seeds.hpp"
 #include "tests/hal_usb/gud_stream.hpp"
 #include "tests/sim/controller_stream.hpp"
@@ -13,6 +16,19 @@ namespace {
 
 using Seeds = std::vector<std::vector<std::uint8_t>>;
 
+/// With alpha and without.
+Seeds pictures() {
+    Seeds out;
+    for (const std::uint8_t alpha : {255, 90}) {
+        spangle::sim::Image image(9, 5);
+        image.rgba[3] = alpha;
+        std::string bytes;
+        spangle::sim::encode_png(image, bytes);
+        out.emplace_back(bytes.begin(), bytes.end());
+    }
+    return out;
+}
+
 struct Fuzzer {
     const char* name;
     Seeds (*seeds)();
@@ -20,7 +36,9 @@ struct Fuzzer {
 constexpr Fuzzer fuzzers[] = {{"gl_commands", spangle::test::command_seeds},
                               {"egl", spangle::test::egl_seeds},
                               {"gud", gud_test::gud_seeds},
-                              {"controller", sim_test::controller_seeds}};
+                              {"controller", sim_test::controller_seeds},
+                              {"model", bake_test::packed_models},
+                              {"picture", pictures}};
 
 int write(const Seeds& seeds, const std::string& folder) {
     int number = 0;
@@ -42,6 +60,6 @@ int main(int argc, char** argv) {
     for (const Fuzzer& fuzzer : fuzzers)
         if (argc == 3 && std::string(argv[1]) == fuzzer.name)
             return write(fuzzer.seeds(), argv[2]);
-    std::fputs("usage: fuzz_seeds gl_commands|egl|gud|controller FOLDER\n", stderr);
+    std::fputs("usage: fuzz_seeds gl_commands|egl|gud|controller|model|picture FOLDER\n", stderr);
     return 2;
 }

@@ -1,13 +1,19 @@
 // Models as their makers leave them: materials that cannot be meant, textures named from another machine,
 // colours in vertices, files that ask for all memory.
 #include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "host_sim/cli/confined.hpp"
 #include "host_sim/cli/model.hpp"
 #include "host_sim/cli/session.hpp"
 #include "tests/source_dir.hpp"
@@ -121,6 +127,70 @@ TEST_F(Models, BrokenOnesSayWhy) {
     EXPECT_NE(cli::load_model((folder / "none.obj").string()).error.find("no such file"), std::string::npos);
     EXPECT_NE(cli::load_model(write("point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n")).error, "");
     EXPECT_NE(cli::load_model(write("noise.off", std::string("\0\1\2\377", 4))).error, "");
+}
+
+TEST_F(Models, AReaderThatWaitsForEverIsEnded) {
+    ASSERT_EQ(mkfifo((folder / "pipe.mtl").c_str(), 0600), 0);
+    cli::ReadLimits limits;
+    limits.seconds = 1;
+    const ModelResult r =
+        cli::load_model(write("waits.obj", "mtllib pipe.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                        cli::usual_texture_size, limits);
+    EXPECT_NE(r.error.find("takes longer than 1 s"), std::string::npos) << r.error;
+    EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "the reader is gone";
+}
+
+TEST_F(Models, AReaderHandsOverNoMoreThanItMay) {
+    cli::ReadLimits limits;
+    limits.handed_over = 100;
+    const ModelResult r = cli::load_model(write("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                                          cli::usual_texture_size, limits);
+    EXPECT_NE(r.error.find("holds more than 0 MiB"), std::string::npos) << r.error;
+}
+
+TEST_F(Models, WhateverEndsAReaderIsASentence) {
+    std::string answer;
+    EXPECT_EQ(cli::confined([]() { return std::string(100000, 'x'); }, {}, answer), "");
+    EXPECT_EQ(answer, std::string(100000, 'x'));
+    EXPECT_EQ(cli::confined(
+                  []() -> std::string {
+                      raise(SIGKILL);
+                      return "";
+                  },
+                  {}, answer),
+              "crashes its reader (Killed)");
+    EXPECT_EQ(cli::confined([]() -> std::string { throw 1; }, {}, answer), "crashes its reader (status 2)");
+    EXPECT_EQ(cli::confined([]() -> std::string { throw std::bad_alloc(); }, {}, answer),
+              "asks for more than 2 GiB of memory");
+    EXPECT_EQ(cli::confined([]() -> std::string { _exit(0); }, {}, answer), "");
+    EXPECT_EQ(answer, "");
+    const std::string made = (folder / "made").string();
+    EXPECT_NE(cli::confined(
+                  [&made]() -> std::string {
+                      std::ofstream(made) << "a reader's file" << std::flush;
+                      return "";
+                  },
+                  {}, answer),
+              "")
+        << "it may not write files";
+    EXPECT_TRUE(!fs::exists(made) || fs::file_size(made) == 0);
+}
+
+TEST_F(Models, TextOfFilesIsOneLine) {
+    EXPECT_EQ(cli::one_line("a\nb\x1b[2J\x7f"), "a b [2J ");
+    EXPECT_EQ(cli::one_line(std::string(1000, 'x')).size(), 403u);
+    const ModelResult r = square("map_Kd \x1b[2Jnowhere.png\n");
+    ASSERT_EQ(r.model.notes.size(), 1u);
+    for (const char c : r.model.notes[0])
+        EXPECT_GE(c, 32);
+}
+
+TEST_F(Models, NumbersThatAreNoneAreZero) {
+    const ModelResult r = square("Kd nan inf -1\nKs nan 1 1\nNs inf\nd nan\n");
+    ASSERT_EQ(r.error, "");
+    for (const float c : r.model.parts.at(0).diffuse)
+        EXPECT_TRUE(std::isfinite(c));
+    EXPECT_LE(r.model.parts.at(0).shininess, 128.0f);
 }
 
 // AddressSanitizer's own memory is beyond every limit, so there is none then.

@@ -32,12 +32,19 @@ constexpr bool on_disc(int x, int y, int width, int height) {
     return u * u + v * v <= w * h * w * h;
 }
 
+/// What is read of other people's pictures; a larger one is refused before anything of it is decoded.
+inline constexpr int longest_side = 16384;
+inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
+
 /// Empty on success, else what went wrong. A regular file is whole or as it was before; devices and pipes are
 /// written to as they are, and "-" is standard output.
 std::string write_png(const Image& image, const std::string& path);
 /// The bytes of that file.
 std::string encode_png(const Image& image, std::string& out);
+/// At most longest_side pixels a side and most_pixels together.
 std::string read_png(const std::string& path, Image& out);
+/// The picture that such a file's bytes hold.
+std::string decode_png(std::string_view bytes, Image& out);
 
 /// Sixteen hexadecimal digits that name the picture: the same on every machine.
 std::string hash(const Image& image);
