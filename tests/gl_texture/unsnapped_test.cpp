@@ -96,7 +96,7 @@ class TexelNumbers {
 
 /// Triangles of 30 to 250 pixels, `span` repeats of the texture over each.
 void draw_triangles(TexelNumbers& drawn, float span, bool perspective) {
-    Random random(17);
+    Random random{17};
     const auto any = [&](float low, float high) {
         return low + (high - low) * static_cast<float>(random.below(1 << 20)) / (1 << 20);
     };
