@@ -177,4 +177,29 @@ TEST_F(GlxContexts, AWindowOfGlxGoesWithItsWindowOfX) {
     EXPECT_EQ(last_error, of_glx(Problem::window));
 }
 
+/// Whether a connection of its own has GL.
+bool draws(Display* connection) {
+    int wish[] = {RGBA, DOUBLEBUFFER, 0};
+    XVisualInfo* const visual = glXChooseVisual(connection, DefaultScreen(connection), wish);
+    if (visual == nullptr)
+        return false;
+    const GLXContext context = glXCreateContext(connection, visual, nullptr, True);
+    const Window window = XCreateSimpleWindow(connection, DefaultRootWindow(connection), 0, 0, 8, 8, 0, 0, 0);
+    const bool made = glXMakeCurrent(connection, window, context) == True;
+    if (made)
+        glClear(GL_COLOR_BUFFER_BIT);
+    XFree(visual);
+    return made && glGetError() == GL_NO_ERROR;
+}
+
+TEST_F(GlxContexts, ManyConnectionsAreOpenAtOnce) {
+    std::vector<Display*> connections;
+    for (int i = 0; i < 20; ++i) {
+        connections.push_back(XOpenDisplay(server->name().c_str()));
+        EXPECT_TRUE(draws(connections.back())) << i;
+    }
+    for (Display* connection : connections)
+        XCloseDisplay(connection);
+}
+
 } // namespace

@@ -8,7 +8,7 @@ import sys
 import piglit as suite
 from harness import PIGLIT, check, failures, need, piglit, turn
 
-PAIR = pathlib.Path(sys.argv[1])
+PAIR = pathlib.Path(sys.argv[1]).resolve()
 SECONDS = 30  # for the part of all
 SAMPLE = ["gl-1.0-readpixsanity", "gl-1.0-no-op-paths", "gl-1.0-scissor-clear", "gl-1.0-edgeflag", "gl-1.0-texgen",
           "gl-1.0-textured-triangle", "gl-1.1-xor", "depthfunc", "fog-modes", "linestipple", "polygon-mode", "gl-1.3-texture-env"]
