@@ -97,10 +97,6 @@ template <class F, class R, class... A>
 #endif
 }
 
-/// Whether a vertex may raise an error: what is not cut, or has no span, is refused where it is drawn.
-/// Elsewhere vertices pay nothing for sentences.
-inline constexpr bool vertices_raise = SPANGLE_MESSAGES && (!has_clipping || !raster::has_chain);
-
 struct Command : list::Player {
     Run run;
 

@@ -4,55 +4,14 @@
 #if SPANGLE_MESSAGES
 
 #include "gl/api/explain.hpp"
+#include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/sentence.hpp"
 #include "gl/context/types.hpp"
 
 namespace spangle::gl {
 
 namespace {
-
-/// A sentence in a room of its own; what does not fit is cut off.
-class Sentence {
-  public:
-    Sentence& operator<<(const char* text) {
-        for (; *text != 0; ++text)
-            put(*text);
-        return *this;
-    }
-    Sentence& hexadecimal(std::uint32_t value) {
-        *this << "0x";
-        int digits = 4;
-        while (digits < 8 && value >> 4 * digits != 0)
-            ++digits;
-        while (digits-- > 0)
-            put("0123456789ABCDEF"[value >> 4 * digits & 15]);
-        return *this;
-    }
-    Sentence& decimal(std::int64_t value) {
-        char digits[20];
-        int count = 0;
-        std::uint64_t rest =
-            value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
-        do {
-            digits[count++] = static_cast<char>('0' + rest % 10);
-        } while ((rest /= 10) != 0);
-        if (value < 0)
-            put('-');
-        while (count-- > 0)
-            put(digits[count]);
-        return *this;
-    }
-    const char* text() const { return text_; }
-
-  private:
-    char text_[320] = {};
-    unsigned used_ = 0;
-
-    void put(char c) {
-        if (used_ + 1 < sizeof text_)
-            text_[used_++] = c;
-    }
-};
 
 bool contains(const ArgText& arg, GLenum token) {
     for (unsigned i = 0; i < arg.count; ++i)
@@ -163,14 +122,16 @@ void explain_unpacked(Context& context, const CommandText& text, const Arg* args
     const Unexplained error = context.unexplained;
     context.unexplained = {};
     Sentence out;
-    out << text.name << ": ";
-    if (!name_argument(out, error.code, text, args, count, name_wrong)) {
+    // Where a primitive is still open, a vertex before this command raised it.
+    const CommandText& of = error.drawing && context.inside_begin_end() ? texts::Vertex : text;
+    out << of.name << ": ";
+    if (error.drawing || !name_argument(out, error.code, text, args, count, name_wrong)) {
         if (error.rule != nullptr)
             out << error.rule;
         else if (!name_argument(out, error.code, text, args, count, name_suspect))
             out << rule_of(error.code);
     }
-    message(error.code, (out << " (" << text.section << ")").text());
+    message(error.code, (out << " (" << of.section << ")").text());
 }
 
 void explain(Context& context, const CommandText& text, const Arg* args, unsigned count) {

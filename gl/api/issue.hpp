@@ -40,8 +40,6 @@ template <class F, class... A> inline void issue_attribute(const A&... args) {
         [[unlikely]]
         return;
     F::run(*context, args...);
-    if constexpr (vertices_raise)
-        explain_run<F>(*context, F::run, args...);
 }
 
 #endif

@@ -55,6 +55,7 @@ struct CommandText {
 struct Unexplained {
     GLenum code = GL_NO_ERROR;
     const char* rule = nullptr; ///< or null: an argument breaks its own rule
+    bool drawing = false;       ///< raised while a primitive was drawn, by whatever brought its vertices
 };
 
 /// A command whose record is being written: an error of its arguments is recorded with them.

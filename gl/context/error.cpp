@@ -44,6 +44,12 @@ void error(Context& context, GLenum code, const char* rule) {
     if (context.unexplained.code == GL_NO_ERROR) // of a command's errors the first is explained
         context.unexplained = {code, rule};
 }
+
+void drawing_error(Context& context, GLenum code, const char* rule) {
+    const bool first = context.unexplained.code == GL_NO_ERROR;
+    error(context, code, rule);
+    context.unexplained.drawing = context.unexplained.drawing || first;
+}
 #endif
 
 bool allowed_outside(Context& context, [[maybe_unused]] const CommandText* text) {

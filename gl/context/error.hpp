@@ -29,6 +29,16 @@ inline void error(Context& context, GLenum code, const char* = nullptr) {
 }
 #endif
 
+/// An error of a primitive that is being drawn. Vertices between Begin and End pay nothing for sentences:
+/// theirs comes with the next command that is no vertex, End at the latest.
+#if SPANGLE_MESSAGES
+void drawing_error(Context& context, GLenum code, const char* rule);
+#else
+inline void drawing_error(Context& context, GLenum code, const char*) {
+    error(context, code);
+}
+#endif
+
 /// False, and INVALID_OPERATION, between Begin and End, where they do not allow what is asked
 /// (GL 1.3, 2.6.3). `text` is that of the command.
 bool allowed_outside(Context& context, const CommandText* text);

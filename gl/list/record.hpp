@@ -59,6 +59,13 @@ Word* record(Context& context, const Player* player, std::uint32_t words);
 
 /// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
 /// between Begin and End unless it is allowed there. `rule` is as that of error().
+#if SPANGLE_MESSAGES
 void record_error(Context& context, GLenum code, bool inside, const char* rule = nullptr);
+#else
+void record_error(Context& context, GLenum code, bool inside);
+inline void record_error(Context& context, GLenum code, bool inside, const char*) {
+    record_error(context, code, inside);
+}
+#endif
 
 } // namespace spangle::gl::list

@@ -217,13 +217,17 @@ const Word* play_error(Context& context, const Word* words) {
 
 } // namespace
 
-void record_error(Context& context, GLenum code, bool inside, [[maybe_unused]] const char* rule) {
+#if SPANGLE_MESSAGES
+void record_error(Context& context, GLenum code, bool inside, const char* rule) {
+    RecordedError recorded{context.compiled.text, rule, {}};
+    unpack(*recorded.text, context.compiled.args, recorded.text->count, recorded.args);
+#else
+void record_error(Context& context, GLenum code, bool inside) {
+#endif
     if (Word* to = record(context, &player<&play_error>, 2 + sentence_words); to != nullptr) {
         to[0] = code;
         to[1] = inside;
 #if SPANGLE_MESSAGES
-        RecordedError recorded{context.compiled.text, rule, {}};
-        unpack(*context.compiled.text, context.compiled.args, context.compiled.text->count, recorded.args);
         std::memcpy(to + 2, &recorded, sizeof recorded);
 #endif
     }

@@ -207,6 +207,23 @@ TEST_F(ErrorSentences, NameArgumentAndRule) {
               "glTexImage2D: width -1 is negative (GL 1.3, 3.8.1)");
 }
 
+/// What is drawn raises errors where vertices pay nothing for sentences: the next other command tells them.
+TEST_F(ErrorSentences, DrawingIsToldByTheNextCommand) {
+    const auto raise = [this] { gl::drawing_error(*context, GL_OUT_OF_MEMORY, "no room"); };
+    glBegin(GL_TRIANGLES);
+    sentences().clear();
+    raise();
+    glVertex2f(0, 0);
+    glMultiTexCoord2f(GL_TEXTURE0, 0, 0);
+    ASSERT_EQ(sentences().size(), 1u);
+    EXPECT_EQ(said(), "glVertex: no room (GL 1.3, 2.7)");
+    raise();
+    glEnd();
+    ASSERT_EQ(sentences().size(), 2u);
+    EXPECT_EQ(said(), "glEnd: no room (GL 1.3, 2.6.1)");
+    EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
+}
+
 /// Of errors that nobody has read the first code is kept; each has its sentence all the same.
 TEST_F(ErrorSentences, LaterErrorsAreExplainedToo) {
     sentences().clear();
