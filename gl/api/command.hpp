@@ -85,7 +85,7 @@ inline void explain_error(Context& context, const CommandText* text, const Arg* 
 inline void explain_error(Context&, const CommandText*, const Arg*, unsigned) {}
 #endif
 
-/// The same where the arguments are not words yet.
+/// Explains a command whose arguments are not words yet.
 template <class F, class R, class... A>
 [[gnu::always_inline]] inline void explain_run([[maybe_unused]] Context& context, R (*)(Context&, A...),
                                                [[maybe_unused]] const std::type_identity_t<A>&... args) {

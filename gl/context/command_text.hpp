@@ -23,7 +23,7 @@ enum class ArgRule : std::uint8_t {
     count,   ///< not negative
     range,   ///< from low to high
     address, ///< not null
-    array,   ///< the same, where the command takes the address as Values
+    array,   ///< not null, in the Values that the command takes
     pname,   ///< a parameter of the command; its values come last
 };
 

@@ -141,7 +141,7 @@ TEST_F(EglSentences, DisplaysThatAreNone) {
     told(EGL_BAD_DISPLAY, "eglTerminate", "dpy");
     eglMakeCurrent(&nothing, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     told(EGL_BAD_DISPLAY, "eglMakeCurrent", "dpy");
-    // Of a display that is not initialized this is no error (EGL 1.4, 3.7.3).
+    // A display that is not initialized is no error here (EGL 1.4, 3.7.3).
     eglMakeCurrent(sleeping, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     EXPECT_EQ(eglGetError(), EGL_SUCCESS);
     EXPECT_TRUE(said().empty());

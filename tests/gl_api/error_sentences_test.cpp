@@ -224,7 +224,7 @@ TEST_F(ErrorSentences, DrawingIsToldByTheNextCommand) {
     EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
 }
 
-/// Of errors that nobody has read the first code is kept; each has its sentence all the same.
+/// Only the first code is kept until somebody reads it, but each error has its sentence.
 TEST_F(ErrorSentences, LaterErrorsAreExplainedToo) {
     sentences().clear();
     glEnable(0xDEAD);
