@@ -9,8 +9,6 @@
 
 namespace spangle::gl {
 
-/// An argument on its way through what all commands share: a word, or where it lies when it is more.
-using Arg = std::uintptr_t;
 inline constexpr std::size_t most_args = 10;
 
 template <class T> struct Passed {
@@ -77,6 +75,28 @@ template <auto function, class... A> constexpr Run run_of(void (*typed)(Context&
 /// Of so many arguments.
 void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]);
 
+#if SPANGLE_MESSAGES
+/// An error of a command that has just run gets its sentence.
+inline void explain_error(Context& context, const CommandText* text, const Arg* args, unsigned count) {
+    if (context.unexplained.code != GL_NO_ERROR) [[unlikely]]
+        explain(context, *text, args, count);
+}
+#else
+inline void explain_error(Context&, const CommandText*, const Arg*, unsigned) {}
+#endif
+
+/// Explains a command whose arguments are not words yet.
+template <class F, class R, class... A>
+[[gnu::always_inline]] inline void explain_run([[maybe_unused]] Context& context, R (*)(Context&, A...),
+                                               [[maybe_unused]] const std::type_identity_t<A>&... args) {
+#if SPANGLE_MESSAGES
+    if (context.unexplained.code == GL_NO_ERROR) [[likely]]
+        return;
+    const Arg given[] = {Passed<A>::arg(args)..., 0};
+    explain(context, *F::text, given, sizeof...(A));
+#endif
+}
+
 struct Command : list::Player {
     Run run;
 
@@ -89,6 +109,7 @@ struct Command : list::Player {
             Some::call(run.some, context, given);
         else
             Many::call(run.many, context, given);
+        explain_error(context, text, given, sizeof...(A));
     }
 };
 
@@ -124,7 +145,7 @@ template <class F> constexpr auto command_of() {
     command.args = count_args(F::run);
     command.form = encoded ? list::Form::encoded : form_of(F::run);
 #if SPANGLE_MESSAGES
-    command.refusal = F::refusal;
+    command.text = F::text;
 #endif
     command.run = run_of<F::run>(F::run);
 #if SPANGLE_FEATURE_LISTS

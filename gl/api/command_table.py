@@ -42,6 +42,7 @@ class Arg:
         declaration, _, accepted = text.partition("=")
         self.type, self.name = declaration.rsplit(" ", 1)
         self.pointer, self.array = "*" in self.type, self.type.startswith("array")
+        self.group = accepted[1:].partition(":")[0] if accepted.startswith("@") and " " not in accepted else None
         self.accepted, self.features, self.good, self.low, self.high = [], {}, "0", None, None
         self.parse(accepted, groups)
 
@@ -219,11 +220,11 @@ class Family:
         return f"    const {c_type} given[] = {{{', '.join(names)}}};\n"
 
     def null_guard(self, name, null):
-        return f"    if ({null} == nullptr)\n        return refuse_null({self.null_text(name)});\n"
+        return f"    if ({null} == nullptr)\n        return refuse_null({self.null_text(name, null)});\n"
 
     @staticmethod
-    def null_text(name):
-        return f'SPANGLE_TEXT("{name}: null pointer")'
+    def null_text(name, arg="v"):
+        return f'SPANGLE_TEXT("{name}: {arg} is a null pointer")'
 
     def reals_at(self, code, count, null):
         """One call for all arguments of a family of reals, which lie at v."""
@@ -241,7 +242,7 @@ class Family:
             names = ["x1", "y1", "x2", "y2"]
             yield self.entry("glRect" + suffix, [(c, n) for n in names], [], [("real", value)] * 4,
                              body=self.array(C_TYPES[widened(code)], names) + self.reals_at(widened(code), 4, "nullptr"))
-            corners = f"v1, v2, convert::components({element(code)}, 2), {self.null_text('glRect' + vector)}"
+            corners = f"v1, v2, convert::components({element(code)}, 2), {self.null_text('glRect' + vector, 'v1 or v2')}"
             yield self.entry("glRect" + vector, [(f"const {c}*", "v1"), (f"const {c}*", "v2")], [], [("values", value)] * 2,
                              body=f"    issue_corners<family::{self.name}>({corners});\n")
 
@@ -249,7 +250,7 @@ class Family:
         for code, suffix in self.types:
             name = f"gl{self.name}{suffix}"
             yield self.entry(name, [(f"const {C_TYPES[code]}*", "m")], [], [("values", Arg("real m", {}))],
-                             body=f"    issue_matrix<family::{self.name}, {element(code)}>(m, {self.null_text(name)});\n")
+                             body=f"    issue_matrix<family::{self.name}, {element(code)}>(m, {self.null_text(name, 'm')});\n")
 
     def entries_plane(self):
         leading = [(a.c_type, a.name) for a in self.args]
@@ -259,7 +260,7 @@ class Family:
             yield self.entry(name, leading + [(f"const {C_TYPES[code]}*", "equation")], [],
                              [(a.type, a) for a in self.args] + [("values", Arg("real equation", {}))],
                              body=f"    issue_components<family::{self.name}>({', '.join(call)}, equation, "
-                                  f"convert::components({element(code)}, 4), {self.null_text(name)});\n")
+                                  f"convert::components({element(code)}, 4), {self.null_text(name, 'equation')});\n")
 
     def entries_params(self):
         leading = [(a.c_type, a.name) for a in self.args] + [("GLenum", "pname")]
@@ -274,7 +275,7 @@ class Family:
             if not self.data.get("scalar_only"):
                 name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
                 yield Entry(self, name, leading + [(f"const {c}*", "params")],
-                            f"    issue_params<family::{self.name}, shape::{self.name}>({place}, params, {form}, SPANGLE_TEXT(\"{name}: null pointer\"));\n",
+                            f"    issue_params<family::{self.name}, shape::{self.name}>({place}, params, {form}, SPANGLE_TEXT(\"{name}: params is a null pointer\"));\n",
                             tries + [("pvalues", None)])
 
     def entries_get_params(self):
@@ -284,7 +285,7 @@ class Family:
         for code, suffix in self.types:
             name = f"gl{self.name}" + (suffix.replace("x", "xv", 1) if code == "x" else suffix + "v")
             body = (f"    fetch_params<family::{self.name}, shape::{self.name}>({', '.join(call)}, params, convert::Number::{CONVERT_AS.get(code, code)}, "
-                    f"SPANGLE_TEXT(\"{name}: null pointer\"));\n")
+                    f"SPANGLE_TEXT(\"{name}: params is a null pointer\"));\n")
             yield Entry(self, name, leading + [(f"{C_TYPES[code]}*", "params")], body, tries)
 
     @property

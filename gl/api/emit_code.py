@@ -80,14 +80,17 @@ def commands_header(chapters, _tokens):
     out.append("\n} // namespace spangle::gl::cmd\n\n/// Handwritten encoders of display lists, in gl/list.\n"
                "namespace spangle::gl::encode {\n\n")
     out += [f"void {f.name}({f.signature});\n" for f in everything if f.listing in ("attribute", "client_data")]
-    out.append("\n} // namespace spangle::gl::encode\n\nnamespace spangle::gl::family {\n\n")
+    out.append("\n} // namespace spangle::gl::encode\n\n#if SPANGLE_MESSAGES\nnamespace spangle::gl::texts {\n\n")
+    out += [f"extern const CommandText {f.name};\n" for f in everything]
+    out.append("\n} // namespace spangle::gl::texts\n#define SPANGLE_COMMAND_TEXT(name) &texts::name\n#else\n"
+               "#define SPANGLE_COMMAND_TEXT(name) nullptr\n#endif\n\nnamespace spangle::gl::family {\n\n")
     for f in everything:
         encoder = held(f, f"&encode::{f.name}") if f.listing in ("attribute", "client_data") else "nullptr"
         out.append(f"struct {f.name} {{\n    static constexpr auto run = {held(f, f'&cmd::{f.name}')};\n"
                    f"    static constexpr auto encode = {encoder};\n"
                    f"    static constexpr bool inside = {str(f.inside).lower()};\n"
                    f"    static constexpr Listing listing = Listing::{f.listing};\n"
-                   f"    static constexpr const char* refusal = SPANGLE_TEXT(\"gl{f.name} between glBegin and glEnd\");\n}};\n")
+                   f"    static constexpr const CommandText* text = SPANGLE_COMMAND_TEXT({f.name});\n}};\n")
     out.append("\n} // namespace spangle::gl::family\n")
     return "".join(out)
 

@@ -8,6 +8,7 @@ import sys
 from command_table import ROOT, load
 from emit_code import commands_header, header, names, shapes_header, wrappers
 from emit_test_table import test_table
+from emit_texts import texts
 from extensions import aliases_list, extensions_header, load_extensions
 from feature_matrix import features, matrix, readme
 
@@ -21,6 +22,7 @@ def outputs():
         "gl/api/generated/commands.hpp": commands_header(chapters, tokens),
         "gl/api/generated/shapes.hpp": shapes_header(chapters, tokens),
         "gl/api/generated/names.cpp": names(chapters, extensions),
+        "gl/api/generated/texts.cpp": texts(chapters),
         "gl/api/generated/aliases.inc": aliases_list(extensions),
         "gl/api/generated/extensions.hpp": extensions_header(extensions),
         "tests/gl_api/generated/command_table.inc": test_table(chapters, tokens),

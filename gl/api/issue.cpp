@@ -5,9 +5,15 @@ namespace spangle::gl {
 
 namespace {
 
-void refuse(GLenum code, const char* text) {
-    if (Context* context = current_context(); context != nullptr)
-        error(*context, code, text);
+/// `text` is a whole sentence: the entry point is known, not only its family.
+void refuse(GLenum code, [[maybe_unused]] const char* text) {
+    Context* const context = current_context();
+    if (context == nullptr)
+        return;
+    set_error(*context, code - GL_INVALID_ENUM);
+#if SPANGLE_MESSAGES
+    message(code, text);
+#endif
 }
 
 } // namespace
@@ -21,7 +27,7 @@ void refuse_feature(const char* text) {
 }
 
 bool allowed(Context& context, const list::Player& command) {
-    return (command.stops & gate_inside) == 0 || allowed_outside(context, command.refusal);
+    return (command.stops & gate_inside) == 0 || allowed_outside(context, command.text);
 }
 
 void call(Context& context, const Run& run, std::size_t count, const Arg (&args)[most_args]) {
@@ -36,10 +42,14 @@ void call(Context& context, const Run& run, std::size_t count, const Arg (&args)
 bool admit(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
 #if SPANGLE_FEATURE_LISTS
     if ((context.gate & gate_compiling) != 0) { // what comes here is what lists take
+#if SPANGLE_MESSAGES
+        context.compiled = {command.text, args};
+#endif
         if (command.form == list::Form::encoded)
             call(context, static_cast<const EncodedCommand&>(command).encode, command.args, args);
         else
             list::write(context, command, args);
+        explain_error(context, command.text, args, command.args);
         if (!context.list.execute)
             return false;
     }
@@ -64,6 +74,7 @@ void issue_args(const Command& command, const Arg* args) {
         given[i] = args[i];
     if (admit(*context, command, given))
         call(*context, command.run, command.args, given);
+    explain_error(*context, command.text, given, command.args);
 }
 
 [[gnu::noinline]] void issue_few(const Command& command) {
@@ -142,9 +153,9 @@ void issue_loaded_matrix(const void* m, convert::Element kind, const Command& co
 }
 #endif
 
-Context* outside_begin_end(const char* refusal) {
+Context* outside_begin_end(const CommandText* text) {
     Context* const context = current_context();
-    return context != nullptr && allowed_outside(*context, refusal) ? context : nullptr;
+    return context != nullptr && allowed_outside(*context, text) ? context : nullptr;
 }
 
 } // namespace spangle::gl

@@ -15,7 +15,7 @@ void refuse_null(const char* text);
 void refuse_feature(const char* text);
 
 /// The current context where Begin and End allow a command; else null, and INVALID_OPERATION if there is one.
-Context* outside_begin_end(const char* refusal);
+Context* outside_begin_end(const CommandText* text);
 
 /// The slow way in: records while a list is compiled, and checks Begin/End. True when the command is to run
 /// now. Errors of a recorded command are found when it is executed, not here (GL 1.3, appendix B, corollary
@@ -100,8 +100,10 @@ inline void issue_as(void (*)(Context&, A...), const std::type_identity_t<A>&...
 template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&... args) {
     if constexpr (F::listing == Listing::never) {
         static_assert(!F::inside);
-        if (Context* context = outside_begin_end(F::refusal); context != nullptr)
+        if (Context* context = outside_begin_end(F::text); context != nullptr) {
             F::run(*context, args...);
+            explain_run<F>(*context, F::run, args...);
+        }
     } else if constexpr (converts_in_line && F::listing == Listing::attribute) {
         issue_attribute<F>(args...);
     } else {
@@ -113,17 +115,22 @@ template <class F, class... A> [[gnu::always_inline]] inline void issue(const A&
 template <class F, class... A>
 [[gnu::always_inline]] inline auto ask(A... args) -> decltype(F::run(*current_context(), args...)) {
     static_assert(F::listing == Listing::never && !F::inside);
-    Context* context = outside_begin_end(F::refusal);
+    Context* context = outside_begin_end(F::text);
     if (context == nullptr)
         return {};
-    return F::run(*context, args...);
+    const auto answer = F::run(*context, args...);
+    explain_run<F>(*context, F::run, args...);
+    return answer;
 }
 
 /// The same for queries of parameters; `out` stays empty when they may not run.
 template <class F, class... A> [[gnu::always_inline]] inline void fetch(Params& out, A... args) {
     static_assert(F::listing == Listing::never && !F::inside);
-    if (Context* context = outside_begin_end(F::refusal); context != nullptr)
+    if (Context* context = outside_begin_end(F::text); context != nullptr) {
         F::run(*context, args..., out);
+        const Arg given[] = {Passed<A>::arg(args)...};
+        explain_error(*context, F::text, given, sizeof...(A));
+    }
 }
 
 } // namespace spangle::gl

@@ -60,13 +60,16 @@ struct AnswerFamily {
 template <class F, const auto& rows> inline constexpr AnswerFamily answers_of{F::run, rows};
 
 [[gnu::noinline]] inline void fetch_values(GLenum target, GLenum pname, void* out, convert::Number type,
-                                           const AnswerFamily& family, const char* refusal,
+                                           const AnswerFamily& family, const CommandText* text,
                                            const char* null_text) {
     if (out == nullptr)
         return refuse_null(null_text);
     Params found;
-    if (Context* context = outside_begin_end(refusal); context != nullptr)
+    if (Context* context = outside_begin_end(text); context != nullptr) {
         family.answer(*context, target, pname, found);
+        const Arg given[] = {target, pname};
+        explain_error(*context, text, given, 2);
+    }
     convert::store(find_shape(family.rows, pname), found, out, type);
 }
 
@@ -74,7 +77,7 @@ template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLenum pname, void* out, convert::Number type,
                                     const char* null_text) {
     static_assert(F::listing == Listing::never && !F::inside);
-    fetch_values(target, pname, out, type, answers_of<F, rows>, F::refusal, null_text);
+    fetch_values(target, pname, out, type, answers_of<F, rows>, F::text, null_text);
 }
 template <class F, const auto& rows>
 [[gnu::noinline]] void fetch_params(GLenum target, GLint level, GLenum pname, void* out, convert::Number type,

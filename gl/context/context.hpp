@@ -75,6 +75,10 @@ struct Context {
     std::uint8_t gate = 0;          ///< Gate bits
     std::uint8_t dirty = dirty_all; ///< Dirty bits
     GLenum error_code = GL_NO_ERROR;
+#if SPANGLE_MESSAGES
+    Unexplained unexplained; ///< an error that waits for its sentence
+    Compiled compiled;       ///< the command that is being compiled into a list
+#endif
     GLenum primitive = GL_POINTS; ///< mode of the last Begin
 
     // Small chapters first: instructions of microcontrollers reach 4 KB.
@@ -104,8 +108,12 @@ struct Context {
     TextureState texture;
     TransformState transform;
 
-    void changed(Dirty bits) { dirty = static_cast<std::uint8_t>(dirty | bits); }
-    bool inside_begin_end() const { return (gate & gate_inside) != 0; }
+    void changed(Dirty bits) {
+        dirty = static_cast<std::uint8_t>(dirty | bits);
+    }
+    bool inside_begin_end() const {
+        return (gate & gate_inside) != 0;
+    }
 };
 
 /// EGL's MakeCurrent calls this after it has set `drawable`. Null releases.

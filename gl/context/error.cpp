@@ -39,16 +39,27 @@ namespace spangle::gl {
 }
 
 #if SPANGLE_MESSAGES
-void error(Context& context, GLenum code, const char* text) {
-    error(context, code);
-    message(code, text);
+void error(Context& context, GLenum code, const char* rule) {
+    set_error(context, code - GL_INVALID_ENUM);
+    if (context.unexplained.code == GL_NO_ERROR) // of a command's errors the first is explained
+        context.unexplained = {code, rule};
+}
+
+void drawing_error(Context& context, GLenum code, const char* rule) {
+    const bool first = context.unexplained.code == GL_NO_ERROR;
+    error(context, code, rule);
+    context.unexplained.drawing = context.unexplained.drawing || first;
 }
 #endif
 
-bool allowed_outside(Context& context, const char* refusal) {
+bool allowed_outside(Context& context, [[maybe_unused]] const CommandText* text) {
     if (!context.inside_begin_end())
         return true;
-    error(context, GL_INVALID_OPERATION, refusal);
+    error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("not between glBegin and glEnd"));
+#if SPANGLE_MESSAGES
+    if (text != nullptr)
+        explain(context, *text, nullptr, 0);
+#endif
     return false;
 }
 

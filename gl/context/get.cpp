@@ -22,7 +22,7 @@ const StateRow* find_row(Context& context, GLenum pname, const void* out, bool p
         return nullptr;
     }
     if (out == nullptr) {
-        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGet: null pointer"));
+        error(context, GL_INVALID_VALUE);
         return nullptr;
     }
     return row;

@@ -129,9 +129,9 @@ bool draw_each(Display& display, Surface& surface, void (*draw)(void*), void* da
             return false;
         give_rows(surface);
         draw(data);
+        enter(SPANGLE_TEXT("spangle::frame"));
         if (thread().draw != &surface)
-            return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
-                   EGL_FALSE;
+            return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
         if (in_primitive())
             return fail_in_primitive() != EGL_FALSE;
         return send_band(display, surface);
@@ -219,7 +219,7 @@ class FrameHold {
 
 bool draw_frame(Display& display, Surface& surface, void (*draw)(void*), void* data) {
     if (surface.frames != 0)
-        return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("spangle::frame inside of spangle::frame")) != EGL_FALSE;
+        return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("not inside of spangle::frame")) != EGL_FALSE;
     const FrameHold hold(display, surface);
     return (surface.band.record == nullptr ? draw_bands(display, surface, draw, data)
                                            : draw_recorded(display, surface, draw, data)) &&
@@ -233,6 +233,7 @@ bool draw_frame(Display& display, Surface& surface, void (*draw)(void*), void* d
 #endif
 
 bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
+    egl::enter(SPANGLE_TEXT("spangle::frame"));
     egl::Display* display = nullptr;
     {
         const egl::Registry registry;
@@ -242,8 +243,7 @@ bool frame(EGLDisplay handle, void (*draw)(void*), void* data) {
         return false;
     egl::Surface* const surface = egl::thread().draw;
     if (surface == nullptr || !surface->window || egl::thread().display != display)
-        return egl::fail(EGL_BAD_SURFACE,
-                         SPANGLE_TEXT("spangle::frame: a window of this display must be current")) !=
+        return egl::fail(EGL_BAD_SURFACE, SPANGLE_TEXT("a window of this display must be current")) !=
                EGL_FALSE;
     if (egl::in_primitive())
         return egl::fail_in_primitive() != EGL_FALSE;

@@ -340,12 +340,13 @@ using namespace spangle::egl;
 extern "C" {
 
 EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size, EGLint* num_config) {
+    enter(SPANGLE_TEXT("eglGetConfigs"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
     if (num_config == nullptr)
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("num_config is a null pointer"));
     EGLint n = 0;
     for (EGLint id = 1; id <= config_count; ++id) {
         const Config config = config_of(id);
@@ -364,15 +365,17 @@ EGLBoolean eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
 
 EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs, EGLint config_size,
                            EGLint* num_config) {
+    enter(SPANGLE_TEXT("eglChooseConfig"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
     if (num_config == nullptr)
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("num_config is a null pointer"));
     Wishes wishes;
     if (!read_wishes(attrib_list, wishes))
-        return fail(EGL_BAD_ATTRIBUTE);
+        return fail(EGL_BAD_ATTRIBUTE,
+                    SPANGLE_TEXT("attrib_list has an attribute or a value that configs do not have"));
     static_assert(config_count <= UINT16_MAX);
     std::uint16_t found[most_configs];
     EGLint n = 0;
@@ -398,18 +401,19 @@ EGLBoolean eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig*
 }
 
 EGLBoolean eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint name, EGLint* value) {
+    enter(SPANGLE_TEXT("eglGetConfigAttrib"));
     const Registry registry;
     const Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_FALSE;
     const Config found = find_config(*display, config);
     if (found.id == 0)
-        return fail(EGL_BAD_CONFIG);
+        return fail(EGL_BAD_CONFIG, SPANGLE_TEXT("config is not one of this display"));
     const Attribute result = attribute(*display, found, name);
     if (!result.known)
-        return fail(EGL_BAD_ATTRIBUTE);
+        return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of configs"));
     if (value == nullptr)
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is a null pointer"));
     *value = result.value;
     return succeed();
 }

@@ -37,19 +37,18 @@ bool has_pixels(Display& display, Surface& surface) {
 /// that no other thread takes them meanwhile.
 EGLBoolean reserve(Display& display, Context& context, Surface& draw, Surface& read) {
     if (!compatible(context.config, draw.config) || !compatible(context.config, read.config))
-        return fail(EGL_BAD_MATCH,
-                    SPANGLE_TEXT("eglMakeCurrent: the context's config has another colour format, "
-                                 "depth buffer or multisample buffer than the surface's"));
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("the context's config has another colour format, "
+                                                "depth buffer or multisample buffer than the surface's"));
     // What is recorded is drawn by the fixed policy, later.
     const bool records = SPANGLE_HAS_RECORDS && (draw.band.record != nullptr || read.band.record != nullptr);
     if (records &&
         (&draw != &read || precision_of(context.config.precision).engine != &spangle::gl::fixed_engine))
-        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglMakeCurrent: a window with a record is drawn to and read "
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("a window with a record is drawn to and read "
                                                 "at once, and not by a reference"));
     if (context.current && thread().context != &context)
-        return fail(EGL_BAD_ACCESS);
+        return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("the context is current on another thread"));
     if (elsewhere(&draw) || elsewhere(&read))
-        return fail(EGL_BAD_ACCESS);
+        return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("a surface is current on another thread"));
     if (!has_pixels(display, draw) || !has_pixels(display, read))
         return EGL_FALSE;
     ++draw.bindings;
@@ -78,7 +77,14 @@ void show_pixels() {
     set_pixels(*t.read, drawable.read);
     drawable.read_double_buffered = t.read->back_buffered;
     drawable.read_front_buffered = names_front(*t.read);
+#if SPANGLE_MESSAGES
+    drawable.show = [](bool finish) {
+        enter(finish ? "glFinish" : "glFlush");
+        show_window(finish);
+    };
+#else
     drawable.show = show_window;
+#endif
 #if SPANGLE_HAS_PLATFORMS
     drawable.follow = t.draw->system != nullptr ? follow_current_window : nullptr;
 #endif
@@ -88,6 +94,7 @@ void show_pixels() {
 #if SPANGLE_HAS_PLATFORMS
 
 void follow_current_window() {
+    enter(SPANGLE_TEXT("glViewport"));
     const Thread& t = thread();
     const EGLint before = t.error;
     const gl::Held held(t.display->native_lock);
@@ -132,13 +139,14 @@ extern "C" {
 
 EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
                             const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreateContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
         return EGL_NO_CONTEXT;
     const Config found = find_config(*display, config);
     if (found.id == 0) {
-        fail(EGL_BAD_CONFIG);
+        fail(EGL_BAD_CONFIG, SPANGLE_TEXT("config is not one of this display"));
         return EGL_NO_CONTEXT;
     }
     Context* const share = share_context == EGL_NO_CONTEXT ? nullptr : find_context(*display, share_context);
@@ -146,7 +154,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
         return EGL_NO_CONTEXT;
     const EGLint problem = context_problem(attrib_list);
     if (problem != EGL_SUCCESS) {
-        fail(problem);
+        fail(problem, SPANGLE_TEXT("attrib_list asks for a context that there is not"));
         return EGL_NO_CONTEXT;
     }
     const Precision precision = precision_of(found.precision);
@@ -157,7 +165,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
                                                         share == nullptr ? nullptr : share->gl);
     if (gl == nullptr) {
         arena().free(memory);
-        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreateContext: not enough memory; see spangle::memory"));
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("not enough memory; see spangle::memory"));
         return EGL_NO_CONTEXT;
     }
     auto* const context = new (memory) Context();
@@ -174,6 +182,7 @@ EGLContext eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_c
 }
 
 EGLBoolean eglDestroyContext(EGLDisplay dpy, EGLContext handle) {
+    enter(SPANGLE_TEXT("eglDestroyContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -194,12 +203,17 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     Surface *draw_surface = nullptr, *read_surface = nullptr;
     {
         const Registry registry;
+        enter(ctx != EGL_NO_CONTEXT ? SPANGLE_TEXT("eglMakeCurrent")
+                                    : nullptr); // what follows may be no error
         display = find_display(dpy);
+        enter(SPANGLE_TEXT("eglMakeCurrent"));
         if (ctx == EGL_NO_CONTEXT) { // allowed on a display that is not initialised (EGL 1.4, 3.7.3)
-            if (display == nullptr && thread().error == EGL_BAD_DISPLAY)
+            if (display == nullptr && thread().error == EGL_BAD_DISPLAY) {
+                tell(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
                 return EGL_FALSE;
+            }
             if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)
-                return fail(EGL_BAD_MATCH);
+                return fail(EGL_BAD_MATCH, SPANGLE_TEXT("surfaces are given, but no context"));
         } else {
             if (display == nullptr)
                 return EGL_FALSE;
@@ -207,7 +221,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
             if (context == nullptr)
                 return EGL_FALSE;
             if (draw == EGL_NO_SURFACE || read == EGL_NO_SURFACE)
-                return fail(EGL_BAD_MATCH);
+                return fail(EGL_BAD_MATCH, SPANGLE_TEXT("a context is given, but not both surfaces"));
             draw_surface = find_surface(*display, draw);
             read_surface = find_surface(*display, read);
             if (draw_surface == nullptr || read_surface == nullptr)
@@ -236,11 +250,12 @@ EGLContext eglGetCurrentContext() {
 }
 
 EGLSurface eglGetCurrentSurface(EGLint readdraw) {
+    enter(SPANGLE_TEXT("eglGetCurrentSurface"));
     if (readdraw == EGL_DRAW)
         return thread().draw;
     if (readdraw == EGL_READ)
         return thread().read;
-    fail(EGL_BAD_PARAMETER);
+    fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("readdraw is neither EGL_DRAW nor EGL_READ"));
     return EGL_NO_SURFACE;
 }
 
@@ -249,6 +264,7 @@ EGLDisplay eglGetCurrentDisplay() {
 }
 
 EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value) {
+    enter(SPANGLE_TEXT("eglQueryContext"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -257,7 +273,7 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGL
     if (context == nullptr)
         return EGL_FALSE;
     if (value == nullptr)
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is a null pointer"));
     switch (attribute) {
     case EGL_CONFIG_ID:
         *value = context->config.id;
@@ -274,7 +290,7 @@ EGLBoolean eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGL
                                                                          : EGL_SINGLE_BUFFER;
         break;
     default:
-        return fail(EGL_BAD_ATTRIBUTE);
+        return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of contexts"));
     }
     return succeed();
 }

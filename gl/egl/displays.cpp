@@ -4,6 +4,7 @@
 
 #include "gl/api/names.hpp"
 #include "gl/context/error.hpp"
+#include "gl/context/sentence.hpp"
 #include "gl/egl/objects.hpp"
 #include "gl/egl/platforms.hpp"
 
@@ -72,12 +73,31 @@ Thread& thread() {
     return this_thread;
 }
 
-EGLBoolean fail(EGLint error, const char* text) {
+EGLBoolean fail(EGLint error, const char* rule) {
     this_thread.error = error;
-    if (text != nullptr)
-        message(static_cast<unsigned>(error), text);
+    tell(error, rule);
     return EGL_FALSE;
 }
+
+#if SPANGLE_MESSAGES
+
+namespace {
+constinit SPANGLE_THREAD_LOCAL const char* entered = nullptr;
+} // namespace
+
+void enter(const char* command) {
+    entered = command;
+}
+
+void tell(EGLint error, const char* rule) {
+    if (rule == nullptr || entered == nullptr)
+        return;
+    gl::Sentence out;
+    out << entered << ": " << rule;
+    message(static_cast<unsigned>(error), out.text());
+}
+
+#endif
 
 EGLBoolean succeed() {
     this_thread.error = EGL_SUCCESS;
@@ -90,9 +110,8 @@ bool in_primitive() {
 }
 
 EGLBoolean fail_in_primitive() {
-    return fail(EGL_BAD_ACCESS,
-                SPANGLE_TEXT("EGL: between glBegin and glEnd surfaces stay current and nothing "
-                             "is shown; call glEnd first"));
+    return fail(EGL_BAD_ACCESS, SPANGLE_TEXT("between glBegin and glEnd surfaces stay current and nothing "
+                                             "is shown; call glEnd first"));
 }
 
 Display* find_display(EGLDisplay handle) {
@@ -101,24 +120,24 @@ Display* find_display(EGLDisplay handle) {
             continue;
         if (display.initialized)
             return &display;
-        fail(EGL_NOT_INITIALIZED);
+        fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("dpy has not been initialized, eglInitialize comes first"));
         return nullptr;
     }
-    fail(EGL_BAD_DISPLAY);
+    fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
     return nullptr;
 }
 
 Surface* find_surface(Display& display, EGLSurface handle) {
     Surface* const surface = on_list(display.surfaces, handle);
     if (surface == nullptr)
-        fail(EGL_BAD_SURFACE);
+        fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the surface is not one of this display, or was destroyed"));
     return surface;
 }
 
 Context* find_context(Display& display, EGLContext handle) {
     Context* const context = on_list(display.contexts, handle);
     if (context == nullptr)
-        fail(EGL_BAD_CONTEXT);
+        fail(EGL_BAD_CONTEXT, SPANGLE_TEXT("the context is not one of this display, or was destroyed"));
     return context;
 }
 
@@ -237,15 +256,15 @@ EGLDisplay eglGetDisplay(EGLNativeDisplayType display_id) {
 }
 
 EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
+    enter(SPANGLE_TEXT("eglInitialize"));
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
-        return fail(EGL_BAD_DISPLAY);
+        return fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
     if (!display->initialized && display->native != nullptr) {
         if (is_drawn_elsewhere(*display))
-            return fail(EGL_NOT_INITIALIZED,
-                        SPANGLE_TEXT("eglInitialize: a window from before eglTerminate is "
-                                     "still current on another thread"));
+            return fail(EGL_NOT_INITIALIZED, SPANGLE_TEXT("a window from before eglTerminate is "
+                                                          "still current on another thread"));
         const spangle::gl::Held held(display->native_lock);
         const spangle::hal::Result<void> up = display->native->init();
         if (!up.ok())
@@ -270,10 +289,11 @@ EGLBoolean eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
 /// The handle stays valid, and may be terminated or initialized again (EGL 1.4, 3.2), until eglGetDisplay
 /// needs the entry for another display.
 EGLBoolean eglTerminate(EGLDisplay dpy) {
+    enter(SPANGLE_TEXT("eglTerminate"));
     const Registry registry;
     Display* const display = find_entry(dpy);
     if (display == nullptr)
-        return fail(EGL_BAD_DISPLAY);
+        return fail(EGL_BAD_DISPLAY, SPANGLE_TEXT("dpy is not a display of eglGetDisplay"));
     if (thread().display == display && in_primitive())
         return fail_in_primitive();
     // What is current stays alive until it is released (EGL 1.4, 3.2).
@@ -289,6 +309,7 @@ EGLBoolean eglTerminate(EGLDisplay dpy) {
 }
 
 const char* eglQueryString(EGLDisplay dpy, EGLint name) {
+    enter(SPANGLE_TEXT("eglQueryString"));
 #if SPANGLE_HAS_PLATFORMS
     if (dpy == EGL_NO_DISPLAY && name == EGL_EXTENSIONS)
         return client_extensions();
@@ -317,13 +338,16 @@ const char* eglQueryString(EGLDisplay dpy, EGLint name) {
 #endif
             ;
     default:
-        fail(EGL_BAD_PARAMETER);
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("name is not a string of a display"));
         return nullptr;
     }
 }
 
 EGLBoolean eglBindAPI(EGLenum api) {
-    return api == EGL_OPENGL_API ? succeed() : fail(EGL_BAD_PARAMETER);
+    enter(SPANGLE_TEXT("eglBindAPI"));
+    return api == EGL_OPENGL_API
+               ? succeed()
+               : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("api is not EGL_OPENGL_API, the one there is"));
 }
 
 /// OpenGL from the start: EGL 1.4, 3.7 begins with NONE where there is no OpenGL ES, which would only ask
@@ -333,6 +357,7 @@ EGLenum eglQueryAPI() {
 }
 
 EGLBoolean eglReleaseThread() {
+    enter(SPANGLE_TEXT("eglReleaseThread"));
     if (in_primitive())
         return fail_in_primitive();
     release_current();
@@ -344,6 +369,7 @@ EGLBoolean eglWaitGL() {
 }
 
 EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
+    enter(SPANGLE_TEXT("eglWaitClient"));
     if (in_primitive())
         return fail_in_primitive();
     show_window(true);
@@ -351,6 +377,9 @@ EGLBoolean eglWaitClient() { // as Finish (EGL 1.4, 3.8)
 }
 
 EGLBoolean eglWaitNative(EGLint engine) {
-    return engine == EGL_CORE_NATIVE_ENGINE ? succeed() : fail(EGL_BAD_PARAMETER);
+    enter(SPANGLE_TEXT("eglWaitNative"));
+    return engine == EGL_CORE_NATIVE_ENGINE
+               ? succeed()
+               : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("engine is not EGL_CORE_NATIVE_ENGINE"));
 }
 }

@@ -136,8 +136,20 @@ struct Thread {
 };
 Thread& thread();
 
-/// Records an error with a text for spangle::on_message; null for no text. Returns EGL_FALSE.
-EGLBoolean fail(EGLint error, const char* text = nullptr);
+/// Records an error. `rule` is a SPANGLE_TEXT for spangle::on_message, without the command's name; null when
+/// the message has been sent. Returns EGL_FALSE.
+EGLBoolean fail(EGLint error, const char* rule);
+
+#if SPANGLE_MESSAGES
+/// Names the command that this thread is in, for its messages.
+void enter(const char* command);
+/// The message of an error that is recorded already.
+void tell(EGLint error, const char* rule);
+#else
+inline void enter(const char*) {}
+inline void tell(EGLint, const char*) {}
+#endif
+
 EGLBoolean succeed();
 
 /// The entry of a panel or of a window system, a new one where there is none; EGL_NO_DISPLAY when all are

@@ -6,6 +6,7 @@ using namespace spangle::egl;
 
 extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EGLint first, EGLint count,
                                            const std::uint8_t* rgb) {
+    enter(SPANGLE_TEXT("eglSetPaletteSPANGLE"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -14,14 +15,14 @@ extern "C" EGLBoolean eglSetPaletteSPANGLE(EGLDisplay dpy, EGLSurface handle, EG
     if (surface == nullptr)
         return EGL_FALSE;
     if (!surface->window)
-        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("eglSetPaletteSPANGLE: only windows are shown"));
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("only windows are shown"));
     if (!spangle::is_indexed(surface->config.format))
-        return fail(EGL_BAD_MATCH,
-                    SPANGLE_TEXT("eglSetPaletteSPANGLE: this surface holds colours; choose a config "
-                                 "of EGL_COLOR_BUFFER_TYPE, EGL_INDEX_BUFFER_SPANGLE"));
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("this surface holds colours; choose a config "
+                                                "of EGL_COLOR_BUFFER_TYPE, EGL_INDEX_BUFFER_SPANGLE"));
     if (first < 0 || count < 0 || first > spangle::hal::palette_size ||
         count > spangle::hal::palette_size - first || (count != 0 && rgb == nullptr))
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER,
+                    SPANGLE_TEXT("first and count leave the palette, or rgb is a null pointer"));
     const spangle::gl::Held held(display->native_lock);
     const auto result = native_of(*display, *surface).set_palette(first, count, rgb);
     return result.ok() ? succeed() : fail(EGL_BAD_NATIVE_WINDOW, result.error().rule);

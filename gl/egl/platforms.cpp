@@ -92,7 +92,7 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
     if (platform == EGL_PLATFORM_SURFACELESS_MESA) {
         if (native == EGL_DEFAULT_DISPLAY)
             return display_of(nullptr, nullptr);
-        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglGetPlatformDisplay: EGL_PLATFORM_SURFACELESS_MESA has the "
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("EGL_PLATFORM_SURFACELESS_MESA has the "
                                              "display EGL_DEFAULT_DISPLAY alone"));
         return EGL_NO_DISPLAY;
     }
@@ -100,7 +100,7 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
     if (found.known)
         return display_of(found.panel, found.windows);
     if (platform != EGL_NONE)
-        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglGetPlatformDisplay: there is no such platform here"));
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("there is no such platform here"));
     return EGL_NO_DISPLAY;
 }
 
@@ -124,7 +124,8 @@ bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
 EGLSurface create_pointed(EGLDisplay dpy, EGLConfig config, const void* handle, bool pixmap,
                           const EGLint* list) {
     if (handle == nullptr) {
-        fail(pixmap ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW);
+        fail(pixmap ? EGL_BAD_NATIVE_PIXMAP : EGL_BAD_NATIVE_WINDOW,
+             SPANGLE_TEXT("the window or pixmap is a null pointer"));
         return EGL_NO_SURFACE;
     }
     return create_shown(dpy, config, *static_cast<const unsigned long*>(handle), pixmap, list);
@@ -135,7 +136,7 @@ EGLSurface create_pointed_wide(EGLDisplay dpy, EGLConfig config, const void* han
                                const EGLAttrib* list) {
     EGLint narrowed[2 * most_attributes + 1];
     if (!narrow(list, narrowed)) {
-        fail(EGL_BAD_ATTRIBUTE);
+        fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attrib_list is longer than that of any surface"));
         return EGL_NO_SURFACE;
     }
     return create_pointed(dpy, config, handle, pixmap, narrowed);
@@ -163,8 +164,9 @@ using namespace spangle::egl;
 extern "C" {
 
 EGLDisplay eglGetPlatformDisplayEXT(EGLenum platform, void* native_display, const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglGetPlatformDisplay"));
     if (attrib_list != nullptr && *attrib_list != EGL_NONE && platform != EGL_PLATFORM_X11_KHR) {
-        fail(EGL_BAD_ATTRIBUTE);
+        fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("displays of this platform take no attributes"));
         return EGL_NO_DISPLAY;
     }
     return platform_display(platform, native_display);
@@ -178,30 +180,36 @@ EGLDisplay eglGetPlatformDisplay(EGLenum platform, void* native_display, const E
 
 EGLSurface eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_window,
                                              const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePlatformWindowSurfaceEXT"));
     return create_pointed(dpy, config, native_window, false, attrib_list);
 }
 
 EGLSurface eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void* native_window,
                                           const EGLAttrib* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePlatformWindowSurface"));
     return create_pointed_wide(dpy, config, native_window, false, attrib_list);
 }
 
 EGLSurface eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
                                              const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePlatformPixmapSurfaceEXT"));
     return create_pointed(dpy, config, native_pixmap, true, attrib_list);
 }
 
 EGLSurface eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void* native_pixmap,
                                           const EGLAttrib* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePlatformPixmapSurface"));
     return create_pointed_wide(dpy, config, native_pixmap, true, attrib_list);
 }
 
 EGLSurface eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType pixmap,
                                   const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePixmapSurface"));
     return create_shown(dpy, config, pixmap, true, attrib_list);
 }
 
 EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType target) {
+    enter(SPANGLE_TEXT("eglCopyBuffers"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -212,13 +220,13 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
     if (in_primitive())
         return fail_in_primitive(); // it flushes (EGL 1.4, 3.9.2)
     if (display->system == nullptr)
-        return fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("eglCopyBuffers: this display has no pixmaps"));
+        return fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("this display has no pixmaps"));
     if (!display->system->shows(surface->config.format) || surface->in_bands())
-        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("eglCopyBuffers: a pixmap of this display has another format "
+        return fail(EGL_BAD_MATCH, SPANGLE_TEXT("a pixmap of this display has another format "
                                                 "than the surface"));
     const spangle::gl::Held held(display->native_lock);
     if (!surface->has_pixels())
-        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("eglCopyBuffers: this surface has no buffer"));
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("this surface has no buffer"));
     const auto opened = display->system->open(target, true, surface->config.format);
     if (!opened.ok())
         return fail(EGL_BAD_NATIVE_PIXMAP, opened.error().rule);
@@ -232,7 +240,7 @@ EGLBoolean eglCopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType
         shown = pixmap.present().ok();
     }
     display->system->close(pixmap);
-    return shown ? succeed() : fail(EGL_BAD_NATIVE_PIXMAP);
+    return shown ? succeed() : fail(EGL_BAD_NATIVE_PIXMAP, SPANGLE_TEXT("the pixmap took no picture"));
 }
 }
 

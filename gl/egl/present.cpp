@@ -7,7 +7,7 @@
 namespace spangle::egl {
 
 bool fail_cut_off() {
-    return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("EGL: this window is not the display's any more")) !=
+    return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("this window is not the display's any more")) !=
            EGL_FALSE;
 }
 
@@ -20,9 +20,8 @@ bool take(Display& display, Surface& surface, const hal::Frame& frame) {
         const hal::DisplayInfo info = display.native->info();
         if (info.width != surface.width || info.height != surface.height ||
             info.format != surface.config.format)
-            return fail(EGL_BAD_NATIVE_WINDOW,
-                        SPANGLE_TEXT("EGL: the display has another size or format now; "
-                                     "create its window again")) != EGL_FALSE;
+            return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the display has another size or format now; "
+                                                            "create its window again")) != EGL_FALSE;
     }
     surface.frame = frame;
     return true;
@@ -60,9 +59,8 @@ bool present(Display& display, Surface& surface) {
     const bool more = next_frame(display, surface);
     show_pixels();
     if (more && !drawn)
-        return fail(EGL_BAD_NATIVE_WINDOW,
-                    SPANGLE_TEXT("EGL: this frame is lost, the display had no buffer for "
-                                 "it; it has one for the next")) != EGL_FALSE;
+        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("this frame is lost, the display had no buffer for "
+                                                        "it; it has one for the next")) != EGL_FALSE;
     return more;
 }
 
@@ -118,12 +116,13 @@ extern "C" {
 /// The interval is that of the current draw surface, whose display need not be the one given
 /// (EGL 1.4, 3.9.3).
 EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
+    enter(SPANGLE_TEXT("eglSwapInterval"));
     const Registry registry;
     if (find_display(dpy) == nullptr)
         return EGL_FALSE;
     const Thread& t = thread();
     if (t.context == nullptr)
-        return fail(EGL_BAD_CONTEXT);
+        return fail(EGL_BAD_CONTEXT, SPANGLE_TEXT("no context is current"));
     if (!t.draw->window || t.draw->cut_off)
         return succeed(); // nothing waits
     const spangle::gl::Held held(t.display->native_lock);
@@ -135,6 +134,7 @@ EGLBoolean eglSwapInterval(EGLDisplay dpy, EGLint interval) {
 }
 
 EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
+    enter(SPANGLE_TEXT("eglSwapBuffers"));
     Display* display = nullptr;
     Surface* surface = nullptr;
     {
@@ -154,16 +154,15 @@ EGLBoolean eglSwapBuffers(EGLDisplay dpy, EGLSurface handle) {
         if (!surface->window || !surface->back_buffered)
             return succeed(); // pbuffers and single-buffered windows have nothing to swap (EGL 1.4, 3.9.1)
         if (thread().draw != surface)
-            return fail(EGL_BAD_SURFACE);
+            return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the surface is not the current draw surface"));
     }
     if (in_primitive())
         return fail_in_primitive();
     if (surface->in_bands() && surface->band.record != nullptr)
         return present_record(*display, *surface) ? succeed() : EGL_FALSE;
     if (surface->in_bands())
-        return fail(EGL_BAD_SURFACE,
-                    SPANGLE_TEXT("eglSwapBuffers: no memory holds a frame of this window; draw it by "
-                                 "spangle::frame"));
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("no memory holds a frame of this window; draw it by "
+                                                  "spangle::frame"));
     return present(*display, *surface) ? succeed() : EGL_FALSE;
 }
 }

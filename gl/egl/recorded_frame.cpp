@@ -89,9 +89,10 @@ void count_recorded() {
 
 void too_small() {
     if (!thread().draw->band.record->quiet)
-        gl::error(*thread().context->gl, GL_OUT_OF_MEMORY,
-                  SPANGLE_TEXT("the record of this frame is full (EGL_BAND_RECORD_SPANGLE): it will not be "
-                               "shown"));
+        gl::drawing_error(
+            *thread().context->gl, GL_OUT_OF_MEMORY,
+            SPANGLE_TEXT("the record of this frame is full (EGL_BAND_RECORD_SPANGLE): it will not be "
+                         "shown"));
 }
 
 bool send_record(Display& display, Surface& surface) {
@@ -140,9 +141,8 @@ bool present_record(Display& display, Surface& surface) {
     const bool whole = !frame.record.full() && !frame.lost;
     const bool shown = whole && send_record(display, surface);
     if (!whole)
-        fail(EGL_BAD_ALLOC,
-             SPANGLE_TEXT("eglSwapBuffers: the record of this frame is not whole; the panel keeps "
-                          "its picture"));
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("the record of this frame is not whole; the panel keeps "
+                                         "its picture"));
     forget(surface);
     return shown;
 }
@@ -153,9 +153,9 @@ bool draw_recorded(Display& display, Surface& surface, void (*draw)(void*), void
     frame.quiet = true;
     draw(data);
     frame.quiet = false;
+    enter(SPANGLE_TEXT("spangle::frame"));
     if (thread().draw != &surface)
-        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("spangle::frame: the window is current no more")) !=
-               EGL_FALSE;
+        return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the window is current no more")) != EGL_FALSE;
     if (in_primitive())
         return fail_in_primitive() != EGL_FALSE;
     if (!frame.record.full())

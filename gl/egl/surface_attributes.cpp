@@ -18,8 +18,8 @@ EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
     if (find(dpy, handle) == nullptr)
         return EGL_FALSE;
     if (buffer != EGL_BACK_BUFFER)
-        return fail(EGL_BAD_PARAMETER);
-    return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("eglBindTexImage: no config binds to textures; use "
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("buffer is not EGL_BACK_BUFFER"));
+    return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("no config binds to textures; use "
                                               "glCopyTexImage2D"));
 }
 
@@ -28,6 +28,7 @@ EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
 extern "C" {
 
 EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint* value) {
+    enter(SPANGLE_TEXT("eglQuerySurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -36,7 +37,7 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
     if (s == nullptr)
         return EGL_FALSE;
     if (value == nullptr)
-        return fail(EGL_BAD_PARAMETER);
+        return fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is a null pointer"));
     switch (attribute) {
     case EGL_WIDTH:
         *value = s->width;
@@ -66,7 +67,7 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
     case EGL_BUFFER_AGE_EXT:
         // Only of the surface one draws to: its buffer is settled (EGL_EXT_buffer_age).
         if (thread().draw != s)
-            return fail(EGL_BAD_SURFACE);
+            return fail(EGL_BAD_SURFACE, SPANGLE_TEXT("the age is known of the current draw surface alone"));
         *value = s->frame.age;
         break;
     case EGL_TEXTURE_FORMAT:
@@ -89,12 +90,13 @@ EGLBoolean eglQuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute, 
         *value = EGL_UNKNOWN;
         break;
     default:
-        return fail(EGL_BAD_ATTRIBUTE);
+        return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of surfaces"));
     }
     return succeed();
 }
 
 EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute, EGLint value) {
+    enter(SPANGLE_TEXT("eglSurfaceAttrib"));
     const Registry registry;
     if (find(dpy, handle) == nullptr)
         return EGL_FALSE;
@@ -103,30 +105,35 @@ EGLBoolean eglSurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
         return succeed(); // of surfaces that are textures; of others it has no effect (EGL 1.4, 3.5.6)
     case EGL_MULTISAMPLE_RESOLVE:
         return value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? succeed()
-               : value == EGL_MULTISAMPLE_RESOLVE_BOX   ? fail(EGL_BAD_MATCH)
-                                                        : fail(EGL_BAD_PARAMETER);
+               : value == EGL_MULTISAMPLE_RESOLVE_BOX
+                   ? fail(EGL_BAD_MATCH, SPANGLE_TEXT("the config has no EGL_MULTISAMPLE_RESOLVE_BOX_BIT"))
+                   : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is none that the attribute takes"));
     case EGL_SWAP_BEHAVIOR:
-        return value == EGL_BUFFER_DESTROYED   ? succeed()
-               : value == EGL_BUFFER_PRESERVED ? fail(EGL_BAD_MATCH)
-                                               : fail(EGL_BAD_PARAMETER);
+        return value == EGL_BUFFER_DESTROYED ? succeed()
+               : value == EGL_BUFFER_PRESERVED
+                   ? fail(EGL_BAD_MATCH, SPANGLE_TEXT("the config has no EGL_SWAP_BEHAVIOR_PRESERVED_BIT"))
+                   : fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("value is none that the attribute takes"));
     default:
-        return fail(EGL_BAD_ATTRIBUTE);
+        return fail(EGL_BAD_ATTRIBUTE, SPANGLE_TEXT("attribute is not one of surfaces"));
     }
 }
 
 EGLBoolean eglBindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
+    enter(SPANGLE_TEXT("eglBindTexImage"));
     return refuse_texture(dpy, handle, buffer);
 }
 
 EGLBoolean eglReleaseTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
+    enter(SPANGLE_TEXT("eglReleaseTexImage"));
     return refuse_texture(dpy, handle, buffer);
 }
 
 EGLSurface eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig,
                                             const EGLint*) {
+    enter(SPANGLE_TEXT("eglCreatePbufferFromClientBuffer"));
     const Registry registry;
     if (find_display(dpy) != nullptr)
-        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("eglCreatePbufferFromClientBuffer: only OpenVG has client "
+        fail(EGL_BAD_PARAMETER, SPANGLE_TEXT("only OpenVG has client "
                                              "buffers"));
     return EGL_NO_SURFACE;
 }

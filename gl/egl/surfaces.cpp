@@ -198,7 +198,7 @@ void cut_off(Display& display, Surface* window) {
 }
 
 EGLSurface refuse_window(EGLint problem) {
-    fail(problem, SPANGLE_TEXT("eglCreateWindowSurface: needs a config of the panel's format, window 0, "
+    fail(problem, SPANGLE_TEXT("needs a config of the panel's format, window 0, "
                                "no other window, and bands no higher than the display's, and a record "
                                "only where the display has bands"));
     return EGL_NO_SURFACE;
@@ -283,7 +283,7 @@ bool follow_window(Display& display, Surface& surface) {
     if (info.width == surface.width && info.height == surface.height)
         return true;
     if (!is_drawable_size(info))
-        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("EGL: the window is larger than what GL draws")) !=
+        return fail(EGL_BAD_NATIVE_WINDOW, SPANGLE_TEXT("the window is larger than what GL draws")) !=
                EGL_FALSE;
     Surface* const other =
         make(surface.config, info.width, info.height, {false, surface.accum != nullptr, {}, 0});
@@ -388,9 +388,7 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     Surface* const surface = make(found, info.width, info.height, {false, wish.accum, band, wish.record});
     if (surface == nullptr) {
         shown.close();
-        fail(EGL_BAD_ALLOC,
-             SPANGLE_TEXT(
-                 "eglCreateWindowSurface: no memory for depth, samples and the record; see spangle::memory"));
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("no memory for depth, samples and the record; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     surface->window = true;
@@ -402,7 +400,7 @@ EGLSurface spangle::egl::create_shown(EGLDisplay dpy, EGLConfig config, std::uin
     if (!surface->in_bands() && !next_frame(*display, *surface)) {
         const EGLint error = thread().error;
         free_surface(surface);
-        fail(error);
+        fail(error, nullptr);
         return EGL_NO_SURFACE;
     }
     return keep(*display, surface);
@@ -412,10 +410,12 @@ extern "C" {
 
 EGLSurface eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
                                   const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreateWindowSurface"));
     return create_shown(dpy, config, win, false, attrib_list);
 }
 
 EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLint* attrib_list) {
+    enter(SPANGLE_TEXT("eglCreatePbufferSurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)
@@ -426,19 +426,21 @@ EGLSurface eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config, const EGLin
     if (problem == 0 && (wish.width > largest_pbuffer || wish.height > largest_pbuffer) && !wish.largest)
         problem = EGL_BAD_ALLOC;
     if (problem != 0) {
-        fail(problem);
+        fail(problem, SPANGLE_TEXT("config is not one of this display, or attrib_list does not fit pbuffers "
+                                   "and their largest size"));
         return EGL_NO_SURFACE;
     }
     const auto cut = [](EGLint v) { return v > largest_pbuffer ? largest_pbuffer : v; };
     Surface* const surface = make(found, cut(wish.width), cut(wish.height), {true, wish.accum, {}, 0});
     if (surface == nullptr) {
-        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("eglCreatePbufferSurface: not enough memory; see spangle::memory"));
+        fail(EGL_BAD_ALLOC, SPANGLE_TEXT("not enough memory; see spangle::memory"));
         return EGL_NO_SURFACE;
     }
     return keep(*display, surface);
 }
 
 EGLBoolean eglDestroySurface(EGLDisplay dpy, EGLSurface handle) {
+    enter(SPANGLE_TEXT("eglDestroySurface"));
     const Registry registry;
     Display* const display = find_display(dpy);
     if (display == nullptr)

@@ -24,12 +24,15 @@ const Word* play_end_draw(Context& context, const Word* words) {
     return words;
 }
 
+/// Without texts one function plays the draws of every family.
+template <class F> using Named = std::conditional_t<SPANGLE_MESSAGES != 0, F, family::DrawArrays>;
+
 /// A captured draw up to and with its End. Between Begin and End the whole draw fails at execution: its
 /// vertices must not reach the primitive that is open.
-const Word* play_draw(Context& context, const Word* words) {
+template <class F> const Word* play_draw(Context& context, const Word* words) {
     const Word* past;
     std::memcpy(&past, words + 1, sizeof past);
-    if (!allowed_outside(context, SPANGLE_TEXT("a drawn array in a list between glBegin and glEnd")))
+    if (!allowed_outside(context, F::text))
         return past;
     const KeptAttributes kept(context);
     cmd::Begin(context, words[0]);
@@ -84,14 +87,15 @@ void capture(Context& context, const ElementReader& reader, GLuint index) {
         encode::Vertex(context, v[0], v[1], v[2], v[3]);
 }
 
+template <class F>
 void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLuint count,
                  const Indices& indices) {
-    Word* const begin = list::record(context, &list::player<&play_draw>, 1 + list::address_words);
+    Word* const begin = list::record(context, &list::player<&play_draw<F>, F>, 1 + list::address_words);
     for (GLuint i = 0; i < count && !context.list.recorder.out_of_memory; ++i)
         capture(context, reader, indices.at(i));
     // The record of End is never the first of a chunk without a link to it, so its address is where a skip
     // goes on.
-    Word* const end = list::record(context, &list::player<&play_end_draw>, 0);
+    Word* const end = list::record(context, &list::player<&play_end_draw, F>, 0);
     if (end == nullptr)
         return;
     begin[0] = mode;
@@ -99,11 +103,11 @@ void capture_run(Context& context, const ElementReader& reader, GLenum mode, GLu
     std::memcpy(begin + 1, &past, sizeof past);
 }
 
-void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
+template <class F> void capture_draw(Context& context, GLenum mode, GLsizei count, const Indices& indices) {
     const AddressedArrays addressed(context);
     const ElementReader reader(context.arrays);
     for_each_run(context.array_bindings, static_cast<GLuint>(count), indices,
-                 [&](GLuint n, const Indices& run) { capture_run(context, reader, mode, n, run); });
+                 [&](GLuint n, const Indices& run) { capture_run<Named<F>>(context, reader, mode, n, run); });
 }
 
 [[maybe_unused]] const Word* play_restart(Context& context, const Word* words) {
@@ -128,7 +132,8 @@ void ArrayElement(Context& context, GLint i) {
     if (restarts(context.array_bindings, static_cast<GLuint>(i)))
         return static_cast<void>(list::record(context, &list::player<&play_restart>, 0));
     if (!arrays_reach(context, static_cast<GLuint>(i)))
-        return list::record_error(context, GL_INVALID_OPERATION, true);
+        return list::record_error(context, GL_INVALID_OPERATION, true,
+                                  SPANGLE_TEXT("an element beyond its buffer"));
     const AddressedArrays addressed(context);
     capture(context, ElementReader(context.arrays), static_cast<GLuint>(i));
 }
@@ -137,11 +142,13 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
     if (mode > GL_POLYGON)
         return list::record_error(context, GL_INVALID_ENUM, false);
     if (first < 0 || count < 0)
-        return list::record_error(context, GL_INVALID_VALUE, false);
+        return list::record_error(context, GL_INVALID_VALUE, false,
+                                  SPANGLE_TEXT("first or count is negative"));
     Indices found{.first = static_cast<GLuint>(first)};
     if (!find_indices(context, static_cast<GLuint>(count), found))
-        return list::record_error(context, GL_INVALID_OPERATION, false);
-    capture_draw(context, mode, count, found);
+        return list::record_error(context, GL_INVALID_OPERATION, false,
+                                  SPANGLE_TEXT("an element beyond its buffer"));
+    capture_draw<family::DrawArrays>(context, mode, count, found);
 }
 
 void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
@@ -151,14 +158,15 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
         return list::record_error(context, GL_INVALID_VALUE, false);
     Indices found{.type = type, .data = indices};
     if (!find_indices(context, static_cast<GLuint>(count), found))
-        return list::record_error(context, GL_INVALID_OPERATION, false);
-    capture_draw(context, mode, count, found);
+        return list::record_error(context, GL_INVALID_OPERATION, false,
+                                  SPANGLE_TEXT("an index or an element beyond its buffer"));
+    capture_draw<family::DrawElements>(context, mode, count, found);
 }
 
 void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                        const void* indices) {
     if (end < start)
-        return list::record_error(context, GL_INVALID_VALUE, false);
+        return list::record_error(context, GL_INVALID_VALUE, false, SPANGLE_TEXT("end is less than start"));
     DrawElements(context, mode, count, type, indices);
 }
 

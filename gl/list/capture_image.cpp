@@ -101,7 +101,7 @@ void capture_image(Context& context, const Player* player, const ImageCommand& i
         copy_image(context.pixel_store.unpack, layout, image, extent, reinterpret_cast<unsigned char*>(to));
 }
 
-const Word* play_image(Context& context, const Word* words, const char* refusal,
+const Word* play_image(Context& context, const Word* words, const CommandText* text,
                        void (*run)(Context&, const ImageCommand&)) {
     ImageCommand image;
     for (GLint& argument : image.arguments)
@@ -114,7 +114,7 @@ const Word* play_image(Context& context, const Word* words, const char* refusal,
     const bool follow = *words++ == pixels_follow;
     const Word size = *words++;
     image.pixels = follow ? words : nullptr;
-    if (allowed_outside(context, refusal)) {
+    if (allowed_outside(context, text)) {
         const PixelStore before = context.pixel_store.unpack;
         context.pixel_store.unpack = PixelStore{};
         context.pixel_store.unpack.alignment = 1;

@@ -13,7 +13,7 @@ namespace spangle::gl::list {
 void capture_image(Context& context, const Player* player, const ImageCommand& image, GLsizei most);
 
 /// Calls run(context, image) unless between Begin and End.
-const Word* play_image(Context& context, const Word* words, const char* refusal,
+const Word* play_image(Context& context, const Word* words, const CommandText* text,
                        void (*run)(Context&, const ImageCommand&));
 
 } // namespace spangle::gl::list

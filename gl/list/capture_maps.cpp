@@ -25,7 +25,7 @@ template <unsigned dimension> const Word* play_map(Context& context, const Word*
         return static_cast<GLint>(words[3 + static_cast<std::uint32_t>(side) * side_words]);
     };
     const Values points{words + head_words, GL_FLOAT};
-    if (allowed_outside(context, SPANGLE_TEXT("glMap in a list between glBegin and glEnd"))) {
+    if (allowed_outside(context, dimension == 0 ? family::Map1::text : family::Map2::text)) {
         if constexpr (dimension == 0)
             cmd::Map1(context, target, {words[1]}, {words[2]}, components, order(0), points);
         else
@@ -37,11 +37,14 @@ template <unsigned dimension> const Word* play_map(Context& context, const Word*
 
 template <unsigned dimension> void capture(Context& context, const MapArguments& map) {
     if (const GLenum code = map_error(map, dimension); code != GL_NO_ERROR)
-        return list::record_error(context, code, false);
+        return list::record_error(context, code, false, map_rule(map));
     const unsigned components =
         components_of(map.target - (dimension == 0 ? GL_MAP1_COLOR_4 : GL_MAP2_COLOR_4));
     const auto points = static_cast<std::uint32_t>(map.side[0].order * map.side[1].order);
-    Word* to = list::record(context, &list::player<&play_map<dimension>>, head_words + points * components);
+    Word* to = list::record(
+        context,
+        &list::player<&play_map<dimension>, std::conditional_t<dimension == 0, family::Map1, family::Map2>>,
+        head_words + points * components);
     if (to == nullptr)
         return;
     *to++ = map.target;

@@ -24,7 +24,7 @@ std::uint32_t entry_bytes(GLenum type, GLsizei size) {
 /// Words: map, size, type, then the entries as the client had them.
 const Word* play_pixel_map(Context& context, const Word* words) {
     const auto size = static_cast<GLsizei>(words[1]);
-    if (allowed_outside(context, family::PixelMap::refusal))
+    if (allowed_outside(context, family::PixelMap::text))
         cmd::PixelMap(context, words[0], size, {words + map_words, words[2]});
     return words + map_words + (entry_bytes(words[2], size) + 3) / 4;
 }
@@ -33,9 +33,10 @@ const Word* play_pixel_map(Context& context, const Word* words) {
 
 void encode::PixelMap(Context& context, GLenum map, GLsizei size, const Values& values) {
     if (const GLenum code = pixel_map_error(map, size, values); code != GL_NO_ERROR)
-        return list::record_error(context, code, false);
+        return list::record_error(context, code, false, pixel_map_rule(values));
     const std::uint32_t bytes = entry_bytes(values.type, size);
-    Word* const to = list::record(context, &list::player<&play_pixel_map>, map_words + (bytes + 3) / 4);
+    Word* const to =
+        list::record(context, &list::player<&play_pixel_map, family::PixelMap>, map_words + (bytes + 3) / 4);
     if (to == nullptr)
         return;
     to[0] = map;

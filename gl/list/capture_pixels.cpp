@@ -3,6 +3,7 @@
 
 #if SPANGLE_FEATURE_LISTS
 
+#include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/list/capture_image.hpp"
 
@@ -17,19 +18,22 @@ using list::Word;
 
 #if SPANGLE_FEATURE_DRAW_PIXELS
 const Word* play_draw_pixels(Context& context, const Word* words) {
-    return list::play_image(context, words, family::DrawPixels::refusal,
-                            [](Context& c, const ImageCommand& i) {
-                                cmd::DrawPixels(c, i.size[0], i.size[1], i.format, i.type, i.pixels);
-                            });
+    return list::play_image(context, words, family::DrawPixels::text, [](Context& c, const ImageCommand& i) {
+        using F = family::DrawPixels;
+        cmd::DrawPixels(c, i.size[0], i.size[1], i.format, i.type, i.pixels);
+        explain_run<F>(c, F::run, i.size[0], i.size[1], i.format, i.type, i.pixels);
+    });
 }
 #endif
 
 #if SPANGLE_FEATURE_BITMAPS
 const Word* play_bitmap(Context& context, const Word* words) {
-    return list::play_image(context, words, family::Bitmap::refusal, [](Context& c, const ImageCommand& i) {
+    return list::play_image(context, words, family::Bitmap::text, [](Context& c, const ImageCommand& i) {
         const auto real = [&i](int n) { return Real{static_cast<std::uint32_t>(i.arguments[n])}; };
-        cmd::Bitmap(c, i.size[0], i.size[1], real(0), real(1), real(2), real(3),
-                    static_cast<const GLubyte*>(i.pixels));
+        const auto* const bits = static_cast<const GLubyte*>(i.pixels);
+        cmd::Bitmap(c, i.size[0], i.size[1], real(0), real(1), real(2), real(3), bits);
+        explain_run<family::Bitmap>(c, family::Bitmap::run, i.size[0], i.size[1], real(0), real(1), real(2),
+                                    real(3), bits);
     });
 }
 #endif

@@ -19,7 +19,7 @@ using list::Word;
 constexpr std::uint32_t pattern_words = sizeof(StipplePattern) / sizeof(Word);
 
 const Word* play_polygon_stipple(Context& context, const Word* words) {
-    if (allowed_outside(context, family::PolygonStipple::refusal))
+    if (allowed_outside(context, family::PolygonStipple::text))
         std::memcpy(context.polygon.stipple.row, words, sizeof(StipplePattern));
     return words + pattern_words;
 }
@@ -32,7 +32,8 @@ void PolygonStipple(Context& context, const GLubyte* pattern) {
     if (pattern == nullptr)
         return list::record_error(context, GL_INVALID_VALUE, false);
     const StipplePattern unpacked = unpack_stipple(context.pixel_store.unpack, pattern);
-    if (Word* const to = list::record(context, &list::player<&play_polygon_stipple>, pattern_words);
+    if (Word* const to = list::record(context, &list::player<&play_polygon_stipple, family::PolygonStipple>,
+                                      pattern_words);
         to != nullptr)
         std::memcpy(to, unpacked.row, sizeof unpacked);
 }

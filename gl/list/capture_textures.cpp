@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "gl/api/command.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/list/capture_image.hpp"
 #include "gl/texture/texture_object.hpp"
@@ -23,23 +24,26 @@ bool is_query(GLenum target) {
     return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
            target == GL_PROXY_TEXTURE_CUBE_MAP;
 }
-bool runs_now(Context& context, const char* refusal) {
-    return !context.list.execute && allowed_outside(context, refusal);
+bool runs_now(Context& context, const CommandText* text) {
+    return !context.list.execute && allowed_outside(context, text);
 }
 
 template <class F> const Word* play_texels(Context& context, const Word* words) {
-    return list::play_image(context, words, F::refusal, F::run);
+    return list::play_image(context, words, F::text, [](Context& c, const ImageCommand& image) {
+        F::run(c, image);
+        explain_run<F>(c, F::run, image);
+    });
 }
 
 void capture_texels(Context& context, const list::Player* player, const ImageCommand& image) {
     list::capture_image(context, player, image, image.volume ? max_3d_texture_size + 2 : most);
 }
 [[gnu::noinline]] void capture_unless_query(Context& context, const list::Player* player,
-                                            const ImageCommand& image, const char* refusal,
+                                            const ImageCommand& image, const CommandText* text,
                                             void (*run)(Context&, const ImageCommand&)) {
     if (!is_query(image.target()))
         capture_texels(context, player, image);
-    else if (runs_now(context, refusal))
+    else if (runs_now(context, text))
         run(context, image);
 }
 
@@ -47,7 +51,7 @@ template <class F> void capture_sub_image(Context& context, const ImageCommand& 
     capture_texels(context, &list::player<&play_texels<F>>, image);
 }
 template <class F> void capture_whole_image(Context& context, const ImageCommand& image) {
-    capture_unless_query(context, &list::player<&play_texels<F>>, image, F::refusal, F::run);
+    capture_unless_query(context, &list::player<&play_texels<F>>, image, F::text, F::run);
 }
 
 } // namespace
@@ -101,29 +105,33 @@ void capture_compressed(Context& context, const list::Player* player, const GLin
 
 /// Runs run(context, arguments, data) and skips the record.
 template <class Run>
-const Word* play_compressed(Context& context, const Word* words, const char* refusal, Run run) {
+const Word* play_compressed(Context& context, const Word* words, const CommandText* text, Run run) {
     const bool data = words[7] != UINT32_MAX;
     GLint a[7];
     for (int i = 0; i < 7; ++i)
         a[i] = static_cast<GLint>(words[i]);
-    if (allowed_outside(context, refusal))
+    if (allowed_outside(context, text))
         run(a, data ? words + compressed_words : nullptr);
     return words + compressed_words + (data ? (words[7] + 3) / 4 : 0);
 }
 
 const Word* play_compressed_image(Context& context, const Word* words) {
     return play_compressed(
-        context, words, family::CompressedTexImage2D::refusal, [&](const GLint* a, const void* data) {
-            cmd::CompressedTexImage2D(context, static_cast<GLenum>(a[0]), a[1], static_cast<GLenum>(a[2]),
-                                      a[3], a[4], a[5], a[6], data);
+        context, words, family::CompressedTexImage2D::text, [&](const GLint* a, const void* data) {
+            using F = family::CompressedTexImage2D;
+            const auto target = static_cast<GLenum>(a[0]), format = static_cast<GLenum>(a[2]);
+            cmd::CompressedTexImage2D(context, target, a[1], format, a[3], a[4], a[5], a[6], data);
+            explain_run<F>(context, F::run, target, a[1], format, a[3], a[4], a[5], a[6], data);
         });
 }
 /// Offsets share a word: none is accepted but 0.
 const Word* play_compressed_sub_image(Context& context, const Word* words) {
     return play_compressed(
-        context, words, family::CompressedTexSubImage2D::refusal, [&](const GLint* a, const void* data) {
-            cmd::CompressedTexSubImage2D(context, static_cast<GLenum>(a[0]), a[1], a[2], a[2], a[3], a[4],
-                                         static_cast<GLenum>(a[5]), a[6], data);
+        context, words, family::CompressedTexSubImage2D::text, [&](const GLint* a, const void* data) {
+            using F = family::CompressedTexSubImage2D;
+            const auto target = static_cast<GLenum>(a[0]), format = static_cast<GLenum>(a[5]);
+            cmd::CompressedTexSubImage2D(context, target, a[1], a[2], a[2], a[3], a[4], format, a[6], data);
+            explain_run<F>(context, F::run, target, a[1], a[2], a[2], a[3], a[4], format, a[6], data);
         });
 }
 
@@ -134,7 +142,7 @@ namespace encode {
 void CompressedTexImage2D(Context& context, GLenum target, GLint level, GLenum internalformat, GLsizei width,
                           GLsizei height, GLint border, GLsizei imageSize, const void* data) {
     if (is_query(target)) {
-        if (runs_now(context, family::CompressedTexImage2D::refusal))
+        if (runs_now(context, family::CompressedTexImage2D::text))
             cmd::CompressedTexImage2D(context, target, level, internalformat, width, height, border,
                                       imageSize, data);
         return;
@@ -160,12 +168,12 @@ void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint
 
 namespace {
 
-/// The number of names, or -1 where there is nothing to play but the error; names, then priorities.
+/// Words: the number of names, then these, then the priorities.
 const Word* play_priorities(Context& context, const Word* words) {
-    const auto n = static_cast<GLsizei>(words[0]);
-    const auto count = static_cast<std::uint32_t>(n > 0 ? n : 0);
-    if (allowed_outside(context, family::PrioritizeTextures::refusal))
-        cmd::PrioritizeTextures(context, n, reinterpret_cast<const GLuint*>(words + 1),
+    const Word count = words[0];
+    if (allowed_outside(context, family::PrioritizeTextures::text))
+        cmd::PrioritizeTextures(context, static_cast<GLsizei>(count),
+                                reinterpret_cast<const GLuint*>(words + 1),
                                 reinterpret_cast<const GLclampf*>(words + 1 + count));
     return words + 1 + 2 * count;
 }
@@ -174,13 +182,15 @@ const Word* play_priorities(Context& context, const Word* words) {
 
 void encode::PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures,
                                 const GLclampf* priorities) {
-    const bool keep = n > 0 && textures != nullptr && priorities != nullptr;
-    const auto count = static_cast<std::uint32_t>(keep ? n : 0);
-    Word* const to = list::record(context, &list::player<&play_priorities>, 1 + 2 * count);
+    if (n < 0 || (n > 0 && (textures == nullptr || priorities == nullptr)))
+        return list::record_error(context, GL_INVALID_VALUE, false);
+    const auto count = static_cast<std::uint32_t>(n);
+    Word* const to =
+        list::record(context, &list::player<&play_priorities, family::PrioritizeTextures>, 1 + 2 * count);
     if (to == nullptr)
         return;
-    to[0] = static_cast<Word>(keep || n == 0 ? n : -1);
-    if (!keep)
+    to[0] = count;
+    if (count == 0)
         return;
     std::memcpy(to + 1, textures, count * sizeof(Word));
     std::memcpy(to + 1 + count, priorities, count * sizeof(Word));

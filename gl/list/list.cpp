@@ -14,11 +14,11 @@ namespace spangle::gl::cmd {
 
 void NewList(Context& context, GLuint list, GLenum mode) {
     if (list == 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("list is 0"));
     if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE)
         return error(context, GL_INVALID_ENUM);
     if (context.list.index != 0)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glNewList inside glNewList"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("another list is being compiled"));
     context.list.index = list;
     context.list.mode = mode;
     context.list.execute = mode == GL_COMPILE_AND_EXECUTE;
@@ -29,7 +29,7 @@ void NewList(Context& context, GLuint list, GLenum mode) {
 void EndList(Context& context) {
     ListState& state = context.list;
     if (state.index == 0)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glEndList without glNewList"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("no glNewList came before"));
     const GLuint name = state.index;
     state.index = 0;
     state.mode = 0;
@@ -39,8 +39,7 @@ void EndList(Context& context) {
     NameTable& names = context.share->lists;
     if (chain == nullptr || (names.find(name) == nullptr && !names.insert(*context.arena, name, nullptr))) {
         list::free_chain(*context.arena, chain);
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glEndList: no memory for the list; the old one stays"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no memory for the list; the old one stays"));
     }
     void** const object = names.find(name);
     list::Chunk* const old = static_cast<list::Chunk*>(*object);
@@ -50,7 +49,7 @@ void EndList(Context& context) {
 
 void CallList(Context& context, GLuint list) {
     if (list == 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("list is 0"));
     list::execute(context, list);
 }
 
@@ -60,7 +59,7 @@ void CallLists(Context& context, GLsizei n, GLenum type, const void* lists) {
     if (!list::is_name_type(type))
         return error(context, GL_INVALID_ENUM);
     if (lists == nullptr && n > 0)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glCallLists: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     for (GLsizei i = 0; i < n; ++i)
         list::execute(context, context.list.base + list::name_offset(type, lists, i));
 }
@@ -109,7 +108,8 @@ GLboolean IsList(Context& context, GLuint list) {
 namespace spangle::gl::encode {
 
 void CallList(Context& context, GLuint list) {
-    if (list::Word* to = list::record(context, &list::player<&list::play_call>, 1); to != nullptr)
+    if (list::Word* to = list::record(context, &list::player<&list::play_call, family::CallList>, 1);
+        to != nullptr)
         *to = list;
 }
 

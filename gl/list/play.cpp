@@ -55,13 +55,24 @@ const Player* player_at(const Word* at) {
         words += sizeof matrix.m / sizeof(Word);
         *arg = Passed<const Matrix16&>::arg(matrix);
     }
-    if (allowed(context, command))
+    if (allowed(context, command)) {
         call(context, command.run, command.args, args);
+        explain_error(context, command.text, args, command.args);
+    }
     return words;
 }
 
+const Word* play_own(Context& context, const OwnPlayer& player, const Word* words) {
+    const Word* const next = player.play(context, words);
+#if SPANGLE_MESSAGES
+    if (player.text != nullptr)
+        explain_error(context, player.text, nullptr, 0);
+#endif
+    return next;
+}
+
 const Word* play(Context& context, const Player& player, const Word* words) {
-    return player.form == Form::own ? static_cast<const OwnPlayer&>(player).play(context, words)
+    return player.form == Form::own ? play_own(context, static_cast<const OwnPlayer&>(player), words)
                                     : play_command(context, static_cast<const Command&>(player), words);
 }
 
@@ -80,8 +91,11 @@ const Word* play_command(Context& context, const Command& command, const Word* w
         case 1:
             a = words[0];
         }
-        if ((context.gate & command.stops & gate_inside) == 0 || allowed(context, command))
+        if ((context.gate & command.stops & gate_inside) == 0 || allowed(context, command)) {
             command.run.few(context, a, b, c);
+            const Arg given[] = {a, b, c};
+            explain_error(context, command.text, given, command.args);
+        }
         return words + command.args;
     }
     return play_any(context, command, words);
@@ -113,7 +127,7 @@ void play_up_to(Context& context, const Word* at, const Word* end) {
 
 const Word* play_call(Context& context, const Word* words) {
     if (*words == 0)
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("list is 0"));
     return enter(context, *words, words + 1);
 }
 

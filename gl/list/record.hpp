@@ -3,6 +3,8 @@
 // drops it.
 #pragma once
 
+#include <type_traits>
+
 #include "gl/api/family.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/error.hpp"
@@ -24,9 +26,9 @@ struct Player {
     std::uint8_t args = 0;  ///< how many it has
     Form form = Form::words;
 #if SPANGLE_MESSAGES
-    const char* refusal = nullptr;
+    const CommandText* text = nullptr;
 #else
-    static constexpr const char* refusal = nullptr;
+    static constexpr const CommandText* text = nullptr;
 #endif
 };
 
@@ -36,13 +38,18 @@ using Play = const Word*(Context& context, const Word* words);
 struct OwnPlayer : Player {
     Play* play = nullptr;
 };
-constexpr OwnPlayer own_player(Play* play) {
+/// `F` is the family whose command the record is, if its errors are to be explained after it was played.
+template <class F> constexpr OwnPlayer own_player(Play* play) {
     OwnPlayer player;
     player.form = Form::own;
     player.play = play;
+#if SPANGLE_MESSAGES
+    if constexpr (!std::is_void_v<F>)
+        player.text = F::text;
+#endif
     return player;
 }
-template <auto play> inline constexpr OwnPlayer player = own_player(play);
+template <auto play, class F = void> inline constexpr OwnPlayer player = own_player<F>(play);
 
 inline constexpr std::uint32_t player_words = sizeof(Player*) / sizeof(Word);
 inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///< of a position in a list
@@ -51,7 +58,14 @@ inline constexpr std::uint32_t address_words = sizeof(void*) / sizeof(Word); ///
 Word* record(Context& context, const Player* player, std::uint32_t words);
 
 /// Stores a command that is already known to fail: it raises `code` when executed, or INVALID_OPERATION
-/// between Begin and End unless it is allowed there.
+/// between Begin and End unless it is allowed there. `rule` is as that of error().
+#if SPANGLE_MESSAGES
+void record_error(Context& context, GLenum code, bool inside, const char* rule = nullptr);
+#else
 void record_error(Context& context, GLenum code, bool inside);
+inline void record_error(Context& context, GLenum code, bool inside, const char*) {
+    record_error(context, code, inside);
+}
+#endif
 
 } // namespace spangle::gl::list

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "gl/api/command.hpp"
+#include "gl/api/explain.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/arena.hpp"
 #include "gl/context/share_group.hpp"
@@ -186,19 +187,49 @@ void write(Context& context, const Command& command, const Arg* args) {
 
 namespace {
 
+#if SPANGLE_MESSAGES
+/// What the sentence of a recorded error is made of.
+struct RecordedError {
+    const CommandText* text;
+    const char* rule;
+    Arg args[most_explained];
+};
+constexpr std::uint32_t sentence_words = sizeof(RecordedError) / sizeof(Word);
+#else
+constexpr std::uint32_t sentence_words = 0;
+#endif
+
 const Word* play_error(Context& context, const Word* words) {
     const bool inside = words[1] != 0;
+#if SPANGLE_MESSAGES
+    RecordedError recorded;
+    std::memcpy(&recorded, words + 2, sizeof recorded);
+    if (inside || allowed_outside(context, recorded.text)) {
+        error(context, words[0], recorded.rule);
+        explain_unpacked(context, *recorded.text, recorded.args, recorded.text->count);
+    }
+#else
     if (inside || allowed_outside(context, nullptr))
         error(context, words[0]);
-    return words + 2;
+#endif
+    return words + 2 + sentence_words;
 }
 
 } // namespace
 
+#if SPANGLE_MESSAGES
+void record_error(Context& context, GLenum code, bool inside, const char* rule) {
+    RecordedError recorded{context.compiled.text, rule, {}};
+    unpack(*recorded.text, context.compiled.args, recorded.text->count, recorded.args);
+#else
 void record_error(Context& context, GLenum code, bool inside) {
-    if (Word* to = record(context, &player<&play_error>, 2); to != nullptr) {
+#endif
+    if (Word* to = record(context, &player<&play_error>, 2 + sentence_words); to != nullptr) {
         to[0] = code;
         to[1] = inside;
+#if SPANGLE_MESSAGES
+        std::memcpy(to + 2, &recorded, sizeof recorded);
+#endif
     }
 }
 

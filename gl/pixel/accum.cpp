@@ -43,9 +43,8 @@ void Accum(Context& context, GLenum op, Real value) {
         return error(context, GL_INVALID_ENUM);
     const raster::Surface& surface = context.drawable.surface;
     if (surface.accum == nullptr || is_indexed(context.drawable))
-        return error(
-            context, GL_INVALID_OPERATION,
-            SPANGLE_TEXT("glAccum: this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));
     if (!context.render.draws())
         return; // the framebuffer does not change (GL 1.3, 5.2)
     const raster::AccumRequest request = request_of(context, op, value);

@@ -37,7 +37,7 @@ void Clear(Context& context, GLbitfield mask) {
     constexpr GLbitfield known =
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     if ((mask & ~known) != 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("mask has a bit that is no buffer"));
     if (!context.render.draws())
         return; // no fragments, no change of the framebuffer (GL 1.3, 5.2)
     const FragmentOpsState& ops = context.fragment_ops;

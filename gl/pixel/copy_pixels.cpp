@@ -147,7 +147,7 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
         aside = set_aside(context, source);
         if (aside == nullptr)
             return error(context, GL_OUT_OF_MEMORY,
-                         SPANGLE_TEXT("glCopyPixels: no room in the arena to zoom what overlaps its copy"));
+                         SPANGLE_TEXT("no room in the arena to zoom what overlaps its copy"));
     }
     draw_rectangle(context, source, exact ? raster::Colors::of_pixels_565 : raster::Colors::of_pixels, order);
     context.arena->free(aside);
@@ -163,8 +163,7 @@ void cmd::CopyPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei 
     const DepthFormat from = context.drawable.read.depth_format, to = context.drawable.surface.depth_format;
     if ((type == GL_DEPTH && from == DepthFormat::none) ||
         (type == GL_STENCIL && (from != DepthFormat::z24s8 || to != DepthFormat::z24s8)))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glCopyPixels: the surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the surface has no such buffer"));
     if (!raster_position_draws(context, GL_COPY_PIXEL_TOKEN))
         return;
     static_assert(GL_STENCIL - GL_DEPTH ==

@@ -49,19 +49,18 @@ void DrawPixels(Context& context, GLsizei width, GLsizei height, GLenum format, 
     PixelLayout layout;
     const GLenum refused = pixel_layout(format, type, layout);
     if (refused != GL_NO_ERROR)
-        return error(context, refused, SPANGLE_TEXT("glDrawPixels: format and type do not go together"));
+        return error(context, refused, SPANGLE_TEXT("format and type do not go together"));
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
     const bool index_mode = is_indexed(context.drawable);
     const Content content = content_of(layout, index_mode);
     if (content == Content::color && index_mode)
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glDrawPixels: colours, but this surface holds colour indices"));
+                     SPANGLE_TEXT("colours, but this surface holds colour indices"));
     if (content == Content::stencil && context.drawable.surface.depth_format != DepthFormat::z24s8)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glDrawPixels: the surface has no stencil buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the surface has no stencil buffer"));
     if (pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawPixels: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     if (!raster_position_draws(context, GL_DRAW_PIXEL_TOKEN))
         return;
     const ClientGroups source(context, layout, content, width, height, pixels);

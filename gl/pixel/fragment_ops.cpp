@@ -118,8 +118,7 @@ void DrawBuffer(Context& context, GLenum mode) {
     const Drawable& drawable = context.drawable;
     const unsigned exists = existing_buffer(drawable.double_buffered, drawable.front_buffered);
     if (mode != GL_NONE && (asked & exists) == 0)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glDrawBuffer: this surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("this surface has no such buffer"));
     context.fragment_ops.draw_buffer = mode;
     context.changed(dirty_fragment);
 }
@@ -131,8 +130,7 @@ void ReadBuffer(Context& context, GLenum mode) {
     const Drawable& drawable = context.drawable;
     const unsigned exists = existing_buffer(drawable.read_double_buffered, drawable.read_front_buffered);
     if ((asked & exists) == 0)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glReadBuffer: this surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("this surface has no such buffer"));
     context.fragment_ops.read_buffer = mode;
 }
 

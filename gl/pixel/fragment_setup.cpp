@@ -301,7 +301,7 @@ const raster::DrawState& draw_state(Context& context, Drawn drawn, raster::Color
         cache.state.primitive = &cache.primitive;
 #if !SPANGLE_CHAIN
         if (cache.state.lacks_span)
-            error(
+            drawing_error(
                 context, GL_INVALID_OPERATION,
                 SPANGLE_TEXT("nothing is drawn: this build has no span for this state (SPANGLE_FUSED) and no "
                              "chain"));

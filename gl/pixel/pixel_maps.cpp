@@ -82,14 +82,12 @@ namespace cmd {
 
 void PixelMap(Context& context, GLenum map, GLsizei size, const Values& values) {
     if (const GLenum code = pixel_map_error(map, size, values); code != GL_NO_ERROR)
-        return error(
-            context, code,
-            SPANGLE_TEXT("glPixelMap: up to 256 entries, a power of two where indices address them"));
+        return error(context, code, pixel_map_rule(values));
     const unsigned name = map - GL_PIXEL_MAP_I_TO_I;
     const auto count = static_cast<std::size_t>(size);
     void* const memory = context.arena->allocate(sizeof(gl::PixelMap) + count * sizeof(std::uint32_t));
     if (memory == nullptr)
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glPixelMap: no room in the arena for the map"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for the map"));
     auto* const table = static_cast<gl::PixelMap*>(memory);
     *table = {size, is_of_indices(name) && (values.type != GL_FLOAT || name == map_s_to_s)};
     for (std::size_t i = 0; i < count; ++i)
@@ -103,7 +101,7 @@ void GetPixelMap(Context& context, GLenum map, const Values& values) {
     if (name >= pixel_maps)
         return error(context, GL_INVALID_ENUM);
     if (values.at == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetPixelMap: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     const gl::PixelMap* const table = context.pixel_mode.map[name];
     if (table == nullptr) // of size 1, the entry is 0
         return store(values, 0, 0);

@@ -1,11 +1,19 @@
 // What is wrong with the arguments of PixelMap, for the command and for its record in a display list.
 #pragma once
 
+#include "gl/context/error.hpp"
 #include "gl/pixel/pixel_mode_state.hpp"
 
 namespace spangle::gl {
 
 /// NO_ERROR, or what the command raises.
 GLenum pixel_map_error(GLenum map, GLsizei size, const Values& values);
+
+/// The rule behind its INVALID_VALUE, for people; null: a pointer is null.
+inline const char* pixel_map_rule([[maybe_unused]] const Values& values) {
+    return values.at == nullptr
+               ? nullptr
+               : SPANGLE_TEXT("a map has 1 to 256 entries, a power of two where indices address them");
+}
 
 } // namespace spangle::gl

@@ -56,7 +56,9 @@ template <class T> void get_object(Context& context, GLuint id, GLenum pname, T*
     if (params == nullptr)
         return error(context, GL_INVALID_VALUE);
     if (result == nullptr || id == context.query.active)
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION,
+                     result == nullptr ? SPANGLE_TEXT("id is not a query object")
+                                       : SPANGLE_TEXT("the query is active"));
     constexpr auto most = static_cast<GLuint>(std::numeric_limits<T>::max());
     *params = static_cast<T>(pname == GL_QUERY_RESULT_AVAILABLE ? GL_TRUE : *result < most ? *result : most);
 }
@@ -115,9 +117,10 @@ void BeginQuery(Context& context, GLenum target, GLuint id) {
     if (target != GL_SAMPLES_PASSED)
         return error(context, GL_INVALID_ENUM);
     if (id == 0 || query.active != 0)
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION,
+                     id == 0 ? SPANGLE_TEXT("id is 0") : SPANGLE_TEXT("a query is active already"));
     if (make_result(context, id) == nullptr)
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBeginQuery: no room in the arena"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena"));
     query.active = id;
     query.counted = 0;
     query.start = passed(context);
@@ -129,7 +132,7 @@ void EndQuery(Context& context, GLenum target) {
     if (target != GL_SAMPLES_PASSED)
         return error(context, GL_INVALID_ENUM);
     if (query.active == 0)
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("no query is active"));
     *result_of(context, query.active) = query.counted + passed(context) - query.start;
     query.active = 0;
     context.changed(dirty_fragment);

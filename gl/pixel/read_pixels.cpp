@@ -64,21 +64,20 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
     const bool index_mode = is_indexed(context.drawable);
     if (format == GL_COLOR_INDEX && !index_mode)
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glReadPixels: GL_COLOR_INDEX, but the colours of this surface are RGBA"));
+                     SPANGLE_TEXT("GL_COLOR_INDEX, but the colours of this surface are RGBA"));
     PixelLayout layout;
     const GLenum refused = pixel_layout(format, type, layout);
     if (refused != GL_NO_ERROR)
-        return error(context, refused, SPANGLE_TEXT("glReadPixels: format and type do not go together"));
+        return error(context, refused, SPANGLE_TEXT("format and type do not go together"));
     if (width < 0 || height < 0)
         return error(context, GL_INVALID_VALUE);
     const raster::Surface& surface = read_surface(context);
     const Content content = content_of(layout, index_mode);
     if ((content == Content::depth && surface.depth_format == DepthFormat::none) ||
         (content == Content::stencil && surface.depth_format != DepthFormat::z24s8))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glReadPixels: the surface has no such buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the surface has no such buffer"));
     if (pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glReadPixels: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     const gl::PixelStore& pack = context.pixel_store.pack;
     Read to{nullptr, layout, content, Transfer(context.pixel_mode), pack.swap_bytes, pack.lsb_first};
     ReadRows source(context);

@@ -91,8 +91,7 @@ void load(Context& context, const CompressedImage& from) {
             continue;
         for (LevelImage* image : made)
             context.share->arena.free(image);
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glCompressedTexImage2D: no room in the arena for this level"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for this level"));
     }
     put_levels(context, from, made);
 }
@@ -101,10 +100,9 @@ void compressed_image(Context& context, GLenum target, GLint level, GLenum inter
                       GLsizei height, GLint border, GLsizei size, const void* data, bool constant) {
     ImageTarget of;
     if (!is_compressed(internal_format) || !is_held(internal_format))
-        return error(
-            context, GL_INVALID_ENUM,
-            SPANGLE_TEXT("glCompressedTexImage2D: not a compressed format of this GL, or one that this build "
-                         "leaves out (SPANGLE_TEXTURE_FORMATS)"));
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("not a compressed format of this GL, or one that this build "
+                                  "leaves out (SPANGLE_TEXTURE_FORMATS)"));
     if (!find_image_target(context, target, 2, of))
         return;
     const bool palette = is_palette(internal_format);
@@ -113,7 +111,9 @@ void compressed_image(Context& context, GLenum target, GLint level, GLenum inter
     if (!is_level(first) || (palette && level > 0) || border != 0 || width < 0 || height < 0 ||
         width > max_texture_size >> first || height > max_texture_size >> first ||
         (of.kind == TextureKind::cube && width != height))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("border is not 0, the level or its sizes are beyond the largest texture, "
+                                  "or a cube is not square"));
     const CompressedImage from{internal_format,
                                of,
                                first,
@@ -124,13 +124,13 @@ void compressed_image(Context& context, GLenum target, GLint level, GLenum inter
                                constant};
     if (static_cast<std::uint32_t>(size) != from.all_bytes())
         return error(context, GL_INVALID_VALUE,
-                     SPANGLE_TEXT("glCompressedTexImage2D: imageSize is not that of the format and sizes"));
+                     SPANGLE_TEXT("imageSize is not that of the format and sizes"));
     if (of.proxy) {
         context.texture.proxy(of.kind, first) = from.shape(0);
         return;
     }
     if (data == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glCompressedTexImage2D: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     load(context, from);
 }
 
@@ -151,35 +151,37 @@ void CompressedTexConstantImage2DSPANGLE(Context& context, GLenum target, GLint 
 
 /// No format has one or three dimensions, and none can be changed in part.
 void CompressedTexImage1D(Context& context, GLenum, GLint, GLenum, GLsizei, GLint, GLsizei, const void*) {
-    error(context, GL_INVALID_ENUM);
+    error(context, GL_INVALID_ENUM, SPANGLE_TEXT("no compressed format has one dimension"));
 }
 void CompressedTexImage3D(Context& context, GLenum, GLint, GLenum, GLsizei, GLsizei, GLsizei, GLint, GLsizei,
                           const void*) {
-    error(context, GL_INVALID_ENUM);
+    error(context, GL_INVALID_ENUM, SPANGLE_TEXT("no compressed format has three dimensions"));
 }
 void CompressedTexSubImage1D(Context& context, GLenum, GLint, GLint, GLsizei, GLenum, GLsizei, const void*) {
-    error(context, GL_INVALID_ENUM);
+    error(context, GL_INVALID_ENUM, SPANGLE_TEXT("no compressed format has one dimension"));
 }
 void CompressedTexSubImage3D(Context& context, GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei,
                              GLenum, GLsizei, const void*) {
-    error(context, GL_INVALID_ENUM);
+    error(context, GL_INVALID_ENUM, SPANGLE_TEXT("no compressed format has three dimensions"));
 }
 void CompressedTexSubImage2D(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                              GLsizei width, GLsizei height, GLenum format, GLsizei imageSize,
                              const void* data) {
     ImageTarget of;
     if (!is_compressed(format))
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("format is not a compressed format of this build"));
     if (!find_stored_target(context, target, 2, of))
         return;
     if (!is_level(level) || width < 0 || height < 0 || imageSize < 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("level is above the smallest image of the largest texture"));
     const LevelImage* const image = bound_texture(context, of.kind).image(of.face, level);
     const bool whole = image != nullptr && image->shape.internal_format == format && xoffset == 0 &&
                        yoffset == 0 && width == image->shape.size[0] && height == image->shape.size[1];
     if (!whole || is_palette(format))
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glCompressedTexSubImage2D: only the whole of an image of that format"));
+                     SPANGLE_TEXT("only the whole of an image of that format"));
     compressed_image(context, target, level, format, width, height, 0, imageSize, data, false);
 }
 

@@ -41,21 +41,18 @@ void constant_image(Context& context, const ImageRequest& request, GLsizei size,
         return;
     }
     if (request.border != 0 || size < 0 || static_cast<std::uint32_t>(size) != bytes || data == nullptr)
-        return error(
-            context, GL_INVALID_VALUE,
-            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: imageSize is not that of the format and sizes, "
-                         "a border, or a null pointer"));
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("imageSize is not that of the format and sizes, "
+                                  "a border, or a null pointer"));
     // Texels of 16 and 32 bits are read as words.
     const std::uint32_t word = texel_size(shape.format);
     if (word != 3 && (reinterpret_cast<std::uintptr_t>(data) & (word - 1)) != 0)
-        return error(
-            context, GL_INVALID_VALUE,
-            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: texels of 16 or 32 bits at an address that is "
-                         "no multiple of their size"));
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("texels of 16 or 32 bits at an address that is "
+                                  "no multiple of their size"));
     auto* const image = static_cast<LevelImage*>(context.share->arena.allocate(sizeof(LevelImage)));
     if (image == nullptr)
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glTexConstantImage2DSPANGLE: no room in the arena for this level"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for this level"));
     *image = {shape, stride, bytes, static_cast<const std::uint8_t*>(data), {nullptr}};
     put_image(context, bound_texture(context, request.target.kind), request.target.face, request.level,
               image);
@@ -70,9 +67,8 @@ void TexConstantImage2DSPANGLE(Context& context, GLenum target, GLint level, GLe
                                const void* data) {
     ImageTarget of;
     if (!has_sizes(internalformat))
-        return error(
-            context, GL_INVALID_ENUM,
-            SPANGLE_TEXT("glTexConstantImage2DSPANGLE: not a format of 8, 16, 24 or 32 bits with sizes"));
+        return error(context, GL_INVALID_ENUM,
+                     SPANGLE_TEXT("not a format of 8, 16, 24 or 32 bits with sizes"));
     if (find_image_target(context, target, 2, of))
         constant_image(context, {of, level, static_cast<GLint>(internalformat), {width, height, 1}, border},
                        imageSize, data);

@@ -49,17 +49,16 @@ bool copies_to(const Context& context, GLint internal_format) {
 void copy_image(Context& context, const ImageRequest& request, GLint x, GLint y) {
     LevelShape shape;
     if (!copies_to(context, request.internal_format))
-        return error(context, GL_INVALID_ENUM, SPANGLE_TEXT("glCopyTexImage: not an internal format"));
+        return error(context, GL_INVALID_ENUM, SPANGLE_TEXT("not an internal format"));
     if (!shape_of(context, request, shape))
         return;
     if (is_depth(shape.format) && !has_depth(context))
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glCopyTexImage: there is no depth buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("there is no depth buffer"));
     TextureObject& texture = bound_texture(context, request.target.kind);
     shape.format = format_beside(texture, request.level, shape);
     LevelImage* const image = new_image(context.share->arena, shape);
     if (image == nullptr)
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glCopyTexImage: no room in the arena for this level"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for this level"));
     clear_texels(*image);
     copy_pixels(context, *image, whole_box(shape), x, y);
     put_image(context, texture, request.target.face, request.level, image);
@@ -71,8 +70,7 @@ void copy_sub_image(Context& context, const SubImage& sub, GLint x, GLint y) {
     if (image == nullptr)
         return;
     if (is_depth(image->shape.format) && !has_depth(context))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glCopyTexSubImage: there is no depth buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("there is no depth buffer"));
     copy_pixels(context, *image, box, x, y);
     image_written(context, bound_texture(context, sub.target.kind), sub.target.face, sub.level);
 }

@@ -93,14 +93,14 @@ bool left_out(Context& context, GLenum pname) {
     if (pname != GL_TEXTURE_ENV_MODE && pname != GL_TEXTURE_ENV_COLOR && pname != GL_TEXTURE_LOD_BIAS &&
         pname != GL_COORD_REPLACE && find_shape(shape::TexEnv, pname).count != 0) {
         error(context, GL_INVALID_OPERATION,
-              SPANGLE_TEXT("glTexEnv: this build has no SPANGLE_FEATURE_TEXTURE_COMBINE"));
+              SPANGLE_TEXT("this build has no SPANGLE_FEATURE_TEXTURE_COMBINE"));
         return true;
     }
 #endif
 #if !SPANGLE_FEATURE_POINT_PARAMETERS
     if (pname == GL_COORD_REPLACE) {
         error(context, GL_INVALID_OPERATION,
-              SPANGLE_TEXT("glTexEnv: this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
+              SPANGLE_TEXT("this build has no SPANGLE_FEATURE_POINT_PARAMETERS"));
         return true;
     }
 #endif
@@ -166,7 +166,8 @@ void ActiveTexture(Context& context, GLenum texture) {
 void TexEnv(Context& context, GLenum target, GLenum pname, const Params& params) {
     TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
     if (!legal_target(target, pname) || params.count == 0)
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM,
+                     legal_target(target, pname) ? nullptr : SPANGLE_TEXT("pname is not of this target"));
     if (left_out(context, pname))
         return;
     if (pname == GL_TEXTURE_LOD_BIAS) {
@@ -185,7 +186,7 @@ void GetTexEnv(Context& context, GLenum target, GLenum pname, Params& params) {
     TexEnvState& env = context.texture.unit[context.texture.active_unit()].env;
     params.count = 0;
     if (!legal_target(target, pname))
-        return error(context, GL_INVALID_ENUM);
+        return error(context, GL_INVALID_ENUM, SPANGLE_TEXT("pname is not of this target"));
     if (left_out(context, pname))
         return;
     if (pname == GL_TEXTURE_LOD_BIAS) {

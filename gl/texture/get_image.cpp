@@ -17,7 +17,8 @@ const LevelImage* find_image(Context& context, GLenum target, GLint level) {
     if (!find_stored_target(context, target, 0, of))
         return nullptr;
     if (!is_level(level)) {
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE,
+              SPANGLE_TEXT("level is above the smallest image of the largest texture"));
         return nullptr;
     }
     const LevelImage* const image = bound_texture(context, of.kind).image(of.face, level);
@@ -51,7 +52,7 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
         return error(context, GL_INVALID_ENUM);
     PixelLayout layout;
     if (const GLenum refused = pixel_layout(format, type, layout); refused != GL_NO_ERROR)
-        return error(context, refused, SPANGLE_TEXT("glGetTexImage: format and type do not go together"));
+        return error(context, refused, SPANGLE_TEXT("format and type do not go together"));
     const LevelImage* const image = find_image(context, target, level);
     if (image == nullptr)
         return;
@@ -62,11 +63,11 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
         layout.channel[0] = Channel::red;
     if (is_compressed(image->shape.internal_format) || depth != is_depth(image->shape.format))
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glGetTexImage: the image has no such components, or is compressed"));
+                     SPANGLE_TEXT("the image has no such components, or is compressed"));
     if (image->shape.empty())
         return;
     if (pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetTexImage: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     pack_image(*image, context.pixel_store.pack, layout, pixels);
 }
 
@@ -77,10 +78,9 @@ void GetCompressedTexImage(Context& context, GLenum target, GLint level, void* p
     if (image == nullptr)
         return;
     if (!is_compressed(image->shape.internal_format))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glGetCompressedTexImage: the image is not compressed"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the image is not compressed"));
     if (pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetCompressedTexImage: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     auto* to = static_cast<unsigned char*>(pixels);
     const std::size_t palette = palette_bytes(image->shape.internal_format);
     if (palette != 0)

@@ -29,7 +29,7 @@ LevelImage* writable(Context& context, const SubImage& sub) {
     LevelImage* const copy = new_image(context.share->arena, place->shape);
     if (copy == nullptr) {
         error(context, GL_OUT_OF_MEMORY,
-              SPANGLE_TEXT("glTexSubImage: no room in the arena for a copy of the image, which is constant "
+              SPANGLE_TEXT("no room in the arena for a copy of the image, which is constant "
                            "or recorded"));
         return nullptr;
     }
@@ -47,13 +47,12 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
     GLint internal_format = request.internal_format;
     if (!texel_format_of(internal_format, context.drawable.surface.format, shape.format)) {
         error(context, GL_INVALID_VALUE,
-              SPANGLE_TEXT("glTexImage: not an internal format, or one that this build leaves out "
+              SPANGLE_TEXT("not an internal format, or one that this build leaves out "
                            "(SPANGLE_TEXTURE_FORMATS)"));
         return false;
     }
     if (is_depth(shape.format) && kind != TextureKind::one && kind != TextureKind::two) {
-        error(context, GL_INVALID_OPERATION,
-              SPANGLE_TEXT("glTexImage: depths are 1D and 2D (GL 1.4, 3.8.1)"));
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("depths are 1D and 2D (GL 1.4, 3.8.1)"));
         return false;
     }
     shape.internal_format = static_cast<std::uint16_t>(internal_format);
@@ -69,11 +68,14 @@ bool shape_of(Context& context, const ImageRequest& request, LevelShape& shape) 
         shape.size[axis] = static_cast<std::uint16_t>(side);
     }
     if (!is_level(request.level) || request.border < 0 || request.border > 1 || negative) {
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE,
+              is_level(request.level)
+                  ? SPANGLE_TEXT("border is neither 0 nor 1")
+                  : SPANGLE_TEXT("level is above the smallest image of the largest texture"));
         return false;
     }
     if (!legal && !request.target.proxy) {
-        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexImage: too large, or a cube that is not square"));
+        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("too large, or a cube that is not square"));
         return false;
     }
     if (!legal) { // an answer, all zero, and not an error (GL 1.3, 3.8.10)
@@ -89,16 +91,17 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
     for (const GLsizei size : sub.size)
         negative = negative || size < 0;
     if (negative) {
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE,
+              SPANGLE_TEXT("level is above the smallest image of the largest texture"));
         return nullptr;
     }
     LevelImage* const image = bound_texture(context, sub.target.kind).image(sub.target.face, sub.level);
     if (image == nullptr) {
-        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glTexSubImage: the level has no image yet"));
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the level has no image yet"));
         return nullptr;
     }
     if (is_compressed(image->shape.internal_format)) {
-        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glTexSubImage: the image is compressed"));
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the image is compressed"));
         return nullptr;
     }
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -106,7 +109,7 @@ LevelImage* find_box(Context& context, const SubImage& sub, TexelBox& out) {
         const std::uint32_t at = static_cast<std::uint32_t>(sub.at[axis]) + image->shape.border_along(axis),
                             size = static_cast<std::uint32_t>(sub.size[axis]), all = image->shape.size[axis];
         if (at > all || size > all - at) {
-            error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage: the box leaves the image"));
+            error(context, GL_INVALID_VALUE, SPANGLE_TEXT("the box leaves the image"));
             return nullptr;
         }
         out.at[axis] = at;

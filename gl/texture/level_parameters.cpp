@@ -81,7 +81,8 @@ void cmd::GetTexLevelParameter(Context& context, GLenum target, GLint level, GLe
     if (!find_image_target(context, target, 0, of))
         return;
     if (!is_level(level))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("level is above the smallest image of the largest texture"));
     static constexpr LevelShape none{};
     const LevelImage* const image =
         of.proxy ? nullptr : bound_texture(context, of.kind).image(of.face, level);
@@ -91,8 +92,7 @@ void cmd::GetTexLevelParameter(Context& context, GLenum target, GLint level, GLe
     std::uint32_t value = 0;
     if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE) {
         if (image == nullptr || !is_compressed(shape.internal_format))
-            return error(context, GL_INVALID_OPERATION,
-                         SPANGLE_TEXT("glGetTexLevelParameter: the image is not compressed"));
+            return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the image is not compressed"));
         value = palette_bytes(shape.internal_format) + image->bytes;
     } else if (!value_of(shape, pname, value)) {
         return error(context, GL_INVALID_ENUM);

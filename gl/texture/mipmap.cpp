@@ -129,8 +129,7 @@ void GenerateMipmap(Context& context, GLenum target) {
         return;
     TextureObject& texture = bound_texture(context, kind);
     if (kind == TextureKind::cube && !is_cube_complete(texture))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glGenerateMipmap: the six faces are not alike"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the six faces are not alike"));
     for (unsigned face = 0; face < texture.faces(); ++face)
         generate_mipmaps(context, texture, face, texture.parameters.max_level);
 }

@@ -166,11 +166,10 @@ void BindTexture(Context& context, GLenum target, GLuint texture) {
     TextureObject*& bound = context.texture.unit[context.texture.active_unit()].bound[index_of(there(kind))];
     TextureObject* object = texture == 0 ? nullptr : object_of(*context.share, texture, kind);
     if (texture != 0 && object == nullptr)
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glBindTexture: no room in the arena for a new object"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for a new object"));
     if (object != nullptr && there(object->kind) != there(kind))
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glBindTexture: the texture was bound to another target before"));
+                     SPANGLE_TEXT("the texture was bound to another target before"));
     bind_object(context, bound, object);
 }
 
@@ -186,7 +185,7 @@ GLboolean AreTexturesResident(Context& context, GLsizei n, const GLuint* texture
     }
     for (GLsizei i = 0; i < n; ++i)
         if (IsTexture(context, textures[i]) == GL_FALSE) {
-            error(context, GL_INVALID_VALUE);
+            error(context, GL_INVALID_VALUE, SPANGLE_TEXT("textures has a name that is no texture"));
             return GL_FALSE;
         }
     return GL_TRUE; // there is one kind of memory; then the array stays as it is (GL 1.3, 3.8.12)

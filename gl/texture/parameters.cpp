@@ -142,11 +142,11 @@ bool left_out(Context& context, GLenum pname) {
         (pname == GL_DEPTH_TEXTURE_MODE || pname == GL_TEXTURE_COMPARE_MODE ||
          pname == GL_TEXTURE_COMPARE_FUNC)) {
         absent = true;
-        missing = SPANGLE_TEXT("glTexParameter: this build has no SPANGLE_FEATURE_DEPTH_TEXTURES");
+        missing = SPANGLE_TEXT("this build has no SPANGLE_FEATURE_DEPTH_TEXTURES");
     }
     if (!SPANGLE_FEATURE_MIPMAP_GENERATION && pname == GL_GENERATE_MIPMAP) {
         absent = true;
-        missing = SPANGLE_TEXT("glTexParameter: this build has no SPANGLE_FEATURE_MIPMAP_GENERATION");
+        missing = SPANGLE_TEXT("this build has no SPANGLE_FEATURE_MIPMAP_GENERATION");
     }
     if (absent)
         error(context, GL_INVALID_OPERATION, missing);

@@ -13,13 +13,13 @@ namespace {
 bool find_layout(Context& context, const ImageCommand& client, PixelLayout& layout) {
     if (client.format == GL_DEPTH_COMPONENT && !SPANGLE_FEATURE_DEPTH_TEXTURES) {
         error(context, GL_INVALID_OPERATION,
-              SPANGLE_TEXT("glTexImage: this build has no SPANGLE_FEATURE_DEPTH_TEXTURES"));
+              SPANGLE_TEXT("this build has no SPANGLE_FEATURE_DEPTH_TEXTURES"));
         return false;
     }
     const bool index = client.format == GL_STENCIL_INDEX;
     const GLenum refused = index ? GLenum{GL_INVALID_ENUM} : pixel_layout(client.format, client.type, layout);
     if (refused != GL_NO_ERROR)
-        error(context, refused, SPANGLE_TEXT("glTexImage: format and type do not go together"));
+        error(context, refused, SPANGLE_TEXT("format and type do not go together"));
     return refused == GL_NO_ERROR;
 }
 
@@ -28,7 +28,7 @@ bool goes_into(Context& context, const PixelLayout& layout, raster::TexelFormat 
     if ((layout.channel[0] == Channel::depth) == is_depth(format))
         return true;
     error(context, GL_INVALID_OPERATION,
-          SPANGLE_TEXT("glTexImage: GL_DEPTH_COMPONENT and depth textures go together only"));
+          SPANGLE_TEXT("GL_DEPTH_COMPONENT and depth textures go together only"));
     return false;
 }
 
@@ -38,8 +38,7 @@ void make_image(Context& context, const ImageRequest& request, LevelShape& shape
     shape.format = format_beside(texture, request.level, shape);
     LevelImage* const image = new_image(context.share->arena, shape);
     if (image == nullptr)
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glTexImage: no room in the arena for this level"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for this level"));
     if (pixels != nullptr)
         store_texels(context, *image, whole_box(shape), layout, pixels);
     else
@@ -83,7 +82,7 @@ void tex_sub_image(Context& context, unsigned dimensions, const ImageCommand& gi
         box.size[1] == 0 || box.size[2] == 0)
         return;
     if (given.pixels == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glTexSubImage: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     store_texels(context, *image, box, layout, given.pixels);
     image_written(context, bound_texture(context, of.kind), of.face, given.level());
 }

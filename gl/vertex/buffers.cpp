@@ -102,7 +102,8 @@ BufferObject* bound(Context& context, GLenum target) {
     BufferObject* const* const binding = binding_of(context, target);
     BufferObject* const buffer = binding != nullptr ? *binding : nullptr;
     if (buffer == nullptr)
-        error(context, binding == nullptr ? GL_INVALID_ENUM : GL_INVALID_OPERATION);
+        error(context, binding == nullptr ? GL_INVALID_ENUM : GL_INVALID_OPERATION,
+              SPANGLE_TEXT("no buffer is bound to target"));
     return buffer;
 }
 
@@ -111,12 +112,24 @@ bool in_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
            static_cast<std::size_t>(size) <= buffer.size - static_cast<std::size_t>(offset);
 }
 
+/// The rule for people; null where a pointer is wrong instead.
+[[maybe_unused]] const char* why_out_of_range(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
+    return in_range(buffer, offset, size) ? nullptr : SPANGLE_TEXT("offset and size leave the buffer");
+}
+
 /// Some byte of the range, which is in_range(), is mapped.
 bool is_mapped(const BufferObject& buffer, GLintptr offset, GLsizeiptr size) {
     const auto begin = static_cast<std::size_t>(offset), end = begin + static_cast<std::size_t>(size);
     const std::size_t map_end = buffer.map_offset + buffer.map_length;
     return buffer.mapped &&
            (begin > buffer.map_offset ? begin : buffer.map_offset) < (end < map_end ? end : map_end);
+}
+
+/// Why a buffer cannot be mapped, for people.
+[[maybe_unused]] const char* why_not_mapped(const BufferObject& buffer) {
+    return buffer.mapped             ? SPANGLE_TEXT("the buffer is mapped already")
+           : buffer.bytes == nullptr ? SPANGLE_TEXT("the buffer has no data")
+                                     : SPANGLE_TEXT("constant memory is mapped for reading only");
 }
 
 bool is_usage(GLenum usage) { // STREAM, STATIC, DYNAMIC; each DRAW, READ, COPY
@@ -214,8 +227,7 @@ void BindBuffer(Context& context, GLenum target, GLuint buffer) {
         return error(context, GL_INVALID_ENUM);
     BufferObject* const object = buffer != 0 ? object_of(context, buffer) : nullptr;
     if (buffer != 0 && object == nullptr)
-        return error(context, GL_OUT_OF_MEMORY,
-                     SPANGLE_TEXT("glBindBuffer: no room in the arena for a new object"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for a new object"));
     bind_buffer(context, *binding, object);
 }
 
@@ -231,7 +243,7 @@ void BufferData(Context& context, GLenum target, GLsizeiptr size, const void* da
     auto* const bytes =
         static_cast<std::uint8_t*>(context.arena->allocate(size != 0 ? static_cast<std::size_t>(size) : 1));
     if (bytes == nullptr)
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBufferData: no room in the arena"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena"));
     if (data != nullptr)
         std::memcpy(bytes, data, static_cast<std::size_t>(size));
     else
@@ -257,9 +269,11 @@ void BufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeiptr 
     if (buffer == nullptr)
         return;
     if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, why_out_of_range(*buffer, offset, size));
     if (is_mapped(*buffer, offset, size) || buffer->constant)
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION,
+                     buffer->constant ? SPANGLE_TEXT("the buffer is constant memory")
+                                      : SPANGLE_TEXT("a part of the range is mapped"));
     if (size != 0)
         std::memcpy(buffer->bytes + offset, data, static_cast<std::size_t>(size));
 }
@@ -269,9 +283,9 @@ void GetBufferSubData(Context& context, GLenum target, GLintptr offset, GLsizeip
     if (buffer == nullptr)
         return;
     if (!in_range(*buffer, offset, size) || (data == nullptr && size != 0))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, why_out_of_range(*buffer, offset, size));
     if (is_mapped(*buffer, offset, size))
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("a part of the range is mapped"));
     if (size != 0)
         std::memcpy(data, buffer->bytes + offset, static_cast<std::size_t>(size));
 }
@@ -285,7 +299,7 @@ void* MapBuffer(Context& context, GLenum target, GLenum access) {
     if (buffer == nullptr)
         return nullptr;
     if (buffer->mapped || buffer->bytes == nullptr || (buffer->constant && access != GL_READ_ONLY)) {
-        error(context, GL_INVALID_OPERATION);
+        error(context, GL_INVALID_OPERATION, why_not_mapped(*buffer));
         return nullptr;
     }
     const GLbitfield flags =
@@ -302,13 +316,18 @@ void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeipt
         GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
     if (!in_range(*buffer, offset, length) ||
         (access & ~(GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | discards | GL_MAP_FLUSH_EXPLICIT_BIT)) != 0) {
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE,
+              in_range(*buffer, offset, length) ? SPANGLE_TEXT("access has a bit that is not defined")
+                                                : SPANGLE_TEXT("offset and length leave the buffer"));
         return nullptr;
     }
     if (buffer->mapped || buffer->bytes == nullptr || (!reads && !writes) ||
         (reads && (access & discards) != 0) || ((access & GL_MAP_FLUSH_EXPLICIT_BIT) != 0 && !writes) ||
         (buffer->constant && writes)) {
-        error(context, GL_INVALID_OPERATION);
+        error(context, GL_INVALID_OPERATION,
+              buffer->mapped || buffer->bytes == nullptr || (buffer->constant && writes)
+                  ? why_not_mapped(*buffer)
+                  : SPANGLE_TEXT("access asks for nothing, or for what excludes each other"));
         return nullptr;
     }
     return map(*buffer, static_cast<std::size_t>(offset), static_cast<std::size_t>(length), access,
@@ -323,12 +342,13 @@ void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GL
     if (buffer == nullptr)
         return;
     if (offset < 0 || length < 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("offset is negative"));
     if (!buffer->mapped || (buffer->map_flags & GL_MAP_FLUSH_EXPLICIT_BIT) == 0)
-        return error(context, GL_INVALID_OPERATION);
+        return error(context, GL_INVALID_OPERATION,
+                     SPANGLE_TEXT("the buffer is not mapped with GL_MAP_FLUSH_EXPLICIT_BIT"));
     if (static_cast<std::size_t>(offset) > buffer->map_length ||
         static_cast<std::size_t>(length) > buffer->map_length - static_cast<std::size_t>(offset))
-        error(context, GL_INVALID_VALUE);
+        error(context, GL_INVALID_VALUE, SPANGLE_TEXT("offset and length leave the mapped range"));
 }
 
 GLboolean UnmapBuffer(Context& context, GLenum target) {
@@ -336,7 +356,7 @@ GLboolean UnmapBuffer(Context& context, GLenum target) {
     if (buffer == nullptr)
         return GL_FALSE;
     if (!buffer->mapped) {
-        error(context, GL_INVALID_OPERATION);
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the buffer is not mapped"));
         return GL_FALSE;
     }
     buffer->mapped = false;

@@ -21,7 +21,7 @@ void GetClipPlane(Context& context, GLenum plane, GLdouble* equation) {
     if (plane - GL_CLIP_PLANE0 >= max_clip_planes)
         return error(context, GL_INVALID_ENUM);
     if (equation == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetClipPlane: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     const Real(&kept)[4] = context.transform.clip_plane[plane - GL_CLIP_PLANE0];
     for (int i = 0; i < 4; ++i)
         equation[i] = convert::to_double(Kind::real, Param::from(kept[i]));

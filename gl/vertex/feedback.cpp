@@ -62,8 +62,7 @@ void FeedbackBuffer(Context& context, GLsizei size, GLenum type, const Values& b
     if (!is_feedback_type(type))
         return error(context, GL_INVALID_ENUM);
     if (context.render.mode == GL_FEEDBACK)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glFeedbackBuffer while feedback is written"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("not while feedback is written"));
     FeedbackState& f = context.render.feedback;
     f = FeedbackState{};
     f.buffer = buffer.at;

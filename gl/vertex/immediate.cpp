@@ -86,7 +86,7 @@ void Begin(Context& context, GLenum mode) {
 
 void End(Context& context) {
     if (!context.inside_begin_end())
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glEnd without glBegin"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("no glBegin came before"));
     context.engine->end(context);
     set_gate(context, false);
     context.share->lock.give();
@@ -163,11 +163,10 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
     if (!takes(context, mode))
         return;
     if (first < 0 || count < 0)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("first or count is negative"));
     Indices found{.first = static_cast<std::uint32_t>(first)};
     if (!find_indices(context, static_cast<std::uint32_t>(count), found))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glDrawArrays: an element beyond its buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an element beyond its buffer"));
     draw(context, mode, count, found);
 }
 
@@ -179,11 +178,10 @@ void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, con
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return error(context, GL_INVALID_ENUM);
     if (indices == nullptr && count > 0 && context.arrays.element_buffer == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glDrawElements: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     Indices found{.type = type, .data = indices};
     if (!find_indices(context, static_cast<std::uint32_t>(count), found))
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glDrawElements: an index or an element beyond its buffer"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("an index or an element beyond its buffer"));
     draw(context, mode, count, found);
 }
 
@@ -192,7 +190,7 @@ void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, 
     if (!takes(context, mode))
         return;
     if (end < start)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("end is less than start"));
     DrawElements(context, mode, count, type, indices); // the range is a promise we do not need
 }
 

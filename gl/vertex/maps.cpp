@@ -47,16 +47,16 @@ bool side_is_wrong(const MapArguments::Side& side, unsigned components) {
 
 void define(Context& context, const MapArguments& given, unsigned dimension) {
     if (const GLenum code = map_error(given, dimension); code != GL_NO_ERROR)
-        return error(context, code);
+        return error(context, code, map_rule(given));
     if (context.texture.active != 0)
         return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glMap: evaluators are of texture unit 0, which is not active"));
+                     SPANGLE_TEXT("evaluators are of texture unit 0, which is not active"));
     const unsigned target = given.target - first_target(dimension), components = components_of(target);
     const auto points = static_cast<std::size_t>(given.side[0].order * given.side[1].order);
     auto* const map =
         static_cast<EvalMap*>(context.arena->allocate(sizeof(EvalMap) + points * components * sizeof(Real)));
     if (map == nullptr)
-        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glMap: no room in the arena for the points"));
+        return error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena for the points"));
     for (int d = 0; d < 2; ++d)
         map->side[d] = {given.side[d].order, given.side[d].from, given.side[d].to};
     Real* to = map->points();
@@ -123,7 +123,7 @@ void GetMap(Context& context, GLenum target, GLenum query, const Values& v) {
     if (t >= eval_targets || (query != GL_COEFF && query != GL_ORDER && query != GL_DOMAIN))
         return error(context, GL_INVALID_ENUM);
     if (v.at == nullptr)
-        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("glGetMap: null pointer"));
+        return error(context, GL_INVALID_VALUE);
     const EvalMap& map = map_of(context, dimension, t);
     std::size_t n = 0;
     const auto put = [&](Kind kind, Param value) { convert::store_array_value(v, n++, kind, value); };

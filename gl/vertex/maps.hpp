@@ -1,6 +1,7 @@
 // The maps of evaluators, as commands, display lists and evaluation see them (GL 1.3, 5.1).
 #pragma once
 
+#include "gl/context/error.hpp"
 #include "gl/vertex/eval_state.hpp"
 
 namespace spangle::gl {
@@ -28,6 +29,14 @@ unsigned components_of(unsigned target);
 
 /// The error of arguments that no state makes right, or GL_NO_ERROR. `dimension`: 0 for Map1, 1 for Map2.
 GLenum map_error(const MapArguments& map, unsigned dimension);
+
+/// The rule behind its INVALID_VALUE, for people; null: a pointer is null.
+inline const char* map_rule([[maybe_unused]] const MapArguments& map) {
+    return map.points.at == nullptr
+               ? nullptr
+               : SPANGLE_TEXT(
+                     "an order is out of its range, a stride is less than a point, or a domain is empty");
+}
 
 /// One component of one control point.
 Real control_value(const MapArguments& map, GLint i, GLint j, unsigned c);

@@ -125,10 +125,11 @@ template <class M, class L> inline bool Pipeline<M, L>::to_be_clipped(unsigned f
 template <class M, class L> inline bool Pipeline<M, L>::refuses(unsigned flags) {
     if (has_clipping || (flags & (beyond_mask | unprojected)) == 0)
         return false;
-    error(*context_, GL_INVALID_OPERATION,
-          raster::has_perspective ? SPANGLE_TEXT("this build cuts nothing (SPANGLE_CLIPPING)")
-                                  : SPANGLE_TEXT("this build cuts nothing (SPANGLE_CLIPPING) and divides "
-                                                 "neither by w nor by q (SPANGLE_PERSPECTIVE)"));
+    drawing_error(*context_, GL_INVALID_OPERATION,
+                  raster::has_perspective
+                      ? SPANGLE_TEXT("this build cuts nothing (SPANGLE_CLIPPING)")
+                      : SPANGLE_TEXT("this build cuts nothing (SPANGLE_CLIPPING) and divides "
+                                     "neither by w nor by q (SPANGLE_PERSPECTIVE)"));
     return true;
 }
 

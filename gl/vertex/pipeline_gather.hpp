@@ -55,8 +55,8 @@ template <class M, class L> void Pipeline<M, L>::draw_gathered() {
     void* const memory =
         n < 3 ? nullptr : context_->arena->allocate(places * (sizeof(std::int64_t) + 3 * sizeof(Vertex*)));
     if (gathering_lost_ || (n >= 3 && memory == nullptr)) {
-        error(*context_, GL_OUT_OF_MEMORY,
-              SPANGLE_TEXT("no room in the arena for a polygon that is fed back or antialiased"));
+        drawing_error(*context_, GL_OUT_OF_MEMORY,
+                      SPANGLE_TEXT("no room in the arena for a polygon that is fed back or antialiased"));
     } else if (n >= 3) {
         auto* const part = static_cast<std::int64_t*>(memory);
         auto** const work = reinterpret_cast<Vertex**>(part + room);

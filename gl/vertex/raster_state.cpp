@@ -38,7 +38,7 @@ void PolygonMode(Context& context, GLenum face, GLenum mode) {
 
 void PointSize(Context& context, Real size) {
     if (size <= numeric::zero)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("size is not positive"));
     context.polygon.point_size = size;
 }
 
@@ -76,7 +76,7 @@ void PointParameter(Context& context, GLenum pname, const Params& params) {
 
 void LineWidth(Context& context, Real width) {
     if (width <= numeric::zero)
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("width is not positive"));
     context.polygon.line_width = width;
     if (!viewport_holds_window(context))
         context.changed(dirty_fragment); // whether the fragments of lines end at the viewport

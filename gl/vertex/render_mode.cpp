@@ -19,7 +19,7 @@ bool may_begin(Context& context, GLenum mode) {
 #if SPANGLE_FEATURE_SELECTION
         if (context.render.select.given)
             return true;
-        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glRenderMode(GL_SELECT) before glSelectBuffer"));
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("GL_SELECT needs glSelectBuffer first"));
 #else
         error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_SELECTION"));
 #endif
@@ -28,8 +28,7 @@ bool may_begin(Context& context, GLenum mode) {
 #if SPANGLE_FEATURE_FEEDBACK
         if (context.render.feedback.given)
             return true;
-        error(context, GL_INVALID_OPERATION,
-              SPANGLE_TEXT("glRenderMode(GL_FEEDBACK) before glFeedbackBuffer"));
+        error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("GL_FEEDBACK needs glFeedbackBuffer first"));
 #else
         error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("this build has no SPANGLE_FEATURE_FEEDBACK"));
 #endif

@@ -60,7 +60,7 @@ void SelectBuffer(Context& context, GLsizei size, GLuint* buffer) {
     if (size < 0 || (buffer == nullptr && size > 0))
         return error(context, GL_INVALID_VALUE);
     if (context.render.mode == GL_SELECT)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glSelectBuffer while hits are recorded"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("not while hits are recorded"));
     SelectState& s = context.render.select;
     s.buffer = buffer;
     s.size = size;
@@ -102,7 +102,7 @@ void LoadName(Context& context, GLuint name) {
     if (s == nullptr)
         return;
     if (s->depth == 0)
-        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("glLoadName on an empty name stack"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("the name stack is empty"));
     end_hit_record(*s);
     s->name[s->depth - 1] = name;
 }

@@ -138,13 +138,14 @@ void Scale(Context& context, Real x, Real y, Real z) {
 void Frustum(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val) {
     if (near_val <= numeric::zero || far_val <= numeric::zero || equal(left, right) || equal(bottom, top) ||
         equal(near_val, far_val))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE,
+                     SPANGLE_TEXT("near and far must be positive, and opposite planes differ"));
     multiply_current(context, numeric::frustum(left, right, bottom, top, near_val, far_val));
 }
 
 void Ortho(Context& context, Real left, Real right, Real bottom, Real top, Real near_val, Real far_val) {
     if (equal(left, right) || equal(bottom, top) || equal(near_val, far_val))
-        return error(context, GL_INVALID_VALUE);
+        return error(context, GL_INVALID_VALUE, SPANGLE_TEXT("opposite planes must differ"));
     multiply_current(context, numeric::ortho(left, right, bottom, top, near_val, far_val));
 }
 

@@ -95,10 +95,9 @@ GLboolean IsVertexArray(Context& context, GLuint array) {
 
 void BindVertexArray(Context& context, GLuint array) {
     if (place_of(context.array_bindings, array) == nullptr)
-        return error(context, GL_INVALID_OPERATION,
-                     SPANGLE_TEXT("glBindVertexArray: no name of glGenVertexArrays"));
+        return error(context, GL_INVALID_OPERATION, SPANGLE_TEXT("no name of glGenVertexArrays"));
     if (!bind_vertex_array(context, array))
-        error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("glBindVertexArray: no room in the arena"));
+        error(context, GL_OUT_OF_MEMORY, SPANGLE_TEXT("no room in the arena"));
 }
 
 } // namespace cmd

@@ -36,8 +36,10 @@ void listen() {
 std::string egl_problem(const char* call) {
     char code[16];
     std::snprintf(code, sizeof code, "0x%04X", static_cast<unsigned>(eglGetError()));
-    return std::string(call) + " failed (" + code + ")" +
-           (last_message().empty() ? "" : ": " + last_message());
+    // The sentence begins with the command, which need not be named twice.
+    const std::string named = std::string(call) + ": ", &told = last_message();
+    const std::string rule = told.starts_with(named) ? told.substr(named.size()) : told;
+    return std::string(call) + " failed (" + code + ")" + (rule.empty() ? "" : ": " + rule);
 }
 
 EGLint token_of(Precision precision) {

@@ -101,7 +101,7 @@ TEST_F(LostDisplays, WithoutANextBufferGlDrawsNowhere) {
         const int presents = panel->presents;
         EXPECT_EQ(eglSwapBuffers(display, window), no);
         EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-        EXPECT_EQ(last_message, "fake: no buffer");
+        EXPECT_EQ(last_message, "eglSwapBuffers: fake: no buffer");
         EXPECT_EQ(panel->presents, presents + 1);
         const std::vector<std::uint8_t> one = panel->pixels, other = panel->front;
         const std::vector<RowSpan> rows = panel->rows;

@@ -82,7 +82,7 @@ TEST(Displays, HandlesAndInitialisation) {
     on_message(&remember);
     EXPECT_EQ(eglInitialize(display, nullptr, nullptr), no);
     EXPECT_EQ(eglGetError(), EGL_NOT_INITIALIZED);
-    EXPECT_EQ(last_message, "fake: the panel does not answer");
+    EXPECT_EQ(last_message, "eglInitialize: fake: the panel does not answer");
     on_message(nullptr);
     EXPECT_EQ(eglGetConfigs(display, nullptr, 0, &n), no);
     panel.fail_init = false;
@@ -425,7 +425,7 @@ TEST_F(Surfaces, FinishWaitsForWhatWasPresented) {
     on_message(&remember);
     last_message.clear();
     glFinish();
-    EXPECT_EQ(last_message, "fake: the transfer does not end");
+    EXPECT_EQ(last_message, "glFinish: fake: the transfer does not end");
     EXPECT_EQ(eglGetError(), EGL_SUCCESS);
 }
 
@@ -473,7 +473,7 @@ TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     on_message(&remember);
     EXPECT_EQ(eglSwapBuffers(display, surface), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-    EXPECT_EQ(last_message, "fake: 3 of 7 bytes went out");
+    EXPECT_EQ(last_message, "eglSwapBuffers: fake: 3 of 7 bytes went out");
     EXPECT_EQ(last_code, static_cast<unsigned>(EGL_BAD_NATIVE_WINDOW));
     EXPECT_EQ(panel.presents, 0);
     glEnable(GL_SCISSOR_TEST); // the frame can still be drawn into
@@ -488,7 +488,7 @@ TEST_F(Surfaces, AFailedTransferIsReportedAndNothingIsLost) {
     panel.fail_acquire = true; // shown, but there is no next buffer
     EXPECT_EQ(eglSwapBuffers(display, surface), no);
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_WINDOW);
-    EXPECT_EQ(last_message, "fake: no buffer");
+    EXPECT_EQ(last_message, "eglSwapBuffers: fake: no buffer");
     panel.fail_acquire = false;
 }
 

@@ -97,6 +97,10 @@ class RecordingContext : public ::testing::Test {
         gl::Context copy;
         std::memcpy(static_cast<void*>(&copy), context, sizeof copy);
         copy.error_code = 0;
+#if SPANGLE_MESSAGES
+        copy.unexplained = {};
+        copy.compiled = {};
+#endif
         copy.dirty = 0;
 #if SPANGLE_FEATURE_LISTS
         std::memset(static_cast<void*>(&copy.list.recorder), 0, sizeof copy.list.recorder);

@@ -289,7 +289,7 @@ TEST_F(Threads, MessagesOfAllThreads) {
         }
     });
     on_message(before);
-    EXPECT_EQ(messages[0] + messages[1], 2 * rounds);
+    EXPECT_EQ(messages[0] + messages[1], 4 * rounds) << "the wrong config and the remark are told each time";
 }
 
 } // namespace

@@ -85,7 +85,7 @@ void GLAPIENTRY glEvalCoord1f(GLfloat u) {
 
 void GLAPIENTRY glEvalCoord1fv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord1fv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glEvalCoord1fv: v is a null pointer"));
     issue<family::EvalCoord1>(convert::cast_f(v[0]));
 }
 
@@ -95,7 +95,7 @@ void GLAPIENTRY glEvalCoord1d(GLdouble u) {
 
 void GLAPIENTRY glEvalCoord1dv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord1dv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glEvalCoord1dv: v is a null pointer"));
     issue<family::EvalCoord1>(convert::cast_d(v[0]));
 }
 
@@ -109,7 +109,7 @@ void GLAPIENTRY glEvalCoord1xOES(GLfixed u) {
 
 void GLAPIENTRY glEvalCoord1xvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEvalCoord1xvOES: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glEvalCoord1xvOES: v is a null pointer"));
     issue<family::EvalCoord1>(convert::cast_x(v[0]));
 }
 
@@ -123,7 +123,7 @@ void GLAPIENTRY glEvalCoord2f(GLfloat u, GLfloat v) {
 }
 
 void GLAPIENTRY glEvalCoord2fv(const GLfloat* v) {
-    issue_reals<family::EvalCoord2, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glEvalCoord2fv: null pointer"));
+    issue_reals<family::EvalCoord2, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glEvalCoord2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glEvalCoord2d(GLdouble u, GLdouble v) {
@@ -132,7 +132,7 @@ void GLAPIENTRY glEvalCoord2d(GLdouble u, GLdouble v) {
 }
 
 void GLAPIENTRY glEvalCoord2dv(const GLdouble* v) {
-    issue_reals<family::EvalCoord2, convert::Element::cast_d, 2>(v, SPANGLE_TEXT("glEvalCoord2dv: null pointer"));
+    issue_reals<family::EvalCoord2, convert::Element::cast_d, 2>(v, SPANGLE_TEXT("glEvalCoord2dv: v is a null pointer"));
 }
 
 #endif
@@ -145,7 +145,7 @@ void GLAPIENTRY glEvalCoord2xOES(GLfixed u, GLfixed v) {
 }
 
 void GLAPIENTRY glEvalCoord2xvOES(const GLfixed* v) {
-    issue_reals<family::EvalCoord2, convert::Element::cast_x, 2>(v, SPANGLE_TEXT("glEvalCoord2xvOES: null pointer"));
+    issue_reals<family::EvalCoord2, convert::Element::cast_x, 2>(v, SPANGLE_TEXT("glEvalCoord2xvOES: v is a null pointer"));
 }
 
 #endif

@@ -20,7 +20,7 @@ void GLAPIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
-    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glLightfv: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glLightfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
@@ -28,7 +28,7 @@ void GLAPIENTRY glLighti(GLenum light, GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint* params) {
-    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glLightiv: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glLightiv: params is a null pointer"));
 }
 
 #endif
@@ -40,7 +40,7 @@ void GLAPIENTRY glLightxOES(GLenum light, GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) {
-    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glLightxvOES: null pointer"));
+    issue_params<family::Light, shape::Light>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glLightxvOES: params is a null pointer"));
 }
 
 #endif
@@ -48,11 +48,11 @@ void GLAPIENTRY glLightxvOES(GLenum light, GLenum pname, const GLfixed* params) 
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glGetLightfv: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::f, SPANGLE_TEXT("glGetLightfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
-    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glGetLightiv: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::i, SPANGLE_TEXT("glGetLightiv: params is a null pointer"));
 }
 
 #endif
@@ -60,7 +60,7 @@ void GLAPIENTRY glGetLightiv(GLenum light, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetLightxvOES(GLenum light, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glGetLightxvOES: null pointer"));
+    fetch_params<family::GetLight, shape::GetLight>(light, pname, params, convert::Number::x, SPANGLE_TEXT("glGetLightxvOES: params is a null pointer"));
 }
 
 #endif
@@ -72,7 +72,7 @@ void GLAPIENTRY glLightModelf(GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::f, SPANGLE_TEXT("glLightModelfv: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::f, SPANGLE_TEXT("glLightModelfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
@@ -80,7 +80,7 @@ void GLAPIENTRY glLightModeli(GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glLightModeliv(GLenum pname, const GLint* params) {
-    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::i, SPANGLE_TEXT("glLightModeliv: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::i, SPANGLE_TEXT("glLightModeliv: params is a null pointer"));
 }
 
 #endif
@@ -92,7 +92,7 @@ void GLAPIENTRY glLightModelxOES(GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glLightModelxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::x, SPANGLE_TEXT("glLightModelxvOES: null pointer"));
+    issue_params<family::LightModel, shape::LightModel>(pname, params, convert::Number::x, SPANGLE_TEXT("glLightModelxvOES: params is a null pointer"));
 }
 
 #endif
@@ -104,7 +104,7 @@ void GLAPIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
-    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glMaterialfv: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glMaterialfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
@@ -112,7 +112,7 @@ void GLAPIENTRY glMateriali(GLenum face, GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glMaterialiv(GLenum face, GLenum pname, const GLint* params) {
-    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glMaterialiv: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glMaterialiv: params is a null pointer"));
 }
 
 #endif
@@ -124,7 +124,7 @@ void GLAPIENTRY glMaterialxOES(GLenum face, GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params) {
-    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glMaterialxvOES: null pointer"));
+    issue_params<family::Material, shape::Material>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glMaterialxvOES: params is a null pointer"));
 }
 
 #endif
@@ -132,11 +132,11 @@ void GLAPIENTRY glMaterialxvOES(GLenum face, GLenum pname, const GLfixed* params
 #if SPANGLE_FEATURE_LIGHTING
 
 void GLAPIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glGetMaterialfv: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::f, SPANGLE_TEXT("glGetMaterialfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
-    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glGetMaterialiv: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::i, SPANGLE_TEXT("glGetMaterialiv: params is a null pointer"));
 }
 
 #endif
@@ -144,7 +144,7 @@ void GLAPIENTRY glGetMaterialiv(GLenum face, GLenum pname, GLint* params) {
 #if SPANGLE_FEATURE_LIGHTING && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetMaterialxvOES(GLenum face, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glGetMaterialxvOES: null pointer"));
+    fetch_params<family::GetMaterial, shape::GetMaterial>(face, pname, params, convert::Number::x, SPANGLE_TEXT("glGetMaterialxvOES: params is a null pointer"));
 }
 
 #endif
@@ -196,7 +196,7 @@ void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::f, SPANGLE_TEXT("glPointParameterfv: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::f, SPANGLE_TEXT("glPointParameterfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
@@ -204,7 +204,7 @@ void GLAPIENTRY glPointParameteri(GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint* params) {
-    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::i, SPANGLE_TEXT("glPointParameteriv: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::i, SPANGLE_TEXT("glPointParameteriv: params is a null pointer"));
 }
 
 #endif
@@ -216,7 +216,7 @@ void GLAPIENTRY glPointParameterxOES(GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glPointParameterxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::x, SPANGLE_TEXT("glPointParameterxvOES: null pointer"));
+    issue_params<family::PointParameter, shape::PointParameter>(pname, params, convert::Number::x, SPANGLE_TEXT("glPointParameterxvOES: params is a null pointer"));
 }
 
 #endif

@@ -335,7 +335,7 @@ void GLAPIENTRY glFogf(GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glFogfv(GLenum pname, const GLfloat* params) {
-    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::f, SPANGLE_TEXT("glFogfv: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::f, SPANGLE_TEXT("glFogfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glFogi(GLenum pname, GLint param) {
@@ -343,7 +343,7 @@ void GLAPIENTRY glFogi(GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glFogiv(GLenum pname, const GLint* params) {
-    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::i, SPANGLE_TEXT("glFogiv: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::i, SPANGLE_TEXT("glFogiv: params is a null pointer"));
 }
 
 #endif
@@ -355,7 +355,7 @@ void GLAPIENTRY glFogxOES(GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glFogxvOES(GLenum pname, const GLfixed* params) {
-    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::x, SPANGLE_TEXT("glFogxvOES: null pointer"));
+    issue_params<family::Fog, shape::Fog>(pname, params, convert::Number::x, SPANGLE_TEXT("glFogxvOES: params is a null pointer"));
 }
 
 #endif

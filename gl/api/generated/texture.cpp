@@ -182,7 +182,7 @@ void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
-    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexParameterfv: null pointer"));
+    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexParameterfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
@@ -190,7 +190,7 @@ void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
-    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexParameteriv: null pointer"));
+    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexParameteriv: params is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -200,23 +200,23 @@ void GLAPIENTRY glTexParameterxOES(GLenum target, GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glTexParameterxvOES(GLenum target, GLenum pname, const GLfixed* params) {
-    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexParameterxvOES: null pointer"));
+    issue_params<family::TexParameter, shape::TexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexParameterxvOES: params is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexParameterfv: null pointer"));
+    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexParameterfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
-    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexParameteriv: null pointer"));
+    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexParameteriv: params is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexParameterxvOES(GLenum target, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexParameterxvOES: null pointer"));
+    fetch_params<family::GetTexParameter, shape::GetTexParameter>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexParameterxvOES: params is a null pointer"));
 }
 
 #endif
@@ -226,7 +226,7 @@ void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
-    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexEnvfv: null pointer"));
+    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glTexEnvfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
@@ -234,7 +234,7 @@ void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
-    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexEnviv: null pointer"));
+    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glTexEnviv: params is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -244,39 +244,39 @@ void GLAPIENTRY glTexEnvxOES(GLenum target, GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glTexEnvxvOES(GLenum target, GLenum pname, const GLfixed* params) {
-    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexEnvxvOES: null pointer"));
+    issue_params<family::TexEnv, shape::TexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glTexEnvxvOES: params is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexEnvfv: null pointer"));
+    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexEnvfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
-    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexEnviv: null pointer"));
+    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexEnviv: params is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexEnvxvOES(GLenum target, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexEnvxvOES: null pointer"));
+    fetch_params<family::GetTexEnv, shape::GetTexEnv>(target, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexEnvxvOES: params is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glGetTexLevelParameterfv(GLenum target, GLint level, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexLevelParameterfv: null pointer"));
+    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexLevelParameterfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetTexLevelParameteriv(GLenum target, GLint level, GLenum pname, GLint* params) {
-    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexLevelParameteriv: null pointer"));
+    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexLevelParameteriv: params is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexLevelParameterxvOES(GLenum target, GLint level, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexLevelParameterxvOES: null pointer"));
+    fetch_params<family::GetTexLevelParameter, shape::GetTexLevelParameter>(target, level, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexLevelParameterxvOES: params is a null pointer"));
 }
 
 #endif

@@ -22,65 +22,65 @@ void GLAPIENTRY glLoadIdentity() {
 }
 
 void GLAPIENTRY glLoadMatrixf(const GLfloat* m) {
-    issue_matrix<family::LoadMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadMatrixf: null pointer"));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadMatrixf: m is a null pointer"));
 }
 
 void GLAPIENTRY glLoadMatrixd(const GLdouble* m) {
-    issue_matrix<family::LoadMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadMatrixd: null pointer"));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadMatrixd: m is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLoadMatrixxOES(const GLfixed* m) {
-    issue_matrix<family::LoadMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadMatrixxOES: null pointer"));
+    issue_matrix<family::LoadMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadMatrixxOES: m is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultMatrixf(const GLfloat* m) {
-    issue_matrix<family::MultMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultMatrixf: null pointer"));
+    issue_matrix<family::MultMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultMatrixf: m is a null pointer"));
 }
 
 void GLAPIENTRY glMultMatrixd(const GLdouble* m) {
-    issue_matrix<family::MultMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultMatrixd: null pointer"));
+    issue_matrix<family::MultMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultMatrixd: m is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultMatrixxOES(const GLfixed* m) {
-    issue_matrix<family::MultMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultMatrixxOES: null pointer"));
+    issue_matrix<family::MultMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultMatrixxOES: m is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat* m) {
-    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadTransposeMatrixf: null pointer"));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glLoadTransposeMatrixf: m is a null pointer"));
 }
 
 void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble* m) {
-    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadTransposeMatrixd: null pointer"));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glLoadTransposeMatrixd: m is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glLoadTransposeMatrixxOES(const GLfixed* m) {
-    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadTransposeMatrixxOES: null pointer"));
+    issue_matrix<family::LoadTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glLoadTransposeMatrixxOES: m is a null pointer"));
 }
 
 #endif
 
 void GLAPIENTRY glMultTransposeMatrixf(const GLfloat* m) {
-    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultTransposeMatrixf: null pointer"));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_f>(m, SPANGLE_TEXT("glMultTransposeMatrixf: m is a null pointer"));
 }
 
 void GLAPIENTRY glMultTransposeMatrixd(const GLdouble* m) {
-    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultTransposeMatrixd: null pointer"));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_d>(m, SPANGLE_TEXT("glMultTransposeMatrixd: m is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glMultTransposeMatrixxOES(const GLfixed* m) {
-    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultTransposeMatrixxOES: null pointer"));
+    issue_matrix<family::MultTransposeMatrix, convert::Element::cast_x>(m, SPANGLE_TEXT("glMultTransposeMatrixxOES: m is a null pointer"));
 }
 
 #endif
@@ -204,11 +204,11 @@ void GLAPIENTRY glDepthRangexOES(GLclampx near_val, GLclampx far_val) {
 #if SPANGLE_FEATURE_CLIP_PLANES
 
 void GLAPIENTRY glClipPlane(GLenum plane, const GLdouble* equation) {
-    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glClipPlane: null pointer"));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glClipPlane: equation is a null pointer"));
 }
 
 void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation) {
-    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glClipPlanefOES: null pointer"));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glClipPlanefOES: equation is a null pointer"));
 }
 
 #endif
@@ -216,7 +216,7 @@ void GLAPIENTRY glClipPlanefOES(GLenum plane, const GLfloat* equation) {
 #if SPANGLE_FEATURE_CLIP_PLANES && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glClipPlanexOES(GLenum plane, const GLfixed* equation) {
-    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glClipPlanexOES: null pointer"));
+    issue_components<family::ClipPlane>(plane, equation, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glClipPlanexOES: equation is a null pointer"));
 }
 
 #endif
@@ -228,7 +228,7 @@ void GLAPIENTRY glTexGenf(GLenum coord, GLenum pname, GLfloat param) {
 }
 
 void GLAPIENTRY glTexGenfv(GLenum coord, GLenum pname, const GLfloat* params) {
-    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glTexGenfv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glTexGenfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
@@ -236,7 +236,7 @@ void GLAPIENTRY glTexGeni(GLenum coord, GLenum pname, GLint param) {
 }
 
 void GLAPIENTRY glTexGeniv(GLenum coord, GLenum pname, const GLint* params) {
-    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glTexGeniv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glTexGeniv: params is a null pointer"));
 }
 
 void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
@@ -244,7 +244,7 @@ void GLAPIENTRY glTexGend(GLenum coord, GLenum pname, GLdouble param) {
 }
 
 void GLAPIENTRY glTexGendv(GLenum coord, GLenum pname, const GLdouble* params) {
-    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glTexGendv: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glTexGendv: params is a null pointer"));
 }
 
 #endif
@@ -256,7 +256,7 @@ void GLAPIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
 }
 
 void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {
-    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glTexGenxvOES: null pointer"));
+    issue_params<family::TexGen, shape::TexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glTexGenxvOES: params is a null pointer"));
 }
 
 #endif
@@ -264,15 +264,15 @@ void GLAPIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params)
 #if SPANGLE_FEATURE_TEXGEN
 
 void GLAPIENTRY glGetTexGenfv(GLenum coord, GLenum pname, GLfloat* params) {
-    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexGenfv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::f, SPANGLE_TEXT("glGetTexGenfv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetTexGeniv(GLenum coord, GLenum pname, GLint* params) {
-    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexGeniv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::i, SPANGLE_TEXT("glGetTexGeniv: params is a null pointer"));
 }
 
 void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
-    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glGetTexGendv: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::d, SPANGLE_TEXT("glGetTexGendv: params is a null pointer"));
 }
 
 #endif
@@ -280,7 +280,7 @@ void GLAPIENTRY glGetTexGendv(GLenum coord, GLenum pname, GLdouble* params) {
 #if SPANGLE_FEATURE_TEXGEN && SPANGLE_FEATURE_FIXED_POINT
 
 void GLAPIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params) {
-    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexGenxvOES: null pointer"));
+    fetch_params<family::GetTexGen, shape::GetTexGen>(coord, pname, params, convert::Number::x, SPANGLE_TEXT("glGetTexGenxvOES: params is a null pointer"));
 }
 
 #endif

@@ -27,7 +27,7 @@ void GLAPIENTRY glVertex2s(GLshort x, GLshort y) {
 }
 
 void GLAPIENTRY glVertex2sv(const GLshort* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glVertex2sv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glVertex2sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex2i(GLint x, GLint y) {
@@ -36,7 +36,7 @@ void GLAPIENTRY glVertex2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glVertex2iv(const GLint* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glVertex2iv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glVertex2iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex2f(GLfloat x, GLfloat y) {
@@ -45,7 +45,7 @@ void GLAPIENTRY glVertex2f(GLfloat x, GLfloat y) {
 }
 
 void GLAPIENTRY glVertex2fv(const GLfloat* v) {
-    issue_reals<family::Vertex, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glVertex2fv: null pointer"));
+    issue_reals<family::Vertex, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glVertex2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex2d(GLdouble x, GLdouble y) {
@@ -54,7 +54,7 @@ void GLAPIENTRY glVertex2d(GLdouble x, GLdouble y) {
 }
 
 void GLAPIENTRY glVertex2dv(const GLdouble* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glVertex2dv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glVertex2dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -65,7 +65,7 @@ void GLAPIENTRY glVertex2xOES(GLfixed x, GLfixed y) {
 }
 
 void GLAPIENTRY glVertex2xvOES(const GLfixed* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glVertex2xvOES: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glVertex2xvOES: v is a null pointer"));
 }
 
 #endif
@@ -76,7 +76,7 @@ void GLAPIENTRY glVertex3s(GLshort x, GLshort y, GLshort z) {
 }
 
 void GLAPIENTRY glVertex3sv(const GLshort* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glVertex3sv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glVertex3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
@@ -85,7 +85,7 @@ void GLAPIENTRY glVertex3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glVertex3iv(const GLint* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glVertex3iv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glVertex3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -94,7 +94,7 @@ void GLAPIENTRY glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
 }
 
 void GLAPIENTRY glVertex3fv(const GLfloat* v) {
-    issue_reals<family::Vertex, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glVertex3fv: null pointer"));
+    issue_reals<family::Vertex, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glVertex3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) {
@@ -103,7 +103,7 @@ void GLAPIENTRY glVertex3d(GLdouble x, GLdouble y, GLdouble z) {
 }
 
 void GLAPIENTRY glVertex3dv(const GLdouble* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glVertex3dv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glVertex3dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -114,7 +114,7 @@ void GLAPIENTRY glVertex3xOES(GLfixed x, GLfixed y, GLfixed z) {
 }
 
 void GLAPIENTRY glVertex3xvOES(const GLfixed* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glVertex3xvOES: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glVertex3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -125,7 +125,7 @@ void GLAPIENTRY glVertex4s(GLshort x, GLshort y, GLshort z, GLshort w) {
 }
 
 void GLAPIENTRY glVertex4sv(const GLshort* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glVertex4sv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glVertex4sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
@@ -134,7 +134,7 @@ void GLAPIENTRY glVertex4i(GLint x, GLint y, GLint z, GLint w) {
 }
 
 void GLAPIENTRY glVertex4iv(const GLint* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glVertex4iv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glVertex4iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
@@ -143,7 +143,7 @@ void GLAPIENTRY glVertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
 }
 
 void GLAPIENTRY glVertex4fv(const GLfloat* v) {
-    issue_reals<family::Vertex, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glVertex4fv: null pointer"));
+    issue_reals<family::Vertex, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glVertex4fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
@@ -152,7 +152,7 @@ void GLAPIENTRY glVertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
 }
 
 void GLAPIENTRY glVertex4dv(const GLdouble* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glVertex4dv: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glVertex4dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -163,7 +163,7 @@ void GLAPIENTRY glVertex4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
 }
 
 void GLAPIENTRY glVertex4xvOES(const GLfixed* v) {
-    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glVertex4xvOES: null pointer"));
+    issue_components<family::Vertex>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glVertex4xvOES: v is a null pointer"));
 }
 
 #endif
@@ -174,7 +174,7 @@ void GLAPIENTRY glTexCoord1s(GLshort s) {
 }
 
 void GLAPIENTRY glTexCoord1sv(const GLshort* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glTexCoord1sv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glTexCoord1sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1i(GLint s) {
@@ -183,7 +183,7 @@ void GLAPIENTRY glTexCoord1i(GLint s) {
 }
 
 void GLAPIENTRY glTexCoord1iv(const GLint* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glTexCoord1iv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glTexCoord1iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1f(GLfloat s) {
@@ -192,7 +192,7 @@ void GLAPIENTRY glTexCoord1f(GLfloat s) {
 }
 
 void GLAPIENTRY glTexCoord1fv(const GLfloat* v) {
-    issue_reals<family::TexCoord, convert::Element::cast_f, 1>(v, SPANGLE_TEXT("glTexCoord1fv: null pointer"));
+    issue_reals<family::TexCoord, convert::Element::cast_f, 1>(v, SPANGLE_TEXT("glTexCoord1fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord1d(GLdouble s) {
@@ -201,7 +201,7 @@ void GLAPIENTRY glTexCoord1d(GLdouble s) {
 }
 
 void GLAPIENTRY glTexCoord1dv(const GLdouble* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glTexCoord1dv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glTexCoord1dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -212,7 +212,7 @@ void GLAPIENTRY glTexCoord1xOES(GLfixed s) {
 }
 
 void GLAPIENTRY glTexCoord1xvOES(const GLfixed* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glTexCoord1xvOES: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glTexCoord1xvOES: v is a null pointer"));
 }
 
 #endif
@@ -223,7 +223,7 @@ void GLAPIENTRY glTexCoord2s(GLshort s, GLshort t) {
 }
 
 void GLAPIENTRY glTexCoord2sv(const GLshort* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glTexCoord2sv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glTexCoord2sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
@@ -232,7 +232,7 @@ void GLAPIENTRY glTexCoord2i(GLint s, GLint t) {
 }
 
 void GLAPIENTRY glTexCoord2iv(const GLint* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glTexCoord2iv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glTexCoord2iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2f(GLfloat s, GLfloat t) {
@@ -241,7 +241,7 @@ void GLAPIENTRY glTexCoord2f(GLfloat s, GLfloat t) {
 }
 
 void GLAPIENTRY glTexCoord2fv(const GLfloat* v) {
-    issue_reals<family::TexCoord, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glTexCoord2fv: null pointer"));
+    issue_reals<family::TexCoord, convert::Element::cast_f, 2>(v, SPANGLE_TEXT("glTexCoord2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord2d(GLdouble s, GLdouble t) {
@@ -250,7 +250,7 @@ void GLAPIENTRY glTexCoord2d(GLdouble s, GLdouble t) {
 }
 
 void GLAPIENTRY glTexCoord2dv(const GLdouble* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glTexCoord2dv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glTexCoord2dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -261,7 +261,7 @@ void GLAPIENTRY glTexCoord2xOES(GLfixed s, GLfixed t) {
 }
 
 void GLAPIENTRY glTexCoord2xvOES(const GLfixed* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glTexCoord2xvOES: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glTexCoord2xvOES: v is a null pointer"));
 }
 
 #endif
@@ -272,7 +272,7 @@ void GLAPIENTRY glTexCoord3s(GLshort s, GLshort t, GLshort r) {
 }
 
 void GLAPIENTRY glTexCoord3sv(const GLshort* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glTexCoord3sv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glTexCoord3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
@@ -281,7 +281,7 @@ void GLAPIENTRY glTexCoord3i(GLint s, GLint t, GLint r) {
 }
 
 void GLAPIENTRY glTexCoord3iv(const GLint* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glTexCoord3iv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glTexCoord3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
@@ -290,7 +290,7 @@ void GLAPIENTRY glTexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
 }
 
 void GLAPIENTRY glTexCoord3fv(const GLfloat* v) {
-    issue_reals<family::TexCoord, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glTexCoord3fv: null pointer"));
+    issue_reals<family::TexCoord, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glTexCoord3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
@@ -299,7 +299,7 @@ void GLAPIENTRY glTexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
 }
 
 void GLAPIENTRY glTexCoord3dv(const GLdouble* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glTexCoord3dv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glTexCoord3dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -310,7 +310,7 @@ void GLAPIENTRY glTexCoord3xOES(GLfixed s, GLfixed t, GLfixed r) {
 }
 
 void GLAPIENTRY glTexCoord3xvOES(const GLfixed* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glTexCoord3xvOES: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glTexCoord3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -321,7 +321,7 @@ void GLAPIENTRY glTexCoord4s(GLshort s, GLshort t, GLshort r, GLshort q) {
 }
 
 void GLAPIENTRY glTexCoord4sv(const GLshort* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glTexCoord4sv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glTexCoord4sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
@@ -330,7 +330,7 @@ void GLAPIENTRY glTexCoord4i(GLint s, GLint t, GLint r, GLint q) {
 }
 
 void GLAPIENTRY glTexCoord4iv(const GLint* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glTexCoord4iv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glTexCoord4iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
@@ -339,7 +339,7 @@ void GLAPIENTRY glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
 }
 
 void GLAPIENTRY glTexCoord4fv(const GLfloat* v) {
-    issue_reals<family::TexCoord, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glTexCoord4fv: null pointer"));
+    issue_reals<family::TexCoord, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glTexCoord4fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
@@ -348,7 +348,7 @@ void GLAPIENTRY glTexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
 }
 
 void GLAPIENTRY glTexCoord4dv(const GLdouble* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glTexCoord4dv: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glTexCoord4dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -359,7 +359,7 @@ void GLAPIENTRY glTexCoord4xOES(GLfixed s, GLfixed t, GLfixed r, GLfixed q) {
 }
 
 void GLAPIENTRY glTexCoord4xvOES(const GLfixed* v) {
-    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glTexCoord4xvOES: null pointer"));
+    issue_components<family::TexCoord>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glTexCoord4xvOES: v is a null pointer"));
 }
 
 #endif
@@ -370,7 +370,7 @@ void GLAPIENTRY glMultiTexCoord1s(GLenum target, GLshort s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1sv(GLenum target, const GLshort* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glMultiTexCoord1sv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 1), SPANGLE_TEXT("glMultiTexCoord1sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
@@ -379,7 +379,7 @@ void GLAPIENTRY glMultiTexCoord1i(GLenum target, GLint s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1iv(GLenum target, const GLint* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glMultiTexCoord1iv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 1), SPANGLE_TEXT("glMultiTexCoord1iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
@@ -388,7 +388,7 @@ void GLAPIENTRY glMultiTexCoord1f(GLenum target, GLfloat s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1fv(GLenum target, const GLfloat* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 1), SPANGLE_TEXT("glMultiTexCoord1fv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 1), SPANGLE_TEXT("glMultiTexCoord1fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
@@ -397,7 +397,7 @@ void GLAPIENTRY glMultiTexCoord1d(GLenum target, GLdouble s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1dv(GLenum target, const GLdouble* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glMultiTexCoord1dv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 1), SPANGLE_TEXT("glMultiTexCoord1dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -408,7 +408,7 @@ void GLAPIENTRY glMultiTexCoord1xOES(GLenum target, GLfixed s) {
 }
 
 void GLAPIENTRY glMultiTexCoord1xvOES(GLenum target, const GLfixed* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glMultiTexCoord1xvOES: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 1), SPANGLE_TEXT("glMultiTexCoord1xvOES: v is a null pointer"));
 }
 
 #endif
@@ -419,7 +419,7 @@ void GLAPIENTRY glMultiTexCoord2s(GLenum target, GLshort s, GLshort t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2sv(GLenum target, const GLshort* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glMultiTexCoord2sv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glMultiTexCoord2sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
@@ -428,7 +428,7 @@ void GLAPIENTRY glMultiTexCoord2i(GLenum target, GLint s, GLint t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2iv(GLenum target, const GLint* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glMultiTexCoord2iv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glMultiTexCoord2iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
@@ -437,7 +437,7 @@ void GLAPIENTRY glMultiTexCoord2f(GLenum target, GLfloat s, GLfloat t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2fv(GLenum target, const GLfloat* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glMultiTexCoord2fv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glMultiTexCoord2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
@@ -446,7 +446,7 @@ void GLAPIENTRY glMultiTexCoord2d(GLenum target, GLdouble s, GLdouble t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2dv(GLenum target, const GLdouble* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glMultiTexCoord2dv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glMultiTexCoord2dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -457,7 +457,7 @@ void GLAPIENTRY glMultiTexCoord2xOES(GLenum target, GLfixed s, GLfixed t) {
 }
 
 void GLAPIENTRY glMultiTexCoord2xvOES(GLenum target, const GLfixed* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glMultiTexCoord2xvOES: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glMultiTexCoord2xvOES: v is a null pointer"));
 }
 
 #endif
@@ -468,7 +468,7 @@ void GLAPIENTRY glMultiTexCoord3s(GLenum target, GLshort s, GLshort t, GLshort r
 }
 
 void GLAPIENTRY glMultiTexCoord3sv(GLenum target, const GLshort* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glMultiTexCoord3sv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glMultiTexCoord3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
@@ -477,7 +477,7 @@ void GLAPIENTRY glMultiTexCoord3i(GLenum target, GLint s, GLint t, GLint r) {
 }
 
 void GLAPIENTRY glMultiTexCoord3iv(GLenum target, const GLint* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glMultiTexCoord3iv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glMultiTexCoord3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r) {
@@ -486,7 +486,7 @@ void GLAPIENTRY glMultiTexCoord3f(GLenum target, GLfloat s, GLfloat t, GLfloat r
 }
 
 void GLAPIENTRY glMultiTexCoord3fv(GLenum target, const GLfloat* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glMultiTexCoord3fv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glMultiTexCoord3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdouble r) {
@@ -495,7 +495,7 @@ void GLAPIENTRY glMultiTexCoord3d(GLenum target, GLdouble s, GLdouble t, GLdoubl
 }
 
 void GLAPIENTRY glMultiTexCoord3dv(GLenum target, const GLdouble* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glMultiTexCoord3dv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glMultiTexCoord3dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -506,7 +506,7 @@ void GLAPIENTRY glMultiTexCoord3xOES(GLenum target, GLfixed s, GLfixed t, GLfixe
 }
 
 void GLAPIENTRY glMultiTexCoord3xvOES(GLenum target, const GLfixed* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glMultiTexCoord3xvOES: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glMultiTexCoord3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -517,7 +517,7 @@ void GLAPIENTRY glMultiTexCoord4s(GLenum target, GLshort s, GLshort t, GLshort r
 }
 
 void GLAPIENTRY glMultiTexCoord4sv(GLenum target, const GLshort* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glMultiTexCoord4sv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glMultiTexCoord4sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLint q) {
@@ -526,7 +526,7 @@ void GLAPIENTRY glMultiTexCoord4i(GLenum target, GLint s, GLint t, GLint r, GLin
 }
 
 void GLAPIENTRY glMultiTexCoord4iv(GLenum target, const GLint* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glMultiTexCoord4iv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glMultiTexCoord4iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
@@ -535,7 +535,7 @@ void GLAPIENTRY glMultiTexCoord4f(GLenum target, GLfloat s, GLfloat t, GLfloat r
 }
 
 void GLAPIENTRY glMultiTexCoord4fv(GLenum target, const GLfloat* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glMultiTexCoord4fv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glMultiTexCoord4fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
@@ -544,7 +544,7 @@ void GLAPIENTRY glMultiTexCoord4d(GLenum target, GLdouble s, GLdouble t, GLdoubl
 }
 
 void GLAPIENTRY glMultiTexCoord4dv(GLenum target, const GLdouble* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glMultiTexCoord4dv: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glMultiTexCoord4dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -555,7 +555,7 @@ void GLAPIENTRY glMultiTexCoord4xOES(GLenum target, GLfixed s, GLfixed t, GLfixe
 }
 
 void GLAPIENTRY glMultiTexCoord4xvOES(GLenum target, const GLfixed* v) {
-    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glMultiTexCoord4xvOES: null pointer"));
+    issue_components<family::MultiTexCoord>(target, v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glMultiTexCoord4xvOES: v is a null pointer"));
 }
 
 #endif
@@ -566,7 +566,7 @@ void GLAPIENTRY glNormal3b(GLbyte nx, GLbyte ny, GLbyte nz) {
 }
 
 void GLAPIENTRY glNormal3bv(const GLbyte* v) {
-    issue_components<family::Normal>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glNormal3bv: null pointer"));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glNormal3bv: v is a null pointer"));
 }
 
 void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) {
@@ -575,7 +575,7 @@ void GLAPIENTRY glNormal3s(GLshort nx, GLshort ny, GLshort nz) {
 }
 
 void GLAPIENTRY glNormal3sv(const GLshort* v) {
-    issue_components<family::Normal>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glNormal3sv: null pointer"));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glNormal3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
@@ -584,7 +584,7 @@ void GLAPIENTRY glNormal3i(GLint nx, GLint ny, GLint nz) {
 }
 
 void GLAPIENTRY glNormal3iv(const GLint* v) {
-    issue_components<family::Normal>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glNormal3iv: null pointer"));
+    issue_components<family::Normal>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glNormal3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) {
@@ -593,7 +593,7 @@ void GLAPIENTRY glNormal3f(GLfloat nx, GLfloat ny, GLfloat nz) {
 }
 
 void GLAPIENTRY glNormal3fv(const GLfloat* v) {
-    issue_reals<family::Normal, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glNormal3fv: null pointer"));
+    issue_reals<family::Normal, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glNormal3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) {
@@ -602,7 +602,7 @@ void GLAPIENTRY glNormal3d(GLdouble nx, GLdouble ny, GLdouble nz) {
 }
 
 void GLAPIENTRY glNormal3dv(const GLdouble* v) {
-    issue_components<family::Normal>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glNormal3dv: null pointer"));
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glNormal3dv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -613,7 +613,7 @@ void GLAPIENTRY glNormal3xOES(GLfixed nx, GLfixed ny, GLfixed nz) {
 }
 
 void GLAPIENTRY glNormal3xvOES(const GLfixed* v) {
-    issue_components<family::Normal>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glNormal3xvOES: null pointer"));
+    issue_components<family::Normal>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glNormal3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -624,7 +624,7 @@ void GLAPIENTRY glColor3b(GLbyte red, GLbyte green, GLbyte blue) {
 }
 
 void GLAPIENTRY glColor3bv(const GLbyte* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glColor3bv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glColor3bv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) {
@@ -633,7 +633,7 @@ void GLAPIENTRY glColor3s(GLshort red, GLshort green, GLshort blue) {
 }
 
 void GLAPIENTRY glColor3sv(const GLshort* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glColor3sv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glColor3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
@@ -642,7 +642,7 @@ void GLAPIENTRY glColor3i(GLint red, GLint green, GLint blue) {
 }
 
 void GLAPIENTRY glColor3iv(const GLint* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glColor3iv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glColor3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) {
@@ -651,7 +651,7 @@ void GLAPIENTRY glColor3f(GLfloat red, GLfloat green, GLfloat blue) {
 }
 
 void GLAPIENTRY glColor3fv(const GLfloat* v) {
-    issue_reals<family::Color, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glColor3fv: null pointer"));
+    issue_reals<family::Color, convert::Element::cast_f, 3>(v, SPANGLE_TEXT("glColor3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) {
@@ -660,7 +660,7 @@ void GLAPIENTRY glColor3d(GLdouble red, GLdouble green, GLdouble blue) {
 }
 
 void GLAPIENTRY glColor3dv(const GLdouble* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glColor3dv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glColor3dv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
@@ -669,7 +669,7 @@ void GLAPIENTRY glColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
 }
 
 void GLAPIENTRY glColor3ubv(const GLubyte* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glColor3ubv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glColor3ubv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) {
@@ -678,7 +678,7 @@ void GLAPIENTRY glColor3us(GLushort red, GLushort green, GLushort blue) {
 }
 
 void GLAPIENTRY glColor3usv(const GLushort* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glColor3usv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glColor3usv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) {
@@ -687,7 +687,7 @@ void GLAPIENTRY glColor3ui(GLuint red, GLuint green, GLuint blue) {
 }
 
 void GLAPIENTRY glColor3uiv(const GLuint* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glColor3uiv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glColor3uiv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -698,7 +698,7 @@ void GLAPIENTRY glColor3xOES(GLfixed red, GLfixed green, GLfixed blue) {
 }
 
 void GLAPIENTRY glColor3xvOES(const GLfixed* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glColor3xvOES: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glColor3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -709,7 +709,7 @@ void GLAPIENTRY glColor4b(GLbyte red, GLbyte green, GLbyte blue, GLbyte alpha) {
 }
 
 void GLAPIENTRY glColor4bv(const GLbyte* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 4), SPANGLE_TEXT("glColor4bv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_b, 4), SPANGLE_TEXT("glColor4bv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alpha) {
@@ -718,7 +718,7 @@ void GLAPIENTRY glColor4s(GLshort red, GLshort green, GLshort blue, GLshort alph
 }
 
 void GLAPIENTRY glColor4sv(const GLshort* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 4), SPANGLE_TEXT("glColor4sv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_s, 4), SPANGLE_TEXT("glColor4sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
@@ -727,7 +727,7 @@ void GLAPIENTRY glColor4i(GLint red, GLint green, GLint blue, GLint alpha) {
 }
 
 void GLAPIENTRY glColor4iv(const GLint* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 4), SPANGLE_TEXT("glColor4iv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_i, 4), SPANGLE_TEXT("glColor4iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
@@ -736,7 +736,7 @@ void GLAPIENTRY glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alph
 }
 
 void GLAPIENTRY glColor4fv(const GLfloat* v) {
-    issue_reals<family::Color, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glColor4fv: null pointer"));
+    issue_reals<family::Color, convert::Element::cast_f, 4>(v, SPANGLE_TEXT("glColor4fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) {
@@ -745,7 +745,7 @@ void GLAPIENTRY glColor4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble 
 }
 
 void GLAPIENTRY glColor4dv(const GLdouble* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glColor4dv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glColor4dv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) {
@@ -754,7 +754,7 @@ void GLAPIENTRY glColor4ub(GLubyte red, GLubyte green, GLubyte blue, GLubyte alp
 }
 
 void GLAPIENTRY glColor4ubv(const GLubyte* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 4), SPANGLE_TEXT("glColor4ubv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ub, 4), SPANGLE_TEXT("glColor4ubv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort alpha) {
@@ -763,7 +763,7 @@ void GLAPIENTRY glColor4us(GLushort red, GLushort green, GLushort blue, GLushort
 }
 
 void GLAPIENTRY glColor4usv(const GLushort* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 4), SPANGLE_TEXT("glColor4usv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_us, 4), SPANGLE_TEXT("glColor4usv: v is a null pointer"));
 }
 
 void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) {
@@ -772,7 +772,7 @@ void GLAPIENTRY glColor4ui(GLuint red, GLuint green, GLuint blue, GLuint alpha) 
 }
 
 void GLAPIENTRY glColor4uiv(const GLuint* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 4), SPANGLE_TEXT("glColor4uiv: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::unit_ui, 4), SPANGLE_TEXT("glColor4uiv: v is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -783,7 +783,7 @@ void GLAPIENTRY glColor4xOES(GLfixed red, GLfixed green, GLfixed blue, GLfixed a
 }
 
 void GLAPIENTRY glColor4xvOES(const GLfixed* v) {
-    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glColor4xvOES: null pointer"));
+    issue_components<family::Color>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glColor4xvOES: v is a null pointer"));
 }
 
 #endif
@@ -796,7 +796,7 @@ void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3bv(const GLbyte* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glSecondaryColor3bv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_b, 3), SPANGLE_TEXT("glSecondaryColor3bv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) {
@@ -805,7 +805,7 @@ void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3sv(const GLshort* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glSecondaryColor3sv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_s, 3), SPANGLE_TEXT("glSecondaryColor3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
@@ -814,7 +814,7 @@ void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3iv(const GLint* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glSecondaryColor3iv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_i, 3), SPANGLE_TEXT("glSecondaryColor3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
@@ -823,7 +823,7 @@ void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3fv(const GLfloat* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glSecondaryColor3fv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glSecondaryColor3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) {
@@ -832,7 +832,7 @@ void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue) 
 }
 
 void GLAPIENTRY glSecondaryColor3dv(const GLdouble* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glSecondaryColor3dv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glSecondaryColor3dv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
@@ -841,7 +841,7 @@ void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3ubv(const GLubyte* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glSecondaryColor3ubv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ub, 3), SPANGLE_TEXT("glSecondaryColor3ubv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue) {
@@ -850,7 +850,7 @@ void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue)
 }
 
 void GLAPIENTRY glSecondaryColor3usv(const GLushort* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glSecondaryColor3usv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_us, 3), SPANGLE_TEXT("glSecondaryColor3usv: v is a null pointer"));
 }
 
 void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) {
@@ -859,7 +859,7 @@ void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue) {
 }
 
 void GLAPIENTRY glSecondaryColor3uiv(const GLuint* v) {
-    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glSecondaryColor3uiv: null pointer"));
+    issue_components<family::SecondaryColor>(v, convert::components(convert::Element::unit_ui, 3), SPANGLE_TEXT("glSecondaryColor3uiv: v is a null pointer"));
 }
 
 #endif
@@ -872,7 +872,7 @@ void GLAPIENTRY glIndexs(GLshort index) {
 
 void GLAPIENTRY glIndexsv(const GLshort* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexsv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexsv: v is a null pointer"));
     issue<family::Index>(convert::cast_s(v[0]));
 }
 
@@ -882,7 +882,7 @@ void GLAPIENTRY glIndexi(GLint index) {
 
 void GLAPIENTRY glIndexiv(const GLint* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexiv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexiv: v is a null pointer"));
     issue<family::Index>(convert::cast_i(v[0]));
 }
 
@@ -892,7 +892,7 @@ void GLAPIENTRY glIndexf(GLfloat index) {
 
 void GLAPIENTRY glIndexfv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexfv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexfv: v is a null pointer"));
     issue<family::Index>(convert::cast_f(v[0]));
 }
 
@@ -902,7 +902,7 @@ void GLAPIENTRY glIndexd(GLdouble index) {
 
 void GLAPIENTRY glIndexdv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexdv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexdv: v is a null pointer"));
     issue<family::Index>(convert::cast_d(v[0]));
 }
 
@@ -912,7 +912,7 @@ void GLAPIENTRY glIndexub(GLubyte index) {
 
 void GLAPIENTRY glIndexubv(const GLubyte* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexubv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexubv: v is a null pointer"));
     issue<family::Index>(convert::cast_ub(v[0]));
 }
 
@@ -926,7 +926,7 @@ void GLAPIENTRY glIndexxOES(GLfixed index) {
 
 void GLAPIENTRY glIndexxvOES(const GLfixed* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glIndexxvOES: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glIndexxvOES: v is a null pointer"));
     issue<family::Index>(convert::cast_x(v[0]));
 }
 
@@ -940,7 +940,7 @@ void GLAPIENTRY glEdgeFlag(GLboolean flag) {
 
 void GLAPIENTRY glEdgeFlagv(const GLboolean* flag) {
     if (flag == nullptr)
-        return refuse_null(SPANGLE_TEXT("glEdgeFlagv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glEdgeFlagv: flag is a null pointer"));
     issue<family::EdgeFlag>(*flag != 0);
 }
 
@@ -954,7 +954,7 @@ void GLAPIENTRY glFogCoordf(GLfloat coord) {
 
 void GLAPIENTRY glFogCoordfv(const GLfloat* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogCoordfv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glFogCoordfv: v is a null pointer"));
     issue<family::FogCoord>(convert::cast_f(v[0]));
 }
 
@@ -964,7 +964,7 @@ void GLAPIENTRY glFogCoordd(GLdouble coord) {
 
 void GLAPIENTRY glFogCoorddv(const GLdouble* v) {
     if (v == nullptr)
-        return refuse_null(SPANGLE_TEXT("glFogCoorddv: null pointer"));
+        return refuse_null(SPANGLE_TEXT("glFogCoorddv: v is a null pointer"));
     issue<family::FogCoord>(convert::cast_d(v[0]));
 }
 
@@ -978,7 +978,7 @@ void GLAPIENTRY glRasterPos2s(GLshort x, GLshort y) {
 }
 
 void GLAPIENTRY glRasterPos2sv(const GLshort* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRasterPos2sv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRasterPos2sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
@@ -987,7 +987,7 @@ void GLAPIENTRY glRasterPos2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glRasterPos2iv(const GLint* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRasterPos2iv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRasterPos2iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
@@ -996,7 +996,7 @@ void GLAPIENTRY glRasterPos2f(GLfloat x, GLfloat y) {
 }
 
 void GLAPIENTRY glRasterPos2fv(const GLfloat* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRasterPos2fv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRasterPos2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
@@ -1005,7 +1005,7 @@ void GLAPIENTRY glRasterPos2d(GLdouble x, GLdouble y) {
 }
 
 void GLAPIENTRY glRasterPos2dv(const GLdouble* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRasterPos2dv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRasterPos2dv: v is a null pointer"));
 }
 
 #endif
@@ -1018,7 +1018,7 @@ void GLAPIENTRY glRasterPos2xOES(GLfixed x, GLfixed y) {
 }
 
 void GLAPIENTRY glRasterPos2xvOES(const GLfixed* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRasterPos2xvOES: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRasterPos2xvOES: v is a null pointer"));
 }
 
 #endif
@@ -1031,7 +1031,7 @@ void GLAPIENTRY glRasterPos3s(GLshort x, GLshort y, GLshort z) {
 }
 
 void GLAPIENTRY glRasterPos3sv(const GLshort* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glRasterPos3sv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glRasterPos3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
@@ -1040,7 +1040,7 @@ void GLAPIENTRY glRasterPos3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glRasterPos3iv(const GLint* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glRasterPos3iv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glRasterPos3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -1049,7 +1049,7 @@ void GLAPIENTRY glRasterPos3f(GLfloat x, GLfloat y, GLfloat z) {
 }
 
 void GLAPIENTRY glRasterPos3fv(const GLfloat* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glRasterPos3fv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glRasterPos3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
@@ -1058,7 +1058,7 @@ void GLAPIENTRY glRasterPos3d(GLdouble x, GLdouble y, GLdouble z) {
 }
 
 void GLAPIENTRY glRasterPos3dv(const GLdouble* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glRasterPos3dv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glRasterPos3dv: v is a null pointer"));
 }
 
 #endif
@@ -1071,7 +1071,7 @@ void GLAPIENTRY glRasterPos3xOES(GLfixed x, GLfixed y, GLfixed z) {
 }
 
 void GLAPIENTRY glRasterPos3xvOES(const GLfixed* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glRasterPos3xvOES: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 3), SPANGLE_TEXT("glRasterPos3xvOES: v is a null pointer"));
 }
 
 #endif
@@ -1084,7 +1084,7 @@ void GLAPIENTRY glRasterPos4s(GLshort x, GLshort y, GLshort z, GLshort w) {
 }
 
 void GLAPIENTRY glRasterPos4sv(const GLshort* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glRasterPos4sv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_s, 4), SPANGLE_TEXT("glRasterPos4sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
@@ -1093,7 +1093,7 @@ void GLAPIENTRY glRasterPos4i(GLint x, GLint y, GLint z, GLint w) {
 }
 
 void GLAPIENTRY glRasterPos4iv(const GLint* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glRasterPos4iv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_i, 4), SPANGLE_TEXT("glRasterPos4iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
@@ -1102,7 +1102,7 @@ void GLAPIENTRY glRasterPos4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
 }
 
 void GLAPIENTRY glRasterPos4fv(const GLfloat* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glRasterPos4fv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_f, 4), SPANGLE_TEXT("glRasterPos4fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
@@ -1111,7 +1111,7 @@ void GLAPIENTRY glRasterPos4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) {
 }
 
 void GLAPIENTRY glRasterPos4dv(const GLdouble* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glRasterPos4dv: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_d, 4), SPANGLE_TEXT("glRasterPos4dv: v is a null pointer"));
 }
 
 #endif
@@ -1124,7 +1124,7 @@ void GLAPIENTRY glRasterPos4xOES(GLfixed x, GLfixed y, GLfixed z, GLfixed w) {
 }
 
 void GLAPIENTRY glRasterPos4xvOES(const GLfixed* v) {
-    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glRasterPos4xvOES: null pointer"));
+    issue_components<family::RasterPos>(v, convert::components(convert::Element::cast_x, 4), SPANGLE_TEXT("glRasterPos4xvOES: v is a null pointer"));
 }
 
 #endif
@@ -1137,7 +1137,7 @@ void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y) {
 }
 
 void GLAPIENTRY glWindowPos2sv(const GLshort* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glWindowPos2sv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glWindowPos2sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
@@ -1146,7 +1146,7 @@ void GLAPIENTRY glWindowPos2i(GLint x, GLint y) {
 }
 
 void GLAPIENTRY glWindowPos2iv(const GLint* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glWindowPos2iv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glWindowPos2iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
@@ -1155,7 +1155,7 @@ void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y) {
 }
 
 void GLAPIENTRY glWindowPos2fv(const GLfloat* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glWindowPos2fv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glWindowPos2fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
@@ -1164,7 +1164,7 @@ void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y) {
 }
 
 void GLAPIENTRY glWindowPos2dv(const GLdouble* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glWindowPos2dv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glWindowPos2dv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
@@ -1173,7 +1173,7 @@ void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z) {
 }
 
 void GLAPIENTRY glWindowPos3sv(const GLshort* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glWindowPos3sv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_s, 3), SPANGLE_TEXT("glWindowPos3sv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
@@ -1182,7 +1182,7 @@ void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z) {
 }
 
 void GLAPIENTRY glWindowPos3iv(const GLint* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glWindowPos3iv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_i, 3), SPANGLE_TEXT("glWindowPos3iv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
@@ -1191,7 +1191,7 @@ void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z) {
 }
 
 void GLAPIENTRY glWindowPos3fv(const GLfloat* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glWindowPos3fv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_f, 3), SPANGLE_TEXT("glWindowPos3fv: v is a null pointer"));
 }
 
 void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
@@ -1200,7 +1200,7 @@ void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z) {
 }
 
 void GLAPIENTRY glWindowPos3dv(const GLdouble* v) {
-    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glWindowPos3dv: null pointer"));
+    issue_components<family::WindowPos>(v, convert::components(convert::Element::cast_d, 3), SPANGLE_TEXT("glWindowPos3dv: v is a null pointer"));
 }
 
 #endif
@@ -1211,7 +1211,7 @@ void GLAPIENTRY glRects(GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
 }
 
 void GLAPIENTRY glRectsv(const GLshort* v1, const GLshort* v2) {
-    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRectsv: null pointer"));
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_s, 2), SPANGLE_TEXT("glRectsv: v1 or v2 is a null pointer"));
 }
 
 void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
@@ -1220,7 +1220,7 @@ void GLAPIENTRY glRecti(GLint x1, GLint y1, GLint x2, GLint y2) {
 }
 
 void GLAPIENTRY glRectiv(const GLint* v1, const GLint* v2) {
-    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRectiv: null pointer"));
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_i, 2), SPANGLE_TEXT("glRectiv: v1 or v2 is a null pointer"));
 }
 
 void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
@@ -1229,7 +1229,7 @@ void GLAPIENTRY glRectf(GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
 }
 
 void GLAPIENTRY glRectfv(const GLfloat* v1, const GLfloat* v2) {
-    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRectfv: null pointer"));
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_f, 2), SPANGLE_TEXT("glRectfv: v1 or v2 is a null pointer"));
 }
 
 void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
@@ -1238,7 +1238,7 @@ void GLAPIENTRY glRectd(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
 }
 
 void GLAPIENTRY glRectdv(const GLdouble* v1, const GLdouble* v2) {
-    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRectdv: null pointer"));
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_d, 2), SPANGLE_TEXT("glRectdv: v1 or v2 is a null pointer"));
 }
 
 #if SPANGLE_FEATURE_FIXED_POINT
@@ -1249,7 +1249,7 @@ void GLAPIENTRY glRectxOES(GLfixed x1, GLfixed y1, GLfixed x2, GLfixed y2) {
 }
 
 void GLAPIENTRY glRectxvOES(const GLfixed* v1, const GLfixed* v2) {
-    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRectxvOES: null pointer"));
+    issue_corners<family::Rect>(v1, v2, convert::components(convert::Element::cast_x, 2), SPANGLE_TEXT("glRectxvOES: v1 or v2 is a null pointer"));
 }
 
 #endif

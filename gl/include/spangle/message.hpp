@@ -9,7 +9,8 @@ namespace spangle {
 
 /// Receives one sentence without a line end. `code` is a GL or EGL error, or 0 for a remark. Called on the
 /// thread of the failing command, which has not returned yet: it must not call GL or EGL. Threads of a host
-/// may call it at once.
+/// may call it at once. A sentence begins with the command's name. What a vertex between glBegin and glEnd
+/// raises while it is drawn is told by the next command that is no vertex, glEnd at the latest.
 using MessageSink = void (*)(unsigned code, const char* text);
 
 /// Sets the sink of the whole program; null (the start) means silence. Returns the one before.

@@ -1,0 +1,158 @@
+// Sentences about errors: command, argument, rule.
+#include "gl/context/command_text.hpp"
+
+#if SPANGLE_MESSAGES
+
+#include "gl/api/explain.hpp"
+#include "gl/api/generated/commands.hpp"
+#include "gl/context/context.hpp"
+#include "gl/context/sentence.hpp"
+#include "gl/context/types.hpp"
+
+namespace spangle::gl {
+
+namespace {
+
+bool contains(const ArgText& arg, GLenum token) {
+    for (unsigned i = 0; i < arg.count; ++i)
+        if (arg.tokens[i] == token)
+            return true;
+    return false;
+}
+
+const PnameText* find_pname(const CommandText& text, const ArgText& arg, GLenum token) {
+    for (unsigned i = 0; i < arg.count; ++i)
+        if (text.pnames[i].token == token)
+            return &text.pnames[i];
+    return nullptr;
+}
+
+/// An argument that is wrong whatever the others and the state are.
+bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
+    const auto token = static_cast<GLenum>(value);
+    const auto number = static_cast<std::int32_t>(value);
+    const auto size = static_cast<std::intptr_t>(value);
+    if (code == GL_INVALID_ENUM && arg.rule == ArgRule::token && !contains(arg, token)) {
+        (out << arg.name << " ").hexadecimal(token) << " is not " << arg.kind;
+        return true;
+    }
+    if (code == GL_INVALID_ENUM && arg.rule == ArgRule::pname && find_pname(text, arg, token) == nullptr) {
+        (out << "pname ").hexadecimal(token) << " is not a parameter of this command";
+        return true;
+    }
+    if (code == GL_INVALID_VALUE && arg.rule == ArgRule::count && (number < 0 || size < 0)) {
+        (out << arg.name << " ").decimal(number < 0 ? number : size) << " is negative";
+        return true;
+    }
+    if (code == GL_INVALID_VALUE && arg.rule == ArgRule::range && (number < arg.low || number > arg.high)) {
+        (out << arg.name << " ").decimal(number) << " is not ";
+        if (arg.high == INT32_MAX)
+            (out << "at least ").decimal(arg.low);
+        else
+            ((out << "between ").decimal(arg.low) << " and ").decimal(arg.high);
+        return true;
+    }
+    return false;
+}
+
+/// An argument that is likely to be wrong where the command names no other rule: some commands take null, and
+/// what a parameter takes is not in the table.
+bool name_suspect(Sentence& out, GLenum code, const CommandText& text, const ArgText& arg, Arg value) {
+    if (code == GL_INVALID_VALUE && (arg.rule == ArgRule::address || arg.rule == ArgRule::array) &&
+        value == 0) {
+        out << arg.name << " is a null pointer";
+        return true;
+    }
+    if (arg.rule == ArgRule::pname && (code == GL_INVALID_VALUE || code == GL_INVALID_ENUM)) {
+        if (const PnameText* const pname = find_pname(text, arg, static_cast<GLenum>(value));
+            pname != nullptr) {
+            out << (code == GL_INVALID_VALUE ? "the value is out of the range of "
+                                             : "the value is none that ")
+                << pname->name << (code == GL_INVALID_VALUE ? "" : " takes");
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The first argument of which `says` knows that it is wrong. False: it says so of none.
+bool name_argument(Sentence& out, GLenum code, const CommandText& text, const Arg* args, unsigned count,
+                   decltype(name_wrong)& says) {
+    for (unsigned i = 0; i < text.count && i < count; ++i)
+        if (says(out, code, text, text.args[i], args[i]))
+            return true;
+    return false;
+}
+
+/// Where no argument is wrong by itself.
+const char* rule_of(GLenum code) {
+    switch (code) {
+    case GL_INVALID_ENUM:
+        return "a token is none that the command takes";
+    case GL_INVALID_VALUE:
+        return "a number is out of its range";
+    case GL_STACK_OVERFLOW:
+        return "the stack is full";
+    case GL_STACK_UNDERFLOW:
+        return "the stack has nothing to pop";
+    case GL_OUT_OF_MEMORY:
+        return "no room in the arena";
+    default:
+        return "the state does not allow it";
+    }
+}
+
+/// In the order that GL has.
+void unpack_image(const CommandText& text, const ImageCommand& image, Arg (&out)[most_explained]) {
+    unsigned beside = 0, sizes = 0, tokens = 0;
+    for (unsigned i = 0; i < text.count; ++i)
+        if (text.args[i].rule == ArgRule::count)
+            out[i] = static_cast<Arg>(image.size[sizes++]);
+        else if (i + 3 < text.count)
+            out[i] = static_cast<Arg>(image.arguments[beside++]);
+        else if (i + 1 < text.count)
+            out[i] = tokens++ == 0 ? image.format : image.type;
+        else
+            out[i] = reinterpret_cast<Arg>(image.pixels);
+}
+
+} // namespace
+
+void explain_unpacked(Context& context, const CommandText& text, const Arg* args, unsigned count) {
+    const Unexplained error = context.unexplained;
+    context.unexplained = {};
+    Sentence out;
+    // Where a primitive is still open, a vertex before this command raised it.
+    const CommandText& of = error.drawing && context.inside_begin_end() ? texts::Vertex : text;
+    out << of.name << ": ";
+    if (error.drawing || !name_argument(out, error.code, text, args, count, name_wrong)) {
+        if (error.rule != nullptr)
+            out << error.rule;
+        else if (!name_argument(out, error.code, text, args, count, name_suspect))
+            out << rule_of(error.code);
+    }
+    message(error.code, (out << " (" << of.section << ")").text());
+}
+
+void explain(Context& context, const CommandText& text, const Arg* args, unsigned count) {
+    Arg unpacked[most_explained];
+    count = unpack(text, args, count, unpacked);
+    explain_unpacked(context, text, unpacked, count);
+}
+
+unsigned unpack(const CommandText& text, const Arg* args, unsigned count, Arg (&out)[most_explained]) {
+    if (text.image && count != 0) {
+        unpack_image(text, *reinterpret_cast<const ImageCommand*>(args[0]), out);
+        return text.count;
+    }
+    const unsigned known = count < text.count ? count : text.count;
+    for (unsigned i = 0; i < known; ++i)
+        out[i] = text.args[i].rule != ArgRule::array
+                     ? args[i]
+                     : reinterpret_cast<Arg>(reinterpret_cast<const Values*>(args[i])->at);
+    return known;
+}
+
+} // namespace spangle::gl
+
+#endif

@@ -1,0 +1,52 @@
+// A sentence for spangle::on_message, put together where memory is not asked for.
+#pragma once
+
+#include <cstdint>
+
+namespace spangle::gl {
+
+/// What does not fit is cut off.
+class Sentence {
+  public:
+    Sentence& operator<<(const char* text) {
+        for (; *text != 0; ++text)
+            put(*text);
+        return *this;
+    }
+    /// With four digits at least, as tokens are written.
+    Sentence& hexadecimal(std::uint32_t value) {
+        *this << "0x";
+        int digits = 4;
+        while (digits < 8 && value >> 4 * digits != 0)
+            ++digits;
+        while (digits-- > 0)
+            put("0123456789ABCDEF"[value >> 4 * digits & 15]);
+        return *this;
+    }
+    Sentence& decimal(std::int64_t value) {
+        char digits[20];
+        int count = 0;
+        std::uint64_t rest =
+            value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+        do {
+            digits[count++] = static_cast<char>('0' + rest % 10);
+        } while ((rest /= 10) != 0);
+        if (value < 0)
+            put('-');
+        while (count-- > 0)
+            put(digits[count]);
+        return *this;
+    }
+    const char* text() const { return text_; }
+
+  private:
+    char text_[320] = {};
+    unsigned used_ = 0;
+
+    void put(char c) {
+        if (used_ + 1 < sizeof text_)
+            text_[used_++] = c;
+    }
+};
+
+} // namespace spangle::gl
