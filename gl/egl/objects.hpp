@@ -184,6 +184,10 @@ EGLSurface create_shown(EGLDisplay dpy, EGLConfig config, std::uintptr_t handle,
 /// What is marked as destroyed is freed as soon as nothing holds it.
 void free_destroyed(Display& display);
 
+constexpr std::int32_t bytes_per_depth(DepthFormat format) {
+    return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
+}
+
 /// The pixels of a surface as the rasterizer sees them: GL's rows count from the bottom.
 void set_pixels(Surface& surface, raster::Surface& out);
 inline raster::Surface pixels_of(Surface& surface) {

@@ -106,15 +106,17 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
 
 namespace {
 
-/// The attributes of EGL 1.5 are as wide as pointers; false when there are more than any surface has.
+/// The attributes of EGL 1.5 are as wide as pointers. False when there are more than any surface has, or one
+/// that no attribute of a surface is.
 constexpr std::size_t most_attributes = 32;
 bool narrow(const EGLAttrib* list, EGLint (&out)[2 * most_attributes + 1]) {
     std::size_t n = 0;
-    for (; list != nullptr && list[n] != EGL_NONE; n += 2) {
+    for (; list != nullptr && list[n & ~std::size_t{1}] != EGL_NONE; ++n) {
         if (n == 2 * most_attributes)
             return false;
         out[n] = static_cast<EGLint>(list[n]);
-        out[n + 1] = static_cast<EGLint>(list[n + 1]);
+        if (out[n] != list[n])
+            return false;
     }
     out[n] = EGL_NONE;
     return true;

@@ -1,4 +1,4 @@
-// Windows and pbuffers: how they are made and asked, and the pixels that GL sees of them (EGL 1.4, 3.5).
+// Windows and pbuffers: how they are made and destroyed (EGL 1.4, 3.5).
 #include "gl/context/error.hpp"
 #include "gl/context/features.hpp"
 #include "gl/context/limits.hpp"
@@ -15,10 +15,6 @@ namespace spangle::egl {
 namespace {
 
 constexpr std::int32_t largest_pbuffer = gl::max_viewport_dim;
-
-std::int32_t bytes_per_depth(DepthFormat format) {
-    return format == DepthFormat::none ? 0 : format == DepthFormat::z16 ? 2 : 4;
-}
 
 /// What a surface has beyond its config.
 struct Extras {
@@ -249,29 +245,6 @@ struct Shown {
 #endif
 };
 
-/// Where GL row 0 would be in a plane whose first row is row `first` of so many from the top. Addresses are
-/// numbers: of a band, that row is not there.
-std::uint8_t* bottom_row(std::uint8_t* plane, std::int32_t first, std::int32_t rows, std::int32_t stride) {
-    const auto way = static_cast<std::intptr_t>(rows - 1 - first) * stride;
-    return reinterpret_cast<std::uint8_t*>(reinterpret_cast<std::intptr_t>(plane) + way);
-}
-
-#if SPANGLE_FEATURE_MULTISAMPLE
-
-/// The samples of the rows that are there; top row first, so that they have the stride of the surface's own
-/// planes where these have one.
-const raster::Samples& show_samples(Surface& surface, const Rect& rows) {
-    const PixelFormat format = surface.config.drawn();
-    const std::int32_t stride = row_bytes(format, surface.width),
-                       top = (rows.y + rows.h - 1) / raster::drawn_info(format).rows;
-    surface.samples.color = bottom_row(surface.sample_colors, 0, top + 1, stride);
-    surface.samples.color_stride = -stride;
-    surface.samples.unresolved = surface.unresolved - rows.y;
-    return surface.samples;
-}
-
-#endif
-
 } // namespace
 
 #if SPANGLE_HAS_PLATFORMS
@@ -319,41 +292,6 @@ void free_surface(Surface* surface) {
                               static_cast<void*>(surface->accum), static_cast<void*>(surface->sample_colors),
                               static_cast<void*>(surface->unresolved), static_cast<void*>(surface)})
         arena().free(plane);
-}
-
-void set_pixels(Surface& surface, raster::Surface& out) {
-    out = {};
-    const PixelFormat format = surface.config.drawn();
-    out.format = format;
-    out.depth_format = surface.config.depth;
-    if (!surface.has_pixels())
-        return; // of no rows and columns: nothing is drawn there, and nothing is read
-    const bool bands = surface.in_bands();
-    const std::int32_t color_first = bands && surface.band.colors ? surface.band.first : 0,
-                       first = bands ? surface.band.first : 0, rows = stored_rows(format, surface.height);
-    out.width = surface.width;
-    out.height = surface.height;
-    out.color_stride = -surface.frame.stride; // top row first
-    out.color = bottom_row(surface.frame.pixels, color_first / raster::drawn_info(format).rows, rows,
-                           surface.frame.stride);
-#if SPANGLE_EXTENTS
-    out.extents = surface.frame.extents;
-    out.touched = out.extents != nullptr && out.extents->rows != nullptr
-                      ? out.extents->rows + (surface.height - 1)
-                      : nullptr;
-    out.touched_step = -1;
-#endif
-    if (surface.depth != nullptr) {
-        out.depth_stride = -surface.width * bytes_per_depth(surface.config.depth);
-        out.depth = bottom_row(surface.depth, first, surface.height, -out.depth_stride);
-    }
-    out.accum = surface.accum;
-    if (bands)
-        show_band(surface, out);
-#if SPANGLE_FEATURE_MULTISAMPLE
-    if (surface.config.has_samples())
-        out.samples = &show_samples(surface, out.area());
-#endif
 }
 
 } // namespace spangle::egl
