@@ -148,6 +148,9 @@ EGLint choose_band(const hal::DisplayInfo& info, EGLint wish, Band& band) {
     if (band.colors && wish > info.band_height)
         return EGL_BAD_MATCH; // the display holds no more
     const std::int32_t unit = band.colors ? info.band_unit : 1, most = info.height + unit - 1;
+    // Rows that share bytes count from the bottom, bands from the top: both must begin where bytes do.
+    if (band.colors && info.height % format_info(info.format).rows != 0)
+        return EGL_BAD_MATCH;
     const std::int32_t rows = wish != 0 ? (wish < most ? wish : most) : info.band_height;
     band.height = (rows + unit - 1) / unit * unit;
     return EGL_SUCCESS;

@@ -296,6 +296,72 @@ void Scenes::curves() {
     memory_.drop_to(kept);
 }
 
+/// What most programs draw most of the time: a surface in perspective, its depth tested, perhaps textured,
+/// lit, in fog or translucent, and little else. Such states have loops of their own.
+void Scenes::usual() {
+    plain();
+    camera();
+    const auto turn = [&](GLenum cap, unsigned one_of) {
+        in_.byte() % one_of == 0 ? glEnable(cap) : glDisable(cap);
+    };
+    for (const GLenum unit : {GL_TEXTURE1, GL_TEXTURE0}) {
+        glActiveTexture(unit);
+        for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
+            glDisable(target);
+    }
+    if (in_.byte() % 4 != 0) {
+        const unsigned log_width = pick(in_, 9), log_height = pick(in_, 9), filter = pick(in_, 4);
+        const GLenum format = pick(in_, {GL_RGB, GL_RGBA, GL_LUMINANCE, GL_ALPHA});
+        glBindTexture(GL_TEXTURE_2D, 1 + pick(in_, 3));
+        glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, filter > 1);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                        filter > 1 ? static_cast<GLint>(GL_NEAREST_MIPMAP_NEAREST + pick(in_, 4))
+                                   : static_cast<GLint>(GL_NEAREST + filter));
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(GL_NEAREST + pick(in_, 2)));
+        for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glTexParameteri(GL_TEXTURE_2D, axis,
+                            static_cast<GLint>(pick(in_, {GL_REPEAT, GL_CLAMP_TO_EDGE})));
+        glTexImage2D(GL_TEXTURE_2D, 0,
+                     format == GL_RGB && in_.byte() % 2 != 0 ? GL_RGB5 : static_cast<GLint>(format),
+                     1 << log_width, 1 << log_height, 0, format, GL_UNSIGNED_BYTE, source());
+        glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+                  static_cast<GLint>(pick(in_, {GL_MODULATE, GL_REPLACE, GL_DECAL})));
+        glEnable(GL_TEXTURE_2D);
+    }
+    turn(GL_DEPTH_TEST, 1 + pick(in_, 2));
+    glDepthFunc(pick(in_, {GL_LESS, GL_LEQUAL}));
+    turn(GL_LIGHTING, 2);
+    glEnable(GL_LIGHT0);
+    turn(GL_FOG, 4);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+    glFogf(GL_FOG_START, 1);
+    glFogf(GL_FOG_END, 6);
+    turn(GL_BLEND, 4);
+    glBlendFunc(GL_SRC_ALPHA, pick(in_, {GL_ONE_MINUS_SRC_ALPHA, GL_ONE}));
+    turn(GL_ALPHA_TEST, 8);
+    glAlphaFunc(GL_GREATER, 0.5f);
+    turn(GL_DITHER, 2);
+    glShadeModel(pick(in_, {GL_SMOOTH, GL_SMOOTH, GL_FLAT}));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const float scale = static_cast<float>(1 + pick(in_, 8)), wave = unit_number(in_);
+    const int cells = 1 + static_cast<int>(pick(in_, 6));
+    glLoadIdentity();
+    glTranslatef(0, 0, -2.5f);
+    glRotatef(static_cast<float>(in_.byte()), 1, unit_number(in_), 0);
+    for (int y = 0; y < cells; ++y) {
+        glBegin(GL_TRIANGLE_STRIP);
+        for (int i = 0; i < 2 * cells + 2; ++i) {
+            const float u = static_cast<float>(i / 2) / static_cast<float>(cells),
+                        v = static_cast<float>(y + i % 2) / static_cast<float>(cells);
+            glColor4f(u, v, 1 - u, 0.5f + v / 2);
+            glNormal3f(u - 0.5f, v - 0.5f, 1);
+            glTexCoord2f(u * scale, v * scale);
+            glVertex3f(4 * u - 2, 4 * v - 2, wave * (u - v));
+        }
+        glEnd();
+    }
+}
+
 /// States of every name there may be; none has more values than a pixel map.
 void Scenes::questions() {
     for (unsigned left = 1 + pick(in_, 6); left > 0; --left) {

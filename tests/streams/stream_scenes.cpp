@@ -57,6 +57,9 @@ int Scenes::one(unsigned number) {
         {&Scenes::stacks, 0},
         {&Scenes::generated_coordinates, 0},
         {&Scenes::questions, 0},
+        {&Scenes::usual, 4},
+        {&Scenes::usual, 4},
+        {&Scenes::usual, 4},
     };
     const Entry& entry = entries[number % std::size(entries)];
     (this->*entry.piece)();

@@ -47,6 +47,7 @@ class Scenes {
     void clears();
     void lists();
     void curves();
+    void usual();
     void answers();
     void questions();
     void stacks();
