@@ -34,7 +34,7 @@ Canvas blit(const Texture& texture, const FragmentState& from, PixelFormat forma
 }
 
 TEST(Blits, LinearIsNearestWhereTexelsArePixels) {
-    Random random(41);
+    Random random{41};
     constexpr PixelFormat formats[] = {PixelFormat::rgb565_be, PixelFormat::rgb565_le, PixelFormat::rgb888,
                                        PixelFormat::rgba8888,  PixelFormat::rgb666,    PixelFormat::rgb444,
                                        PixelFormat::rgb332,    PixelFormat::grey4,     PixelFormat::mono};
