@@ -1,5 +1,7 @@
 // Every error has one sentence, which names the command, the argument and the rule (spangle/message.hpp).
+#include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "tests/gl_api/error_sweep.hpp"
 #include "tests/random.hpp"
@@ -82,6 +84,29 @@ class ErrorSentences : public ErrorSweep {
         return values[random_.below(count)];
     }
 
+    /// C++ leaves the conversion of a number to an integer type that does not hold it undefined, so a command
+    /// whose name ends in an integer type gets the nearest number that its type holds.
+    static double representable(const Command& c, double number) {
+        std::string_view name = c.name;
+        name.remove_suffix(name.ends_with("OES") ? 3 : 0);
+        double range = 0;
+        switch (name.back()) {
+        case 'b':
+            range = 128;
+            break;
+        case 's':
+            range = 32768;
+            break;
+        case 'i':
+        case 'x':
+            range = 2147483648.0;
+            break;
+        default:
+            return number;
+        }
+        return std::clamp(number, name[name.size() - 2] == 'u' ? 0 : -range, range - 1);
+    }
+
     void spoil(const Command& c, const Arg& arg, bool reads, Value& value) {
         static constexpr std::int64_t small[] = {INT32_MIN, -1, 0, 1, 2, 3, 5, 9},
                                       any[] = {INT32_MIN, -1, 0, 1, 2, 31, 4096, INT32_MAX},
@@ -93,12 +118,12 @@ class ErrorSentences : public ErrorSweep {
             value.pointer = nullptr;
             return;
         case Kind::real:
-            value.number = one_of(numbers);
+            value.number = representable(c, one_of(numbers));
             return;
         case Kind::pvalue:
             value.number =
                 random_.below(2) == 0
-                    ? one_of(numbers)
+                    ? representable(c, one_of(numbers))
                     : static_cast<double>(tokens_[random_.below(static_cast<std::uint32_t>(tokens_.size()))] &
                                           0xFFFF);
             return;

@@ -41,8 +41,9 @@ TEST(GudExample, DrawsATriangle) {
 TEST(GudExample, SaysWhatIsMissing) {
     testing::internal::CaptureStderr();
     EXPECT_EQ(run("1"), 1);
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), "triangle: /dev/bus/usb/001/002: open: No such file or "
-                                                      "directory; lsusb lists what is plugged in\n");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "triangle: eglInitialize: /dev/bus/usb/001/002: open: No such file or "
+              "directory; lsusb lists what is plugged in\n");
 }
 
 TEST(GudExample, IsShort) {
